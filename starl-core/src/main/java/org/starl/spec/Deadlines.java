@@ -57,7 +57,7 @@ public final class Deadlines extends Within<Deadlines.ProcessKey> {
         nowNs,
         (key, sinceNs, deadlineNs) -> {
           report.checked(lemma);
-          report.violated(
+          report.overdue(
               lemma,
               deadlineNs,
               List.of(key.robot()),

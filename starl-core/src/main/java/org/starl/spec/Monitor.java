@@ -57,5 +57,10 @@ public interface Monitor {
      * @param detail one line with the values
      */
     void violated(String lemma, long timeNs, List<RobotId> robots, String detail);
+
+    /** {@code lemma} is violated, because its deadline has passed: as {@link #violated}. */
+    default void overdue(String lemma, long deadlineNs, List<RobotId> robots, String detail) {
+      violated(lemma, deadlineNs, robots, detail);
+    }
   }
 }

@@ -25,11 +25,18 @@ public final class SpecReport implements Monitor.Report {
    *
    * @param robots the robots involved, in order
    * @param detail one line with the values
+   * @param isOverdue whether a deadline has passed: the lemma requires progress
    */
-  public record Violation(String lemma, long timeNs, List<RobotId> robots, String detail) {
+  public record Violation(
+      String lemma, long timeNs, List<RobotId> robots, String detail, boolean isOverdue) {
 
     public Violation {
       robots = List.copyOf(robots);
+    }
+
+    /** Without a deadline. */
+    public Violation(String lemma, long timeNs, List<RobotId> robots, String detail) {
+      this(lemma, timeNs, robots, detail, false);
     }
 
     /** {@code Exclusive violated at 12.345 s by bot1 bot2: both hold A}. */
@@ -67,10 +74,19 @@ public final class SpecReport implements Monitor.Report {
 
   @Override
   public void violated(String lemma, long timeNs, List<RobotId> robots, String detail) {
-    Tally tally = tally(lemma);
+    add(new Violation(lemma, timeNs, robots, detail));
+  }
+
+  @Override
+  public void overdue(String lemma, long deadlineNs, List<RobotId> robots, String detail) {
+    add(new Violation(lemma, deadlineNs, robots, detail, true));
+  }
+
+  private void add(Violation violation) {
+    Tally tally = tally(violation.lemma());
     tally.violations++;
     if (tally.violations <= MAX_KEPT_PER_LEMMA) {
-      violations.add(new Violation(lemma, timeNs, robots, detail));
+      violations.add(violation);
     }
   }
 

@@ -24,8 +24,12 @@ import org.starl.sim.Diagnosis;
 import org.starl.sim.Diagnosis.Kind;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.spec.Monitor;
+import org.starl.spec.Within;
+import org.starl.trace.TraceEvent;
 
 /** A run that does not finish says why: ten planted faults. */
 class UnfinishedRunTest {
@@ -91,7 +95,7 @@ class UnfinishedRunTest {
     }
   }
 
-  private static Diagnosis run(int robots, Consumer<App> body, Consumer<Simulation.Builder> more) {
+  private static Simulation.Builder simulation(int robots, Consumer<App> body) {
     Simulation.Builder builder =
         Simulation.builder()
             .name("planted")
@@ -102,6 +106,11 @@ class UnfinishedRunTest {
       RobotId id = new RobotId("bot" + i);
       builder.robot(new RobotSpec(id, new Pose(0, 1000 * i, 0), true, gvh -> new App(gvh, body)));
     }
+    return builder;
+  }
+
+  private static Diagnosis run(int robots, Consumer<App> body, Consumer<Simulation.Builder> more) {
+    Simulation.Builder builder = simulation(robots, body);
     more.accept(builder);
     Diagnosis diagnosis = builder.build().run().diagnosis();
     assertThat(diagnosis.kind()).isNotEqualTo(Kind.FINISHED);
@@ -290,6 +299,57 @@ class UnfinishedRunTest {
     assertThat(diagnosis.lines()).anyMatch(line -> line.endsWith("for: registered"));
     assertThat(diagnosis.cause())
         .contains("bot0 registration/list: failed: no majority of the acceptors answered");
+  }
+
+  /** A robot must have its section 10 s after its request. */
+  private static final class Served implements Monitor {
+    private final Within<RobotId> deadline = new Within<>(10_000_000_000L);
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("served");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      deadline.expire(
+          event.timeNs(),
+          (robot, sinceNs, deadlineNs) ->
+              report.overdue("served", deadlineNs, List.of(robot), "late"));
+      if (event instanceof TraceEvent.Action action && action.name().equals("do_mutex")) {
+        deadline.start(event.robot(), event.timeNs());
+      } else if (event instanceof TraceEvent.Action action && action.name().equals("od_mutex")) {
+        deadline.stop(event.robot());
+      }
+    }
+  }
+
+  @Test
+  void aMissedDeadlineIsDiagnosedWhenItIsMissed() {
+    SimResult result =
+        simulation(
+                3,
+                app -> {
+                  M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+                  app.pause(app.is(1) ? 0 : 1_000);
+                  app.enter(mutex, "D");
+                  app.pause(app.is(1) ? 15_000 : 100);
+                  mutex.release("D");
+                  app.pause(5_000);
+                })
+            .monitor(Served::new)
+            .build()
+            .run();
+    assertThat(result.isFinished()).isTrue();
+    assertThat(result.overdue()).hasSize(1);
+    result
+        .overdue()
+        .forEach((violation, diagnosis) -> {
+          assertThat(violation.timeNs()).isEqualTo(11_000_000_000L);
+          assertThat(diagnosis.cause()).contains("bot1 mutex/door: holds [D]");
+          assertThat(diagnosis.graph().of(new RobotId("bot0"))).contains(new RobotId("bot1"));
+          assertThat(result.diagnosis(violation)).isEqualTo(diagnosis);
+        });
   }
 
   @Test

@@ -75,7 +75,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
         new RunObservers(
             Monitors.of(plan.monitors()),
             plan.observers(),
-            !plan.monitors().isEmpty() || !plan.observers().isEmpty());
+            !plan.monitors().isEmpty() || !plan.observers().isEmpty(),
+            this::diagnosis);
     SimSettings settings = plan.settings();
     world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
@@ -122,7 +123,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             network.statistics(),
             world.collisions(),
             spec,
-            diagnosis(List.of()));
+            diagnosis(List.of()),
+            observers.overdue());
     observers.finished(result);
     return result;
   }

@@ -1,6 +1,11 @@
 package org.starl.sim;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.spec.Monitors;
@@ -15,12 +20,21 @@ public final class RunObservers implements TraceSink {
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
+  private final Function<List<RobotId>, Diagnosis> diagnose;
+  private final Map<SpecReport.Violation, Diagnosis> overdue = new LinkedHashMap<>();
+  private final Set<String> overdueLemmas = new TreeSet<>();
 
   /**
    * @param isOn whether events are needed
+   * @param diagnose tells why the run does not go on, now; it explains the given robots
    */
-  public RunObservers(Monitors monitors, List<SimObserver> observers, boolean isOn) {
+  public RunObservers(
+      Monitors monitors,
+      List<SimObserver> observers,
+      boolean isOn,
+      Function<List<RobotId>, Diagnosis> diagnose) {
     this.monitors = monitors;
+    this.diagnose = diagnose;
     this.observers = List.copyOf(observers);
     this.isOn = isOn;
   }
@@ -41,8 +55,16 @@ public final class RunObservers implements TraceSink {
 
   private void reportViolations() {
     for (SpecReport.Violation violation : monitors.newViolations()) {
+      if (violation.isOverdue() && overdueLemmas.add(violation.lemma())) {
+        overdue.put(violation, diagnose.apply(violation.robots()));
+      }
       observers.forEach(observer -> observer.violated(violation));
     }
+  }
+
+  /** The first missed deadline of each lemma, and the diagnosis when it was noticed. */
+  Map<SpecReport.Violation, Diagnosis> overdue() {
+    return overdue;
   }
 
   public void started(TraceHeader header) {

@@ -1,6 +1,9 @@
 package org.starl.sim;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import org.starl.id.RobotId;
 import org.starl.sim.net.NetStatistics;
@@ -18,6 +21,7 @@ import org.starl.spec.SpecReport;
  * @param unfinished robots whose apps have not ended, but for robots that left or crashed for good
  * @param spec what the monitors found
  * @param diagnosis why the run has not finished
+ * @param overdue the first missed deadline of each lemma, and the diagnosis at that time
  */
 public record SimResult(
     long seed,
@@ -29,7 +33,12 @@ public record SimResult(
     NetStatistics network,
     Collisions collisions,
     SpecReport spec,
-    Diagnosis diagnosis) {
+    Diagnosis diagnosis,
+    Map<SpecReport.Violation, Diagnosis> overdue) {
+
+  public SimResult {
+    overdue = Collections.unmodifiableMap(new LinkedHashMap<>(overdue));
+  }
 
   /** A result without a diagnosis, as of a recorded run. */
   public SimResult(
@@ -52,7 +61,13 @@ public record SimResult(
         network,
         collisions,
         spec,
-        Diagnosis.NONE);
+        Diagnosis.NONE,
+        Map.of());
+  }
+
+  /** The diagnosis of {@code violation}, if it is a missed deadline that has one. */
+  public Diagnosis diagnosis(SpecReport.Violation violation) {
+    return overdue.getOrDefault(violation, Diagnosis.NONE);
   }
 
   /** Whether every app has ended within the time limit. */

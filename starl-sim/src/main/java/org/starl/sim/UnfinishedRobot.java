@@ -39,8 +39,7 @@ public record UnfinishedRobot(
   /** The state in words: a first line, then details, indented. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    String at =
-        place.isEmpty() ? "runs steps" : "waits at " + place + " since " + Time.text(sinceNs, 3);
+    String at = place.isEmpty() ? "runs" : "waits at " + place + " since " + Time.text(sinceNs, 3);
     lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
     waits.forEach(wait -> lines.add("  " + wait));
     if (!motion.isEmpty()) {

@@ -49,9 +49,18 @@ public record WaitGraph(SortedMap<RobotId, Set<RobotId>> waits) {
     return List.of();
   }
 
-  /** Whether {@code robot} is in a circle. */
-  public boolean isInCircle(RobotId robot) {
-    return !way(waits, robot).isEmpty();
+  /** Whether waits lead from {@code from} to {@code to}; from a robot to itself in a circle. */
+  public boolean leads(RobotId from, RobotId to) {
+    Set<RobotId> reached = new TreeSet<>();
+    Deque<RobotId> open = new ArrayDeque<>(List.of(from));
+    while (!open.isEmpty() && !reached.contains(to)) {
+      for (RobotId next : of(open.remove())) {
+        if (reached.add(next)) {
+          open.add(next);
+        }
+      }
+    }
+    return reached.contains(to);
   }
 
   /** How many robots wait for {@code robot} directly. */

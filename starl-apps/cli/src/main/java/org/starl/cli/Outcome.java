@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.apps.Measures;
+import org.starl.id.RobotId;
+import org.starl.sim.Diagnosis;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
 import org.starl.time.Time;
@@ -45,7 +47,13 @@ final class Outcome {
   /** A line for each problem; empty if the run was good. */
   static List<String> complaints(SimResult result) {
     List<String> lines = new ArrayList<>();
-    result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
+    result
+        .spec()
+        .violations()
+        .forEach(violation -> {
+          lines.add("VIOLATED: " + violation);
+          result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
+        });
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));
@@ -66,6 +74,7 @@ final class Outcome {
     json.putAll(measures.figures());
     json.put("unfinished", result.unfinished().stream().map(Object::toString).toList());
     json.put("cause", result.diagnosis().cause());
+    json.put("waits", waits(result.diagnosis()));
     measures.counts().forEach((name, count) -> json.put(name.replaceAll("[: ]+", "_"), count));
     json.put("datagrams", result.network().sent());
     json.put("lost", result.network().lost());
@@ -73,6 +82,29 @@ final class Outcome {
     result.spec().lemmas().forEach(lemma -> checks.put(lemma, result.spec().checks(lemma)));
     json.put("checks", checks);
     json.put("violations", result.spec().violations().stream().map(Object::toString).toList());
+    List<Map<String, Object>> overdue = new ArrayList<>();
+    result
+        .overdue()
+        .forEach((violation, diagnosis) ->
+            overdue.add(
+                Json.object(
+                    "violation",
+                    violation.toString(),
+                    "cause",
+                    diagnosis.cause(),
+                    "waits",
+                    waits(diagnosis))));
+    json.put("overdue", overdue);
+    return json;
+  }
+
+  /** Which robot waits for which. */
+  private static Map<String, Object> waits(Diagnosis diagnosis) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    diagnosis
+        .graph()
+        .waits()
+        .forEach((robot, on) -> json.put(robot.name(), on.stream().map(RobotId::name).toList()));
     return json;
   }
 }

@@ -265,7 +265,7 @@ public final class MotionSpec extends LemmaMonitor {
         report.checked(TOLD);
         String detail =
             "reports no result for " + motion.target + " since " + motion.startNs + " ns";
-        report.violated(TOLD, motion.deadlineNs, List.of(motion.robot), detail);
+        report.overdue(TOLD, motion.deadlineNs, List.of(motion.robot), detail);
       } else if (motion.isOpen) {
         firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
       }

@@ -76,7 +76,7 @@ final class MutexProgress {
         nowNs,
         (request, sinceNs, deadlineNs) -> {
           report.checked(lemma);
-          report.violated(
+          report.overdue(
               lemma,
               deadlineNs,
               List.of(request.who.robot()),

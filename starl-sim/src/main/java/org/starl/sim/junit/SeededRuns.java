@@ -175,6 +175,12 @@ record SeededRuns(
     SimResult result = first.result;
     if (result != null) {
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));
+      result
+          .overdue()
+          .forEach((violation, diagnosis) -> {
+            lines.add("when " + violation.lemma() + " was overdue:");
+            diagnosis.lines().forEach(line -> lines.add("  " + line));
+          });
     }
     lines.addAll(filesOf(bad.get(0)));
     lines.add(replay(first.seed));

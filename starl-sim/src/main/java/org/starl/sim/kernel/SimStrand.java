@@ -160,7 +160,7 @@ public final class SimStrand implements Strand, Timers {
 
   /** The stack of the app where it waits now; empty if there is none. */
   public StackTraceElement[] appStack() {
-    return app == null ? new StackTraceElement[0] : app.stack();
+    return app == null || app.isRunning() ? new StackTraceElement[0] : app.stack();
   }
 
   /** When the app's present wait began; 0 if it never waited. */

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import org.starl.cli.report.IllustratedRun.Shot;
 import org.starl.cli.report.Report.Description;
+import org.starl.sim.Diagnosis;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -78,6 +79,7 @@ final class BadRunsPart {
           "class",
           "detail");
     }
+    illustrated.diagnoses().forEach(this::diagnosis);
     html.open("p", "class", "replay").text("Replay: ");
     html.command(report.description().replay().apply(illustrated.seed())).close();
     shots(illustrated, outcome);
@@ -110,6 +112,15 @@ final class BadRunsPart {
       html.element("li", "and " + count(left) + " more");
     }
     html.close().close();
+  }
+
+  private void diagnosis(String when, Diagnosis diagnosis) {
+    html.open("div", "class", "diagnosis");
+    html.element("p", "Likely cause, " + when + ": " + diagnosis.cause(), "class", "detail");
+    new WaitsPicture(html, diagnosis).write();
+    html.open("details").element("summary", "The robots' state").open("ul");
+    diagnosis.lines().forEach(line -> html.element("li", line.strip()));
+    html.close().close().close();
   }
 
   private void shots(IllustratedRun illustrated, RunOutcome outcome) {

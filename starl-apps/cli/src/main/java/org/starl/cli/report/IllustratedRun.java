@@ -6,10 +6,14 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.LongFunction;
 import java.util.stream.LongStream;
 import org.starl.apps.Plan;
+import org.starl.sim.Diagnosis;
+import org.starl.sim.SimResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.record.Filmstrip;
 import org.starl.sim.record.Filmstrip.Frame;
@@ -23,8 +27,17 @@ import org.starl.time.Time;
  * @param story in lines; empty if an exception ended the run
  * @param shots ordered by time
  * @param outcome how it ended this time
+ * @param diagnoses why robots waited, by the missed deadline, or {@link #AT_THE_END}
  */
-public record IllustratedRun(long seed, List<String> story, List<Shot> shots, RunOutcome outcome) {
+public record IllustratedRun(
+    long seed,
+    List<String> story,
+    List<Shot> shots,
+    RunOutcome outcome,
+    Map<String, Diagnosis> diagnoses) {
+
+  /** The key of an unfinished run's diagnosis. */
+  static final String AT_THE_END = "at the end";
 
   private static final int FLOOR_PX = 440;
   private static final int WHOLE_PX = 1100;
@@ -53,14 +66,15 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
       Filmstrip film = new Filmstrip(plan.obstacles(), plan.layer(), timesNs(momentNs));
       plan.simulation().observer(film);
       try {
-        RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
-        return new IllustratedRun(seed, plan.story().lines(), shots(film), outcome);
+        SimResult result = plan.simulation().build().run();
+        return new IllustratedRun(
+            seed, plan.story().lines(), shots(film), RunOutcome.of(result), diagnoses(result));
       } catch (RuntimeException e) {
         shots = shots(film);
         throw e;
       }
     } catch (RuntimeException e) {
-      return new IllustratedRun(seed, List.of(), shots, RunOutcome.failed(e));
+      return new IllustratedRun(seed, List.of(), shots, RunOutcome.failed(e), Map.of());
     }
   }
 
@@ -72,7 +86,18 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));
-    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), outcome);
+    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), outcome, Map.of());
+  }
+
+  private static Map<String, Diagnosis> diagnoses(SimResult result) {
+    Map<String, Diagnosis> diagnoses = new LinkedHashMap<>();
+    result
+        .overdue()
+        .forEach((violation, diagnosis) -> diagnoses.put(violation.toString(), diagnosis));
+    if (!result.isFinished()) {
+      diagnoses.put(AT_THE_END, result.diagnosis());
+    }
+    return diagnoses;
   }
 
   private static List<Long> timesNs(long momentNs) {

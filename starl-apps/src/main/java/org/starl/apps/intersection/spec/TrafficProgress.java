@@ -78,7 +78,7 @@ final class TrafficProgress extends LemmaMonitor {
     departures.expire(
         nowNs,
         (robot, sinceNs, deadlineNs) ->
-            report.violated(
+            report.overdue(
                 LEMMA,
                 deadlineNs,
                 List.of(robot),

@@ -145,7 +145,7 @@ public final class PaintSpec implements Monitor {
           late.removeIf(robot -> Boolean.TRUE.equals(ended.get(robot)));
           String since = "not done since " + sinceNs / Time.NS_PER_MS + " ms; not painted: ";
           to.checked(PAINTED);
-          to.violated(PAINTED, deadlineNs, late, since + missing());
+          to.overdue(PAINTED, deadlineNs, late, since + missing());
         });
   }
 

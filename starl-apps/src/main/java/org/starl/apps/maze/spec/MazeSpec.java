@@ -120,7 +120,7 @@ public final class MazeSpec implements Monitor {
         endNs,
         (late, sinceNs, deadlineNs) -> {
           String detail = "no answer for " + late.goal() + " within ";
-          report.violated(
+          report.overdue(
               ANSWERED,
               deadlineNs,
               List.of(late.robot()),

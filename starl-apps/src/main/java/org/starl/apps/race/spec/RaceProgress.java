@@ -154,14 +154,14 @@ public final class RaceProgress extends LemmaMonitor {
           if (records.robots().contains(robot) && records.isKnown(hearing.point())) {
             String others = ", others have since " + sinceNs + " ns";
             String detail = "does not know the winner of " + name(hearing.point()) + others;
-            report.violated(TOLD, deadlineNs, List.of(robot), detail);
+            report.overdue(TOLD, deadlineNs, List.of(robot), detail);
           }
         });
     taken.expire(
         nowNs,
         (point, sinceNs, deadlineNs) -> {
           String detail = name(point) + " has not been won since " + sinceNs + " ns";
-          report.violated(TAKEN, deadlineNs, List.of(), detail);
+          report.overdue(TAKEN, deadlineNs, List.of(), detail);
         });
   }
 

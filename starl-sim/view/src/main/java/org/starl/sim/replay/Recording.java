@@ -42,6 +42,7 @@ public final class Recording implements SimObserver {
   private volatile long endNs;
   private volatile int checked = ALL;
   private volatile String failure = "";
+  private volatile String unfinished = "";
 
   /**
    * @param obstacles obstacles of the world, hidden ones included
@@ -114,6 +115,14 @@ public final class Recording implements SimObserver {
   @Override
   public void finished(SimResult result) {
     over(result.endNs());
+    if (!result.isFinished()) {
+      unfinished = "not finished: " + result.diagnosis().cause();
+    }
+  }
+
+  /** Why the run has not finished, in one line; empty if it has, or if that is unknown. */
+  public String unfinished() {
+    return unfinished;
   }
 
   /** Advances {@link #endNs} to {@code timeNs} without an event. */

@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.sim.Diagnosis;
 import org.starl.sim.RunObservers;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
@@ -41,7 +42,8 @@ public final class TracePlayer {
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
-    this.observers = new RunObservers(new Monitors(monitors), observers, true);
+    this.observers =
+        new RunObservers(new Monitors(monitors), observers, true, robots -> Diagnosis.NONE);
   }
 
   /**

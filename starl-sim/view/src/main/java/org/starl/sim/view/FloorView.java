@@ -21,6 +21,7 @@ import org.starl.sim.record.Painter;
 import org.starl.sim.record.Theme;
 import org.starl.sim.record.Viewport;
 import org.starl.sim.replay.Mark;
+import org.starl.sim.replay.Recording;
 
 /** The floor: dragging pans, the wheel zooms, a click selects a robot. */
 final class FloorView {
@@ -121,11 +122,19 @@ final class FloorView {
     } else if (violation != null) {
       strip(page, widthPx, MARGIN_PX, violation.text(), theme.alarm());
     } else if (session.playback().isAtEnd()) {
-      String when = Inspection.seconds(session.recording().endNs());
-      String open =
-          session.recording().isChecked() ? "" : "; specifications are still being checked";
-      strip(page, widthPx, MARGIN_PX, "The run ended at " + when + open, theme.muted());
+      boolean isFinished = session.recording().unfinished().isEmpty();
+      Color colour = isFinished ? theme.muted() : theme.alarm();
+      strip(page, widthPx, MARGIN_PX, ending(session.recording()), colour);
     }
+  }
+
+  static String ending(Recording recording) {
+    String why = recording.unfinished();
+    String open = recording.isChecked() ? "" : "; specifications are still being checked";
+    return "The run ended at "
+        + Inspection.seconds(recording.endNs())
+        + (why.isEmpty() ? "" : ", " + why)
+        + open;
   }
 
   private static void strip(Graphics2D page, int widthPx, int topPx, String text, Color colour) {
