@@ -67,7 +67,7 @@ public record Diagnosis(
    * @param important robots to explain in any case, if they are unfinished
    * @param explain the state of an unfinished robot
    */
-  record Moment(
+  public record Moment(
       long nowNs,
       boolean isIdle,
       long changedNs,
@@ -81,7 +81,7 @@ public record Diagnosis(
     down = Set.copyOf(down);
   }
 
-  static Diagnosis of(Moment moment) {
+  public static Diagnosis of(Moment moment) {
     if (moment.waits().isEmpty()) {
       return NONE;
     }

@@ -39,7 +39,8 @@ public record UnfinishedRobot(
   /** The state in words: a first line, then details, indented. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    String at = place.isEmpty() ? "runs" : "waits at " + place + " since " + Time.text(sinceNs, 3);
+    String none = condition.isEmpty() ? "runs" : "waits";
+    String at = place.isEmpty() ? none : "waits at " + place + " since " + Time.text(sinceNs, 3);
     lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
     waits.forEach(wait -> lines.add("  " + wait));
     if (!motion.isEmpty()) {
@@ -49,7 +50,9 @@ public record UnfinishedRobot(
       lines.add("  touches " + String.join(", ", touches));
     }
     String changed = changedNs < 0 ? "" : " (last change at " + Time.text(changedNs, 3) + ")";
-    lines.add("  variables" + changed + ": " + String.join(", ", variables));
+    if (!variables.isEmpty()) {
+      lines.add("  variables" + changed + ": " + String.join(", ", variables));
+    }
     return lines;
   }
 

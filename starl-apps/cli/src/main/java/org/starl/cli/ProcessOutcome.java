@@ -44,6 +44,7 @@ final class ProcessOutcome {
     if (!result.isGood() && result.deaths().isEmpty() && !run.isFinished()) {
       lines.add("NOT FINISHED: " + run.unfinished());
     }
+    run.diagnosis().lines().forEach(line -> lines.add("  " + line));
     return lines;
   }
 

@@ -20,13 +20,16 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
+import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
 import org.starl.launch.LaunchResult.Death;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.ProcessWord;
+import org.starl.sim.Diagnosis;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.UnfinishedRobot;
 import org.starl.sim.net.NetStatistics;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
@@ -218,7 +221,24 @@ public final class Launcher implements AutoCloseable {
         unfinished,
         new NetStatistics(run.network().sent(), run.network().sentBytes(), copies - lost, lost),
         run.collisions(),
-        run.spec());
+        run.spec(),
+        diagnosis(unfinished, run.endNs()),
+        run.overdue());
+  }
+
+  private Diagnosis diagnosis(List<RobotId> unfinished, long endNs) {
+    SortedMap<RobotId, List<Wait>> waits = new TreeMap<>();
+    long changedNs = -1;
+    for (RobotId id : unfinished) {
+      Robot robot = robots.get(id);
+      waits.put(id, robot.waits);
+      changedNs = Math.max(changedNs, robot.changedNs);
+    }
+    Set<RobotId> down = new TreeSet<>();
+    deaths.forEach(death -> down.add(death.robot()));
+    return Diagnosis.of(
+        new Diagnosis.Moment(
+            endNs, false, changedNs, waits, down, List.of(), id -> robots.get(id).explain()));
   }
 
   /** Ends every process, and deletes their files. */
@@ -266,6 +286,11 @@ public final class Launcher implements AutoCloseable {
     private long earlierLost;
     private long longestPauseNs;
 
+    // Of an app that has not ended.
+    private String awaited = "";
+    private final List<Wait> waits = new ArrayList<>();
+    private long changedNs = -1;
+
     Robot(RobotSpec spec, List<String> command) throws IOException {
       this.spec = spec;
       id = spec.id();
@@ -294,6 +319,9 @@ public final class Launcher implements AutoCloseable {
       }
       lastNs = Math.max(lastNs, event.timeNs());
       add(event);
+      if (event instanceof Variable) {
+        changedNs = event.timeNs();
+      }
       if (event instanceof Joined) {
         isPlaceGranted = false;
       }
@@ -344,6 +372,13 @@ public final class Launcher implements AutoCloseable {
           rounds++;
           results = List.copyOf(args);
         }
+        case WAITS -> {
+          awaited = args.get(0);
+          waits.clear();
+          for (int i = 1; i + 2 < args.size(); i += 3) {
+            waits.add(new Wait(args.get(i), args.get(i + 1), robots(args.get(i + 2))));
+          }
+        }
         case LOG -> {
           if (args.get(0).equals("WARN") || args.get(0).equals("ERROR")) {
             warned(args.get(1) + ": " + args.get(2));
@@ -354,6 +389,14 @@ public final class Launcher implements AutoCloseable {
           // All processes use this machine's clock; PORT has checked that.
         }
       }
+    }
+
+    private static List<RobotId> robots(String names) {
+      return names.isEmpty() ? List.of() : Stream.of(names.split(" ")).map(RobotId::new).toList();
+    }
+
+    UnfinishedRobot explain() {
+      return new UnfinishedRobot(id, "", 0, awaited, changedNs, List.of(), waits, "", List.of());
     }
 
     /** Each start of the program begins its counts at 0. */

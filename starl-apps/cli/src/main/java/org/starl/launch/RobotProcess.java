@@ -63,6 +63,10 @@ public final class RobotProcess extends RobotMain {
     Daemons.of(self + " commands", () -> process.read(in)).start();
     process.trace.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
     process.loop();
+    if (process.robot != null && !process.robot.reportWaits()) {
+      process.trace.report(
+          process.clock, ProcessWord.LOG, "WARN", "end", "the app does not release the strand");
+    }
     process.bringDown(false);
     process.trace.end(process.clock.nowNs());
   }

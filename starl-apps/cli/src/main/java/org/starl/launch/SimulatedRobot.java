@@ -4,11 +4,17 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.geometry.Pose;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
@@ -41,6 +47,7 @@ import org.starl.time.Time;
  */
 final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
+  private static final long WAITS_LIMIT_S = 2;
   private static final long ALIVE_EVERY_NS = 50 * Time.NS_PER_MS;
 
   private final ProcessTrace trace;
@@ -185,6 +192,35 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
       gone.await();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /**
+   * Reports what its app waits for, unless the app has ended.
+   *
+   * @return false if the app does not release the strand
+   */
+  boolean reportWaits() {
+    CountDownLatch reported = new CountDownLatch(1);
+    strand.post(() -> {
+      GlobalVarHolder gvh = runner.gvh();
+      LogicThread app = runner.app();
+      if (gvh != null && app != null && runner.results() == null) {
+        List<Object> args = new ArrayList<>(List.of(app.awaited()));
+        for (Wait wait : gvh.waits()) {
+          args.add(wait.source());
+          args.add(wait.what());
+          args.add(wait.on().stream().map(RobotId::name).collect(Collectors.joining(" ")));
+        }
+        trace.report(clock, ProcessWord.WAITS, args.toArray());
+      }
+      reported.countDown();
+    });
+    try {
+      return reported.await(WAITS_LIMIT_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
     }
   }
 

@@ -20,6 +20,8 @@ public enum ProcessWord {
   ALIVE,
   /** Its app has ended: results. */
   FINISHED,
+  /** It ends before its app: the awaited condition, then source, text and robots of each wait. */
+  WAITS,
   /** A line for people: level, tag, line. */
   LOG,
   /** It ends because of a bug: the stack trace. */
