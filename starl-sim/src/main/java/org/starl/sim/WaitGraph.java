@@ -1,10 +1,10 @@
 package org.starl.sim;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Deque;
-import java.util.LinkedList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -117,7 +117,7 @@ public record WaitGraph(SortedMap<RobotId, Set<RobotId>> waits) {
   }
 
   private static List<RobotId> way(Map<RobotId, RobotId> cameFrom, RobotId start) {
-    LinkedList<RobotId> way = new LinkedList<>(List.of(start));
+    List<RobotId> way = new ArrayList<>(List.of(start));
     RobotId robot = cameFrom.get(start);
     while (robot != null && !robot.equals(start)) {
       way.add(1, robot);
