@@ -45,7 +45,8 @@ final class EngineController implements RunController {
     FaultPlan plan = new FaultPlan(List.of(fault));
     plan.requireNamedAmong(engine.known());
     if (fault.span().untilNs() <= nowNs()) {
-      throw new BadInput(BadInput.quote(text) + ": ends before the present time; expected a later end");
+      throw new BadInput(
+          BadInput.quote(text) + ": ends before the present time; expected a later end");
     }
     record(TraceEvent.Fault.WORLD, Intervention.FAULT, fault.toString());
     faults.add(plan, rng.fork(Integer.toString(done)));

@@ -190,7 +190,8 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private ObserverFile gif(Plan plan, String wanted, String target) {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
-      throw new BadInput("--when " + when + " cannot be used with --gif; expected --when violation, or no --when");
+      throw new BadInput(
+          "--when " + when + " cannot be used with --gif; expected --when violation, or no --when");
     }
     GifRecorder recorder =
         new GifRecorder(

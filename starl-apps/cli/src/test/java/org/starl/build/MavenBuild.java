@@ -26,30 +26,23 @@ final class MavenBuild {
   private final SortedMap<String, String> properties = new TreeMap<>();
   private final SortedMap<String, String> managed = new TreeMap<>();
 
-  private MavenBuild(Element parent, Element bom) {
+  private MavenBuild(Element parent) {
     this.parent = parent;
     properties.put("project.version", childText(parent, "version"));
     for (Element property : children(child(parent, "properties"))) {
       properties.put(property.getTagName(), property.getTextContent().strip());
     }
-    for (Element pom : List.of(parent, bom)) {
-      for (Element dependency : managed(pom)) {
-        managed.put(nameOf(dependency), resolve(childText(dependency, "version")));
-      }
+    Element management = child(parent, "dependencyManagement");
+    for (Element dependency : children(child(management, "dependencies"))) {
+      managed.put(nameOf(dependency), resolve(childText(dependency, "version")));
     }
-  }
-
-  private static List<Element> managed(Element pom) {
-    return children(child(child(pom, "dependencyManagement"), "dependencies"));
   }
 
   /**
    * @param files gives the text of a file of the project
    */
   static Build read(UnaryOperator<String> files) {
-    String bom = Build.BOM + "/pom.xml";
-    return new MavenBuild(parse("pom.xml", files.apply("pom.xml")), parse(bom, files.apply(bom)))
-        .build(files);
+    return new MavenBuild(parse("pom.xml", files.apply("pom.xml"))).build(files);
   }
 
   private Build build(UnaryOperator<String> files) {

@@ -33,7 +33,8 @@ class InputFilesDocTest {
       Pattern.compile("\\| ([^|`]+) \\| `(my\\.wpt: [^`]+)` \\|");
 
   private static final Pattern DRAWING =
-      Pattern.compile("\\| `(<[^`]+|WAY,[^`]+)` \\| `drawing(\\.(?:svg:2|wpt:1): [^`]+?)(?: \\.\\.\\.)?` \\|");
+      Pattern.compile(
+          "\\| `(<[^`]+|WAY,[^`]+)` \\| `drawing(\\.(?:svg:2|wpt:1): [^`]+?)(?: \\.\\.\\.)?` \\|");
 
   private static Map<String, String> rows(Pattern row) throws IOException {
     Map<String, String> rows = new TreeMap<>();

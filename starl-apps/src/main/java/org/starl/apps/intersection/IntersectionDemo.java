@@ -147,10 +147,12 @@ public final class IntersectionDemo implements Demo {
 
   private static void checkOpen(Request request, SimSettings settings) {
     if (request.robots().isPresent()) {
-      throw new BadInput("robots: cannot be set with scenario=open; arrivals give the number of cars");
+      throw new BadInput(
+          "robots: cannot be set with scenario=open; arrivals give the number of cars");
     }
     if (settings.endNs() > MAX_ARRIVALS_NS) {
-      throw new BadInput("duration: expected from 1ms to 1000h with scenario=open, where cars arrive until then");
+      throw new BadInput(
+          "duration: expected from 1ms to 1000h with scenario=open, where cars arrive until then");
     }
   }
 

@@ -60,7 +60,9 @@ public final class MazeDemo implements Demo {
           new Scenario("map", "a grid map of the path-finding benchmarks; needs map=FILE"));
   private static final Parameter FILES =
       new Parameter(
-          "files", "", "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies scenario=files");
+          "files",
+          "",
+          "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies scenario=files");
   private static final Parameter MAP =
       new Parameter("map", "", "a grid map (.map); implies scenario=map");
   private static final Parameter CELL =

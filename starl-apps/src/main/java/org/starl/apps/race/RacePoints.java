@@ -35,7 +35,8 @@ final class RacePoints {
       double radiusMm = waypoint.radiusMm().orElse(MotionParameters.DEFAULT.goalRadiusMm());
       String quoted = BadInput.quote(waypoint.name());
       if (!names.add(waypoint.name())) {
-        throw new BadInput(file + ": two points are called " + quoted + ": expected different names");
+        throw new BadInput(
+            file + ": two points are called " + quoted + ": expected different names");
       }
       if (!(radiusMm > 0)) {
         throw new BadInput(file + ": point " + quoted + ": expected a radius above 0");

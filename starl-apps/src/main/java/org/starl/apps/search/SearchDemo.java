@@ -65,7 +65,8 @@ public final class SearchDemo implements Demo {
   private static final Parameter SCENARIO =
       new Parameter("scenario", GENERATED, "one of the scenarios above");
   private static final Parameter ROOMS =
-      new Parameter("rooms", "6", "number of rooms of a generated house, 1 to " + GeneratedHouse.MAX_ROOMS);
+      new Parameter(
+          "rooms", "6", "number of rooms of a generated house, 1 to " + GeneratedHouse.MAX_ROOMS);
   private static final Parameter OBJECT =
       new Parameter(
           "object",
