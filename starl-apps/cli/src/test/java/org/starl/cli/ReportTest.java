@@ -22,6 +22,7 @@ import org.starl.apps.Request;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.cli.report.Parsed;
+import org.starl.sim.view.page.RunPage;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
@@ -188,6 +189,10 @@ class ReportTest {
       String seed = article.getAttribute("id").substring("seed".length());
       assertThat(article.getTextContent()).contains("./starl run 'hostile<b>' --seed " + seed);
       assertThat(article.getElementsByTagName("img").getLength()).isPositive();
+      Element player = (Element) article.getElementsByTagName("iframe").item(0);
+      assertThat(player.getAttribute("srcdoc")).contains("hostile&lt;b>");
+      // An XML parser reads line ends in attributes as spaces.
+      assertThat(player.getAttribute("srcdoc")).contains(RunPage.script().replace('\n', ' '));
       boolean isThrown = Integer.parseInt(seed) % 5 == 2;
       assertThat(article.getElementsByTagName("ol").getLength()).isEqualTo(isThrown ? 0 : 1);
       assertThat(article.getTextContent()).doesNotContain("ended differently");

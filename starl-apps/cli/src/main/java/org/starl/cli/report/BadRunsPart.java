@@ -83,6 +83,7 @@ final class BadRunsPart {
     html.open("p", "class", "replay").text("Replay: ");
     html.command(report.description().replay().apply(illustrated.seed())).close();
     shots(illustrated, outcome);
+    player(illustrated);
     story(illustrated);
     html.close();
   }
@@ -137,6 +138,26 @@ final class BadRunsPart {
       html.empty("img", "src", shot.address(), "alt", alt);
       html.element("figcaption", when).close();
     }
+    html.close();
+  }
+
+  /** The browser loads the player when the reader opens it. */
+  private void player(IllustratedRun illustrated) {
+    if (illustrated.page().isEmpty()) {
+      return;
+    }
+    html.open("details", "class", "player").element("summary", "Play the seconds around it");
+    html.element(
+        "iframe",
+        "",
+        "title",
+        "Seed " + illustrated.seed() + ", played",
+        "loading",
+        "lazy",
+        "sandbox",
+        "allow-scripts",
+        "srcdoc",
+        illustrated.page());
     html.close();
   }
 

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.LinkedHashMap;
@@ -19,6 +20,8 @@ import org.starl.sim.record.Filmstrip;
 import org.starl.sim.record.Filmstrip.Frame;
 import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;
+import org.starl.sim.replay.Recording;
+import org.starl.sim.view.page.RunPage;
 import org.starl.time.Time;
 
 /**
@@ -26,6 +29,7 @@ import org.starl.time.Time;
  *
  * @param story in lines; empty if an exception ended the run
  * @param shots ordered by time
+ * @param page an HTML page that plays the seconds around the problem; empty if there is none
  * @param outcome how it ended this time
  * @param diagnoses why robots waited, by the missed deadline, or {@link #AT_THE_END}
  */
@@ -33,6 +37,7 @@ public record IllustratedRun(
     long seed,
     List<String> story,
     List<Shot> shots,
+    String page,
     RunOutcome outcome,
     Map<String, Diagnosis> diagnoses) {
 
@@ -44,6 +49,11 @@ public record IllustratedRun(
 
   /** Pictures this many seconds before the problem. */
   private static final long[] BEFORE_S = {8, 4, 2, 1, 0};
+
+  /** What the page plays before and after the problem: some 40 KB for four robots. */
+  private static final long PLAYED_BEFORE_NS = 30 * Time.NS_PER_S;
+
+  private static final long PLAYED_AFTER_NS = 2 * Time.NS_PER_S;
 
   /**
    * A picture as a data URL.
@@ -61,20 +71,29 @@ public record IllustratedRun(
    */
   public static IllustratedRun of(long seed, LongFunction<Plan> plans, long momentNs) {
     List<Shot> shots = new ArrayList<>();
+    String page = "";
     try {
       Plan plan = plans.apply(seed);
       Filmstrip film = new Filmstrip(plan.obstacles(), plan.layer(), timesNs(momentNs));
-      plan.simulation().observer(film);
+      Recording recording = new Recording(plan.obstacles(), plan.layer().copy());
+      plan.simulation().observer(film).observer(recording);
       try {
         SimResult result = plan.simulation().build().run();
+        page = page(recording, momentNs);
         return new IllustratedRun(
-            seed, plan.story().lines(), shots(film), RunOutcome.of(result), diagnoses(result));
+            seed,
+            plan.story().lines(),
+            shots(film),
+            page,
+            RunOutcome.of(result),
+            diagnoses(result));
       } catch (RuntimeException e) {
         shots = shots(film);
+        page = page(recording, momentNs);
         throw e;
       }
     } catch (RuntimeException e) {
-      return new IllustratedRun(seed, List.of(), shots, RunOutcome.failed(e), Map.of());
+      return new IllustratedRun(seed, List.of(), shots, page, RunOutcome.failed(e), Map.of());
     }
   }
 
@@ -86,7 +105,7 @@ public record IllustratedRun(
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));
-    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), outcome, Map.of());
+    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), "", outcome, Map.of());
   }
 
   private static Map<String, Diagnosis> diagnoses(SimResult result) {
@@ -98,6 +117,22 @@ public record IllustratedRun(
       diagnoses.put(AT_THE_END, result.diagnosis());
     }
     return diagnoses;
+  }
+
+  private static String page(Recording recording, long momentNs) {
+    if (!recording.hasBegun()) {
+      return "";
+    }
+    long aboutNs = Math.min(momentNs, recording.endNs());
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try {
+      new RunPage(
+              recording, RunPage.EVERY_NS, aboutNs - PLAYED_BEFORE_NS, aboutNs + PLAYED_AFTER_NS)
+          .write(bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return bytes.toString(StandardCharsets.UTF_8);
   }
 
   private static List<Long> timesNs(long momentNs) {

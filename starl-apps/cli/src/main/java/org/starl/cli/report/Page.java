@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.view.page.RunPage;
 import org.starl.time.Time;
 
 /** The page of a campaign: its frame and its head; other classes write the other parts. */
@@ -59,7 +60,7 @@ public final class Page {
     return html.page();
   }
 
-  /** The policy lets the browser use only the page's own style, script and images. */
+  /** The policy lets the browser use only the page's own styles, scripts and images. */
   private void head(String style, String script) {
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
@@ -67,8 +68,9 @@ public final class Page {
         "http-equiv",
         "Content-Security-Policy",
         "content",
-        "default-src 'none'; img-src data:; style-src '%s'; script-src '%s'"
-            .formatted(hash(style), hash(script)));
+        "default-src 'none'; img-src data:; style-src '%s' '%s'; script-src '%s' '%s'"
+            .formatted(
+                hash(style), hash(RunPage.style()), hash(script), hash(RunPage.script())));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
     html.element("title", report.description().app() + ": " + verdict());

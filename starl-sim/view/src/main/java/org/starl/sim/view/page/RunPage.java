@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -84,8 +85,8 @@ public final class RunPage {
     String title = recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
     String page =
         resource("player.html")
-            .replace("{{style}}", resource("player.css"))
-            .replace("{{script}}", resource("player.js"))
+            .replace("{{style}}", style())
+            .replace("{{script}}", script())
             .replace("{{title}}", escaped(title))
             .replace("{{run}}", packed(run(title)));
     out.write(page.getBytes(StandardCharsets.UTF_8));
@@ -168,12 +169,24 @@ public final class RunPage {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
   }
 
-  private static String resource(String name) throws IOException {
+  /** The style of every page; a page that embeds one allows it by its hash. */
+  public static String style() {
+    return resource("player.css");
+  }
+
+  /** The script of every page. */
+  public static String script() {
+    return resource("player.js");
+  }
+
+  private static String resource(String name) {
     try (InputStream in = RunPage.class.getResourceAsStream(name)) {
       if (in == null) {
         throw new IllegalStateException("no resource " + name);
       }
       return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 }
