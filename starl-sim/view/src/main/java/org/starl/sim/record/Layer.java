@@ -63,8 +63,14 @@ public interface Layer {
     return List.of();
   }
 
-  /** How interesting the scene is; {@link PictureTime.Best} maximizes it. */
+  /**
+   * How interesting the scene is; {@link PictureTime.Best} maximizes it. By default the robots on
+   * the floor count, and the lengths of their trails: so the picture shows how far they have driven.
+   */
   default double interest(Scene scene) {
-    return scene.robots().stream().filter(robot -> scene.pose(robot).isPresent()).count();
+    return scene.robots().stream()
+        .filter(robot -> scene.pose(robot).isPresent())
+        .mapToInt(robot -> scene.trail(robot).size())
+        .sum();
   }
 }
