@@ -69,8 +69,7 @@ public final class Page {
         "Content-Security-Policy",
         "content",
         "default-src 'none'; img-src data:; style-src '%s' '%s'; script-src '%s' '%s'"
-            .formatted(
-                hash(style), hash(RunPage.style()), hash(script), hash(RunPage.script())));
+            .formatted(hash(style), hash(RunPage.style()), hash(script), hash(RunPage.script())));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
     html.element("title", report.description().app() + ": " + verdict());
