@@ -15,6 +15,7 @@ final class Arrivals {
 
   private final double rateHz;
   private final long untilNs;
+  private final int mostCars;
   private final String prefix;
   private final Rng rng;
   private final List<Route> routes = Route.all();
@@ -24,11 +25,13 @@ final class Arrivals {
   /**
    * @param rateHz average number of cars per second, on all arms together; above 0
    * @param untilNs no car arrives from then on
+   * @param mostCars no car arrives after so many
    * @param prefix of the cars' names; their number follows
    */
-  Arrivals(double rateHz, long untilNs, String prefix, Rng rng) {
+  Arrivals(double rateHz, long untilNs, int mostCars, String prefix, Rng rng) {
     this.rateHz = rateHz;
     this.untilNs = untilNs;
+    this.mostCars = mostCars;
     this.prefix = prefix;
     this.rng = rng;
     drawGap();
@@ -37,13 +40,18 @@ final class Arrivals {
   /** Removes the cars that have arrived by {@code nowNs}. */
   List<Car> until(long nowNs) {
     List<Car> cars = new ArrayList<>();
-    while (nextNs <= nowNs && nextNs < untilNs) {
+    while (nextNs <= nowNs && nextNs < untilNs && !areComplete()) {
       Route route = routes.get(rng.nextInt(routes.size()));
       cars.add(Car.on(route, Crossing.PLACES - 1, prefix + count, (long) nextNs));
       count++;
       drawGap();
     }
     return cars;
+  }
+
+  /** Whether as many cars have arrived as may. */
+  boolean areComplete() {
+    return count >= mostCars;
   }
 
   private void drawGap() {

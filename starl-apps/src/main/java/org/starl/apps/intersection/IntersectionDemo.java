@@ -1,6 +1,7 @@
 package org.starl.apps.intersection;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -27,6 +28,7 @@ public final class IntersectionDemo implements Demo {
   private static final int MAX_DEBRIS = 8;
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
+  private static final Duration TIME_FOR_ALL = Duration.ofHours(24);
   private static final long MAX_ARRIVALS_NS = 1000 * 3600 * Time.NS_PER_S;
 
   private static final Parameter SCENARIO =
@@ -35,7 +37,8 @@ public final class IntersectionDemo implements Demo {
       List.of(
           new Scenario("drawn", "1 to 12 cars on any of the twelve routes, from the seed"),
           new Scenario("figure7", "the paper's four cars, with 100 ms mean delay"),
-          new Scenario("open", "cars arrive at random until the time of --for; see arrivals"),
+          new Scenario(
+              "open", "cars arrive at random until the time of --for, or --robots; see arrivals"),
           new Scenario("legacy", "the original StarL's files; needs files=FOLDER"));
 
   private static final Parameter DEBRIS =
@@ -98,6 +101,9 @@ public final class IntersectionDemo implements Demo {
     if (request.parameter(SCENARIO.key()).equals("figure7")) {
       settings.set(Setting.MESSAGE_DELAY.key(), "uniform(80ms,120ms)");
     }
+    if (request.robots().isPresent() && scenario(request).equals(OPEN)) {
+      settings.duration(TIME_FOR_ALL);
+    }
     return settings;
   }
 
@@ -130,7 +136,7 @@ public final class IntersectionDemo implements Demo {
     long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
     Obstacles floor = Floor.withDebris(obstacles, (int) pieces, rng.fork("debris"));
     IntersectionPlan plan = new IntersectionPlan(floor, settings);
-    return isOpen ? plan.open(rateHz(request), rng.fork("arrivals")) : plan.closed(cars);
+    return isOpen ? plan.open(rateHz(request), request.robots().orElse(Integer.MAX_VALUE), rng.fork("arrivals")) : plan.closed(cars);
   }
 
   /** The scenario; {@code open} if the user gives arrivals and no scenario. */
@@ -146,9 +152,8 @@ public final class IntersectionDemo implements Demo {
   }
 
   private static void checkOpen(Request request, SimSettings settings) {
-    if (request.robots().isPresent()) {
-      throw new BadInput(
-          "robots: cannot be set with scenario=open; arrivals give the number of cars");
+    if (request.robots().orElse(1) < 1) {
+      throw new BadInput("robots: 0: expected at least 1 on an open road");
     }
     if (settings.endNs() > MAX_ARRIVALS_NS) {
       throw new BadInput(

@@ -56,8 +56,11 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
     return plan(simulation, traffic, new IntersectionStory(), layer);
   }
 
-  /** Of an open road, on which cars arrive until the settings' end of the run. */
-  Plan open(double rateHz, Rng rng) {
+  /**
+   * Of an open road, on which cars arrive until the settings' end of the run, at most {@code
+   * mostCars}.
+   */
+  Plan open(double rateHz, int mostCars, Rng rng) {
     long untilNs = settings.endNs();
     SortedMap<RobotId, Pose> posts = new TreeMap<>();
     for (Point at : Floor.roadsideUnits()) {
@@ -68,7 +71,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
     OpenRoad road =
         new OpenRoad(
             settings.robotRadiusMm(),
-            new Arrivals(rateHz, untilNs, settings.robotName(), rng),
+            new Arrivals(rateHz, untilNs, mostCars, settings.robotName(), rng),
             untilNs,
             units,
             (car, traffic) -> robot(car, true, gvh -> units, traffic),

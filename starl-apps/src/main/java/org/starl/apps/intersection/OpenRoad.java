@@ -69,7 +69,10 @@ final class OpenRoad extends Traffic {
           queue.add(car);
           story.arrived(car, queue.size());
         });
-    if (control.nowNs() >= untilNs && !arrivalsAreOver) {
+    if (!arrivalsAreOver && arrivals.areComplete()) {
+      arrivalsAreOver = true;
+      story.arrivalsEnded(control.nowNs());
+    } else if (!arrivalsAreOver && control.nowNs() >= untilNs) {
       arrivalsAreOver = true;
       story.turnedAway(queues.values().stream().mapToInt(Deque::size).sum());
       queues.values().forEach(Deque::clear);

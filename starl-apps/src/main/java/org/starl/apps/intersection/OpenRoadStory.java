@@ -20,7 +20,7 @@ import org.starl.trace.TraceEvent;
 /** Reports the traffic of an open road. Of a car that has left, it keeps only two times. */
 final class OpenRoadStory implements Story {
 
-  private final long untilNs;
+  private long untilNs;
   private final Set<RobotId> onFloor = new TreeSet<>();
 
   /** The cars on the floor that wait for their zones. */
@@ -37,10 +37,15 @@ final class OpenRoadStory implements Story {
   private int longestBeyondEdge;
 
   /**
-   * @param untilNs the end of arrivals
+   * @param untilNs the latest end of arrivals
    */
   OpenRoadStory(long untilNs) {
     this.untilNs = untilNs;
+  }
+
+  /** All cars have arrived. */
+  void arrivalsEnded(long nowNs) {
+    untilNs = nowNs;
   }
 
   /**

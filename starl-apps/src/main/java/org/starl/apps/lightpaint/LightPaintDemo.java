@@ -42,7 +42,6 @@ import org.starl.time.Time;
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {
 
-  private static final int MAX_PAINTERS = 16;
   private static final int MAX_STROKES = 300;
 
   /** Without faults and position noise: the goal radius, and the distance driven in a period. */
@@ -115,8 +114,8 @@ public final class LightPaintDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int painters = request.robots().orElse(settings.robots());
-    if (painters < 1 || painters > MAX_PAINTERS) {
-      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS);
+    if (painters < 1) {
+      throw new BadInput("robots: " + painters + ": expected at least 1");
     }
     MotionParameters body = settings.motionParameters(0);
     List<Stroke> strokes = strokes(request);

@@ -34,6 +34,11 @@ final class GeneratedHouse {
   private static final int GAP_MM = 1_000;
   private static final int PILLAR_MM = 300;
   private static final int START_MM = 700;
+
+  /** More robots start farther apart: in a longer house tubes have longer parts, and are wider. */
+  private static final int ROBOTS_NEAR = 12;
+
+  private static final int START_FAR_MM = 800;
   private static final int START_ROWS_FROM_MM = 500;
   private static final int ROOMS_PER_RUN = 3;
   private static final int RUNS = 4;
@@ -73,14 +78,15 @@ final class GeneratedHouse {
 
   private HousePlan plan(int rooms, int robots) {
     int corridors = (rooms + ROOMS_PER_RUN * RUNS - 1) / (ROOMS_PER_RUN * RUNS);
+    int startMm = robots <= ROBOTS_NEAR ? START_MM : START_FAR_MM;
     List<Point> starts = new ArrayList<>();
     for (int i = 0; i < robots; i++) {
       // The first ones stand in front.
       int row = (robots - 1) / 2 - i / 2;
-      double x = (hallLeft + hallRight) / 2.0 + (i % 2 == 0 ? -START_MM : START_MM) / 2.0;
-      starts.add(new Point(x, START_ROWS_FROM_MM + row * START_MM));
+      double x = (hallLeft + hallRight) / 2.0 + (i % 2 == 0 ? -startMm : startMm) / 2.0;
+      starts.add(new Point(x, START_ROWS_FROM_MM + row * startMm));
     }
-    int y = START_ROWS_FROM_MM + (robots + 1) / 2 * START_MM;
+    int y = START_ROWS_FROM_MM + (robots + 1) / 2 * startMm;
     int hallSince = 0;
     int left = rooms;
     for (int i = 0; i < corridors; i++) {

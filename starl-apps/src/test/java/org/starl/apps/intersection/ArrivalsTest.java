@@ -26,7 +26,7 @@ class ArrivalsTest {
   }
 
   private static Arrivals arrivals(long seed) {
-    return new Arrivals(1 / 3.0, 10 * HOUR_NS, "bot", new Rng(seed));
+    return new Arrivals(1 / 3.0, 10 * HOUR_NS, Integer.MAX_VALUE, "bot", new Rng(seed));
   }
 
   @Test

@@ -41,7 +41,9 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
     // A tube may run along the border of the drawing while other painters are at home.
     double apartMm = 2 * radiusMm + SPARE_MM;
     double marginMm = apartMm;
-    while (border(drawing.widened(marginMm)).lengthMm() < painters * apartMm) {
+    // Two homes on both sides of a corner are nearer to each other than along the border.
+    double alongMm = apartMm * StrictMath.sqrt(2);
+    while (border(drawing.widened(marginMm)).lengthMm() < painters * alongMm) {
       marginMm += apartMm;
     }
     Polyline border = border(drawing.widened(marginMm));
