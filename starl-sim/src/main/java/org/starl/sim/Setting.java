@@ -30,9 +30,12 @@ public final class Setting<T> {
   // The run.
   public static final Setting<Integer> ROBOTS = count("robots", 4, "number of robots that start");
   public static final Setting<Integer> DISCOVERY_ROBOTS =
-      count("discoveryRobots", 0, "how many of these robots explore by bumping");
+      count("discoveryRobots", 0, "how many of these robots follow what they bump into");
   public static final Setting<Integer> RANDOM_ROBOTS =
-      count("randomRobots", 0, "how many of these robots wander and get in the way");
+      count(
+          "randomRobots",
+          0,
+          "how many of these robots wander: turn and drive at random before each motion");
   public static final Setting<Duration> DURATION =
       own(
           "duration",

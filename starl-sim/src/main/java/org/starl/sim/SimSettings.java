@@ -103,23 +103,6 @@ public final class SimSettings {
     return text;
   }
 
-  /** @throws BadInput if the values are inconsistent */
-  void check() {
-    if (goalRobots() < 0) {
-      throw new BadInput(
-          "discoveryRobots="
-              + get(Setting.DISCOVERY_ROBOTS)
-              + " and randomRobots="
-              + get(Setting.RANDOM_ROBOTS)
-              + ": expected no more than robots="
-              + robots()
-              + " together");
-    }
-    if (get(Setting.SPEED_ERROR) >= 1) {
-      throw new BadInput("speedError=1: expected a fraction below 1");
-    }
-  }
-
   /** The time, in ns, at which all faults of chaos have ended. */
   public long chaosEndNs() {
     long wantedNs = get(Setting.CHAOS_FOR).toNanos();
@@ -128,11 +111,6 @@ public final class SimSettings {
 
   public int robots() {
     return get(Setting.ROBOTS);
-  }
-
-  /** Number of robots that drive to goals, without explorers and wanderers. */
-  public int goalRobots() {
-    return robots() - get(Setting.DISCOVERY_ROBOTS) - get(Setting.RANDOM_ROBOTS);
   }
 
   /** Simulated time after which the run ends, or {@code Long.MAX_VALUE}. */
@@ -174,7 +152,15 @@ public final class SimSettings {
 
   /** The motion parameters of robot number {@code index}, unless its app sets others. */
   public MotionParameters motionParameters(int index) {
-    return motionParameters(robotType(index));
+    return motionParameters(index, robots());
+  }
+
+  /**
+   * The motion parameters of robot number {@code index} of initially {@code robots}, unless its app
+   * sets others.
+   */
+  public MotionParameters motionParameters(int index, int robots) {
+    return motionParameters(robotType(index, robots));
   }
 
   MotionParameters motionParameters(RobotType type) {
@@ -189,16 +175,16 @@ public final class SimSettings {
   }
 
   /**
-   * The last robots explore and wander; all others, including those that join later, drive to
-   * goals.
+   * The type of robot number {@code index} of initially {@code robots}: the last ones wander, those
+   * before them explore; all others, including those that join later, drive to goals.
    */
-  RobotType robotType(int index) {
-    int firstDiscovery = goalRobots();
-    int firstRandom = firstDiscovery + get(Setting.DISCOVERY_ROBOTS);
-    if (index >= firstRandom && index < robots()) {
-      return RobotType.RANDOM_MOVER;
+  RobotType robotType(int index, int robots) {
+    int firstRandom = robots - get(Setting.RANDOM_ROBOTS);
+    int firstDiscovery = firstRandom - get(Setting.DISCOVERY_ROBOTS);
+    if (index < firstDiscovery || index >= robots) {
+      return RobotType.GOAL;
     }
-    return index >= firstDiscovery && index < firstRandom ? RobotType.DISCOVERY : RobotType.GOAL;
+    return index < firstRandom ? RobotType.DISCOVERY : RobotType.RANDOM_MOVER;
   }
 
   /** The first part of robots' names, before the number. */

@@ -276,10 +276,10 @@ public final class Simulation {
      *     not fit on the floor, or a fault names a robot that does not exist and cannot join
      */
     public Simulation build() {
-      settings.check();
       SimSettings all = settings.with(Setting.FAULTS, settings.get(Setting.FAULTS).plus(faults));
       Obstacles floor = floor();
       Starts starts = new Starts(all, robots, placed, placedApp, floor, new Rng(seed));
+      Contradictions.check(all, starts, robots.size() + placed, endNs());
       List<RobotSpec> start = starts.initial();
       starts.check(start);
       List<RobotId> deployment = SimulationPlan.deployment(start).asList();

@@ -15,6 +15,15 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.sim.net.Latency;
 
@@ -24,7 +33,6 @@ final class SimSettingsTest {
   void defaultsAreThoseOfTheOriginalStarL() {
     SimSettings settings = SimSettings.defaults();
     assertThat(settings.robots()).isEqualTo(4);
-    assertThat(settings.goalRobots()).isEqualTo(4);
     assertThat(settings.robotRadiusMm()).isEqualTo(165);
     assertThat(settings.positionPeriodNs()).isEqualTo(75_000_000);
     assertThat(settings.messageDelay()).hasToString("uniform(10ms,20ms)");
@@ -137,18 +145,90 @@ final class SimSettingsTest {
         .isInstanceOf(BadInput.class);
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "robots=3 discoveryRobots=2 randomRobots=2 | discoveryRobots=2 and randomRobots=2:"
+            + " expected no more than robots=3 together",
+        "randomRobots=1 idealMotion=true | discoveryRobots=0 and randomRobots=1: expected none with"
+            + " idealMotion=true, in which bodies do not bump",
+        "speedError=0.1 idealMotion=true | speedError=0.1: expected 0 with idealMotion=true, in"
+            + " which wheels are exact",
+        "maxSpeed=20mm/s | maxSpeed=20mm/s: expected at least 25mm/s: a slower motion fails",
+        "positionNoise=501mm | positionNoise=501mm: expected at most 500mm: with a larger error no"
+            + " robot moves",
+        "startSpacing=1.9 | startSpacing=1.9: expected at least 2 (robotRadius): bodies would"
+            + " overlap",
+        "floorHeight=300mm | floorHeight=300mm: expected at least 330mm, twice robotRadius",
+        "duration=10s faults=crash(bot1,at=10s..20s) | 'crash(bot1,at=10s..20s)': begins at 10s at"
+            + " the earliest: expected before the end, duration=10s",
+        "duration=10s chaos=logical chaosFor=11s | chaosFor=11s: expected no more than"
+            + " duration=10s: faults must end within the run"
+      })
+  void contradictionsAreRefusedBeforeTheRun(String settingsAndMessage) {
+    String[] parts = settingsAndMessage.split(" \\| ", -1);
+    SimSettings.Builder settings = SimSettings.builder();
+    for (String setting : parts[0].split(" ", -1)) {
+      int equals = setting.indexOf('=');
+      settings.set(setting.substring(0, equals), setting.substring(equals + 1));
+    }
+    SimSettings all = settings.build();
+    Simulation.Builder simulation =
+        Simulation.builder().settings(all).robots(all.robots(), Idle::new);
+    assertThatThrownBy(simulation::build).isInstanceOf(BadInput.class).hasMessage(parts[1]);
+  }
+
   @Test
-  void kindsOfRobotsMustFitTheirNumber() {
+  void valuesAtTheLimitDoNotContradict() {
     SimSettings settings =
         SimSettings.builder()
-            .robots(3)
-            .set(Setting.DISCOVERY_ROBOTS, 2)
-            .set(Setting.RANDOM_ROBOTS, 2)
+            .set("duration", "10s")
+            .set("faults", "crash(bot1,at=9999ms)")
+            .set("maxSpeed", "25mm/s")
+            .set("positionNoise", "500mm")
+            .set("discoveryRobots", "2")
+            .set("randomRobots", "2")
             .build();
-    assertThatThrownBy(() -> Simulation.builder().settings(settings).build())
+    assertThat(Simulation.builder().settings(settings).robots(4, Idle::new).build()).isNotNull();
+  }
+
+  @Test
+  void aFileOfStartsIsRefusedIfTheAppGivesThem() {
+    SimSettings settings = SimSettings.builder().set("startFile", "starts.wpt").build();
+    Simulation.Builder simulation = Simulation.builder().settings(settings).robot(at(0, 0));
+    assertThatThrownBy(simulation::build)
         .isInstanceOf(BadInput.class)
         .hasMessage(
-            "discoveryRobots=2 and randomRobots=2: expected no more than robots=3 together");
+            "startFile=starts.wpt: expected none: this app gives its robots' starts itself");
+  }
+
+  @Test
+  void bodiesThatWouldOverlapAreRefusedWithBothDistances() {
+    Simulation.Builder near = Simulation.builder().robot(at(0, 0)).robot(at(1, 300));
+    assertThatThrownBy(near::build)
+        .isInstanceOf(BadInput.class)
+        .hasMessage("bot0 and bot1 start 300 mm apart: expected at least 330 mm, twice robotRadius");
+    Obstacles wall = Obstacles.of(Obstacle.wall(new Point(100, -500), new Point(100, 500)));
+    Simulation.Builder inside = Simulation.builder().obstacles(wall).robot(at(0, 0));
+    assertThatThrownBy(inside::build)
+        .isInstanceOf(BadInput.class)
+        .hasMessage(
+            "bot0 starts 100 mm from an obstacle: expected at least 165 mm, robotRadius");
+  }
+
+  private static RobotSpec at(int i, double xMm) {
+    return new RobotSpec(new RobotId("bot" + i), new Pose(xMm, 0, 0), true, Idle::new);
+  }
+
+  private static final class Idle extends LogicThread {
+    Idle(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      return List.of();
+    }
   }
 
   @Test

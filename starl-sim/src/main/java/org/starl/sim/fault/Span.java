@@ -37,6 +37,11 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
     return lasting != null || untilNs != NEVER;
   }
 
+  /** The earliest time at which it may begin. */
+  public long earliestNs() {
+    return at.leastNs();
+  }
+
   /** The duration from a begin at {@code beginNs}, or {@link #NEVER}. */
   long drawLastingNs(long beginNs, Rng rng) {
     if (lasting != null) {
