@@ -25,8 +25,8 @@ import org.starl.geometry.Angles;
  * @param stopAtDestination whether the wheels stop at the target; otherwise the robot drives on
  * @param robotRadiusMm radius of the body, a disc
  * @param automatonPeriodMs time between steps
- * @param collisionPolicy reaction to a bump
- * @param robotType reaction to a bump under USE_COLBACK
+ * @param collisionPolicy reaction of a GOAL robot to a bump
+ * @param robotType see {@link RobotType}
  * @param collisionStraightMs time of driving straight after a collision
  * @param collisionBackMs time of backing off after a collision
  * @param collisionTurnMs minimum time of turning away after a collision
@@ -123,6 +123,11 @@ public record MotionParameters(
   /** A builder that starts with these parameters. */
   public Builder toBuilder() {
     return new Builder(this);
+  }
+
+  /** The reaction to a bump: {@link RobotType}s other than GOAL react alike under every policy. */
+  public CollisionPolicy reaction() {
+    return robotType == RobotType.GOAL ? collisionPolicy : CollisionPolicy.USE_COLBACK;
   }
 
   /** Time limit of a motion over this distance: DONE or FAIL after at most this time. */

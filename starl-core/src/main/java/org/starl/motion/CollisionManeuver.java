@@ -29,6 +29,8 @@ final class CollisionManeuver {
   private long sinceNs;
   private double wantedRad;
   private boolean failed;
+  private boolean onlyTurns;
+  private boolean hasBumped;
 
   CollisionManeuver(MotionParameters parameters, Rng rng) {
     this.p = parameters;
@@ -45,6 +47,11 @@ final class CollisionManeuver {
 
   boolean hasFailed() {
     return failed;
+  }
+
+  /** Whether it has reacted to a bump. */
+  boolean hasBumped() {
+    return hasBumped;
   }
 
   /**
@@ -64,9 +71,27 @@ final class CollisionManeuver {
     };
   }
 
+  /**
+   * Begins to wander: turns by a random angle, then drives straight.
+   *
+   * @param mayDrive otherwise it only turns
+   */
+  void wander(Pose pose, boolean mayDrive, long nowNs) {
+    wantedRad = pose.headingRad() + randomTurnRad();
+    onlyTurns = !mayDrive;
+    enter(MotionState.COLLISION_TURN, nowNs);
+  }
+
+  /** Ends the manoeuvre where it is. */
+  void giveUp() {
+    phase = MotionState.INIT;
+  }
+
   private void begin(Bumps bumps, long nowNs) {
     side = bumps;
-    switch (p.collisionPolicy()) {
+    onlyTurns = false;
+    hasBumped = true;
+    switch (p.reaction()) {
       case BUMPERCARS -> enter(MotionState.INIT, nowNs);
       case STOP_ON_COLLISION -> fail();
       case USE_COLAVOID -> enter(MotionState.COLLISION_TURN, nowNs);
@@ -99,14 +124,18 @@ final class CollisionManeuver {
     double turnRad =
         p.robotType() == RobotType.DISCOVERY
             ? awayFromSide() * FOLLOW_TURN_RAD
-            : (2 * rng.nextDouble() - 1) * RANDOM_TURN_RAD;
+            : randomTurnRad();
     wantedRad = pose.headingRad() + turnRad;
     enter(MotionState.COLLISION_TURN, nowNs);
     return turnToWanted(pose, nowNs);
   }
 
+  private double randomTurnRad() {
+    return (2 * rng.nextDouble() - 1) * RANDOM_TURN_RAD;
+  }
+
   private WheelCommand turn(Pose pose, Bumps bumps, long nowNs) {
-    if (p.collisionPolicy() == CollisionPolicy.USE_COLBACK) {
+    if (p.reaction() == CollisionPolicy.USE_COLBACK) {
       return turnToWanted(pose, nowNs);
     }
     if (bumps.any() || !hasLasted(p.collisionTurnMs(), nowNs)) {
@@ -121,6 +150,10 @@ final class CollisionManeuver {
     if (Math.abs(offRad) > p.smallTurnAngleRad()) {
       double speed = Math.min(p.turnSpeedMaxRadPerS(), Math.abs(offRad) / p.reachS());
       return new WheelCommand(0, StrictMath.copySign(speed, offRad));
+    }
+    if (onlyTurns) {
+      enter(MotionState.INIT, nowNs);
+      return WheelCommand.STOP;
     }
     if (p.robotType() == RobotType.DISCOVERY) {
       // Turns back towards the obstacle, by twice the turn.

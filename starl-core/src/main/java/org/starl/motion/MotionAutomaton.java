@@ -14,10 +14,15 @@ import org.starl.random.Rng;
  */
 public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomaton {
 
-  /** Creates the automaton for going to {@code target}, in the style of {@code parameters}. */
-  static MotionAutomaton goTo(Point target, MotionParameters parameters, Rng rng) {
+  /**
+   * Creates the automaton for going to {@code target}, in the style of {@code parameters}.
+   *
+   * @param mayWander whether a random mover may drive aside first
+   */
+  static MotionAutomaton goTo(
+      Point target, boolean mayWander, MotionParameters parameters, Rng rng) {
     return switch (parameters.style()) {
-      case UNICYCLE -> new UnicycleAutomaton(target, false, parameters, rng);
+      case UNICYCLE -> new UnicycleAutomaton(target, false, mayWander, parameters, rng);
       case IDEAL -> new IdealAutomaton(target, false, parameters);
     };
   }
@@ -25,7 +30,7 @@ public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomato
   /** Creates the automaton for turning on the spot until the robot faces {@code target}. */
   static MotionAutomaton turnTo(Point target, MotionParameters parameters, Rng rng) {
     return switch (parameters.style()) {
-      case UNICYCLE -> new UnicycleAutomaton(target, true, parameters, rng);
+      case UNICYCLE -> new UnicycleAutomaton(target, true, false, parameters, rng);
       case IDEAL -> new IdealAutomaton(target, true, parameters);
     };
   }
@@ -40,4 +45,14 @@ public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomato
   MotionFlag status();
 
   MotionState state();
+
+  /** Ends the manoeuvre of a robot that is not of type GOAL; returns whether there was one. */
+  default boolean givesUpManeuver() {
+    return false;
+  }
+
+  /** Whether it has bumped during this motion, and goes on although its policy is to stop. */
+  default boolean goesOnAfterBump() {
+    return false;
+  }
 }

@@ -224,8 +224,8 @@ public final class MotionController {
   }
 
   private boolean marksContacts() {
-    return inUse.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION
-        || inUse.collisionPolicy() == CollisionPolicy.USE_COLBACK;
+    return inUse.reaction() == CollisionPolicy.STOP_ON_COLLISION
+        || inUse.reaction() == CollisionPolicy.USE_COLBACK;
   }
 
   private void handleContact(Contact contact) {

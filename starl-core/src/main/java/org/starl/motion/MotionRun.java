@@ -6,6 +6,7 @@ import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
@@ -18,6 +19,8 @@ import org.starl.random.Rng;
  * depends only on the arguments of the steps so far.
  */
 final class MotionRun {
+
+  private static final String BUMPED = "bumped into something";
 
   private final Point target;
   private final MotionParameters p;
@@ -48,7 +51,9 @@ final class MotionRun {
   }
 
   static MotionRun goTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
-    MotionRun run = new MotionRun(target, avoid, p, MotionAutomaton.goTo(target, p, rng), nowNs);
+    MotionAutomaton automaton =
+        MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
+    MotionRun run = new MotionRun(target, avoid, p, automaton, nowNs);
     if (run.guard.forbids(target)) {
       run.fail("the target is in the region to avoid");
     }
@@ -101,7 +106,7 @@ final class MotionRun {
       return WheelCommand.STOP;
     }
     if (status == MotionFlag.MOVING && nowNs >= deadlineNs) {
-      return fail("too slow");
+      return fail(automaton.goesOnAfterBump() ? BUMPED : "too slow");
     }
     if (!(location instanceof Location.Known at)) {
       return waitForFix(nowNs - startNs, "no position fix");
@@ -118,13 +123,13 @@ final class MotionRun {
     }
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
     if (automaton.status() == MotionFlag.FAIL) {
-      return fail("bumped into something");
+      return fail(BUMPED);
     }
     if (status == MotionFlag.MOVING) {
       status = automaton.status();
     }
     return status == MotionFlag.MOVING && updateWatch(at)
-        ? fail("no progress")
+        ? fail(automaton.goesOnAfterBump() ? BUMPED : "no progress")
         : keepOut(guard.limit(wanted, at, bumps, lingering), wanted, nowNs);
   }
 
@@ -146,6 +151,9 @@ final class MotionRun {
     if (!limited.isStop() || wanted.isStop()) {
       heldBack = false;
       return limited;
+    }
+    if (automaton.givesUpManeuver()) {
+      return WheelCommand.STOP;
     }
     if (!heldBack) {
       heldBack = true;

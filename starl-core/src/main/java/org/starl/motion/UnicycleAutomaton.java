@@ -3,6 +3,7 @@ package org.starl.motion;
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
+import org.starl.body.RobotType;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
@@ -20,6 +21,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
 
   private final Point target;
   private final boolean turnOnly;
+  private final boolean mayWander;
   private final MotionParameters p;
   private final CollisionManeuver collision;
 
@@ -35,9 +37,14 @@ final class UnicycleAutomaton implements MotionAutomaton {
   private double distanceMm;
   private double bearingRad;
 
-  UnicycleAutomaton(Point target, boolean turnOnly, MotionParameters parameters, Rng rng) {
+  /**
+   * @param mayWander whether a random mover may drive aside
+   */
+  UnicycleAutomaton(
+      Point target, boolean turnOnly, boolean mayWander, MotionParameters parameters, Rng rng) {
     this.target = target;
     this.turnOnly = turnOnly;
+    this.mayWander = mayWander;
     this.p = parameters;
     this.collision = new CollisionManeuver(parameters, rng);
   }
@@ -45,6 +52,9 @@ final class UnicycleAutomaton implements MotionAutomaton {
   @Override
   public WheelCommand step(Pose pose, Bumps bumps, long nowNs) {
     look(pose);
+    if (!stepped && !turnOnly && p.robotType() == RobotType.RANDOM_MOVER) {
+      collision.wander(pose, mayWander, nowNs);
+    }
     noteBumps(bumps);
     WheelCommand command =
         collision.isUnderWay() || reactsTo(bumps) ? collide(pose, bumps, nowNs) : drive();
@@ -58,6 +68,22 @@ final class UnicycleAutomaton implements MotionAutomaton {
   @Override
   public MotionFlag status() {
     return status;
+  }
+
+  @Override
+  public boolean givesUpManeuver() {
+    boolean gives = collision.isUnderWay() && p.robotType() != RobotType.GOAL;
+    if (gives) {
+      collision.giveUp();
+    }
+    return gives;
+  }
+
+  @Override
+  public boolean goesOnAfterBump() {
+    return collision.hasBumped()
+        && p.robotType() != RobotType.GOAL
+        && p.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION;
   }
 
   @Override
@@ -82,7 +108,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
     return bumps.any()
         && !bumpedFromStart
         && status == MotionFlag.MOVING
-        && p.collisionPolicy() != CollisionPolicy.BUMPERCARS;
+        && p.reaction() != CollisionPolicy.BUMPERCARS;
   }
 
   /** If it touched an object at the start, it may turn, but not drive. */
@@ -91,7 +117,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
         && bumpedFromStart
         && !collision.isUnderWay()
         && command.linearMmPerS() > 0
-        && p.collisionPolicy() != CollisionPolicy.BUMPERCARS;
+        && p.reaction() != CollisionPolicy.BUMPERCARS;
   }
 
   private WheelCommand collide(Pose pose, Bumps bumps, long nowNs) {

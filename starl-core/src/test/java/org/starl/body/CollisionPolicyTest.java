@@ -2,6 +2,7 @@ package org.starl.body;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
@@ -22,7 +23,7 @@ class CollisionPolicyTest {
   private static MotionAutomaton automaton(CollisionPolicy policy, RobotType type, long seed) {
     MotionParameters parameters =
         MotionParameters.builder().collisionPolicy(policy).robotType(type).build();
-    return MotionAutomaton.goTo(AHEAD, parameters, new Rng(seed));
+    return MotionAutomaton.goTo(AHEAD, true, parameters, new Rng(seed));
   }
 
   private static MotionAutomaton automaton(CollisionPolicy policy) {
@@ -55,6 +56,44 @@ class CollisionPolicyTest {
     assertThat(robot.state()).isEqualTo(MotionState.FAILED);
     assertThat(after(60, robot, START, Bumps.NONE)).isEqualTo(WheelCommand.STOP);
     assertThat(robot.status()).isEqualTo(MotionFlag.FAIL);
+  }
+
+  @Test
+  void aRobotThatExploresOrWandersBacksOffUnderEveryPolicy() {
+    for (CollisionPolicy policy : CollisionPolicy.values()) {
+      for (RobotType type : List.of(RobotType.DISCOVERY, RobotType.RANDOM_MOVER)) {
+        MotionAutomaton robot = automaton(policy, type, 1);
+        // A random mover wanders first.
+        WheelCommand command = after(0, robot, START, Bumps.NONE);
+        double rad = 0;
+        for (int i = 0; i < 500 && !(command.linearMmPerS() > 0); i++) {
+          rad += 0.06 * command.angularRadPerS();
+          command = after(60, robot, new Pose(0, 0, rad), Bumps.NONE);
+        }
+        assertThat(after(60, robot, START, Bumps.BOTH).linearMmPerS())
+            .as("%s %s", policy, type)
+            .isNegative();
+        assertThat(robot.status()).isEqualTo(MotionFlag.MOVING);
+      }
+    }
+  }
+
+  @Test
+  void aRandomMoverTurnsAndDrivesAsideOnlyWithoutARegionToAvoid() {
+    for (boolean mayWander : new boolean[] {true, false}) {
+      MotionParameters parameters =
+          MotionParameters.builder().robotType(RobotType.RANDOM_MOVER).build();
+      MotionAutomaton robot = MotionAutomaton.goTo(AHEAD, mayWander, parameters, new Rng(3));
+      WheelCommand turn = after(0, robot, START, Bumps.NONE);
+      assertThat(turn.angularRadPerS()).isNotZero();
+      assertThat(turn.linearMmPerS()).isZero();
+      double rad = 0;
+      for (int i = 0; i < 500 && robot.state() == MotionState.COLLISION_TURN; i++) {
+        rad += 0.06 * after(60, robot, new Pose(0, 0, rad), Bumps.NONE).angularRadPerS();
+      }
+      assertThat(robot.state())
+          .isEqualTo(mayWander ? MotionState.COLLISION_STRAIGHT : MotionState.TURN);
+    }
   }
 
   @Test

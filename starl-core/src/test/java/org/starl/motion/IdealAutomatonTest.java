@@ -38,7 +38,7 @@ class IdealAutomatonTest {
 
   @Test
   void aBumpIsNotAnArrival() {
-    MotionAutomaton robot = MotionAutomaton.goTo(new Point(500, 0), IDEAL, new Rng(1));
+    MotionAutomaton robot = MotionAutomaton.goTo(new Point(500, 0), true, IDEAL, new Rng(1));
     robot.step(new Pose(0, 0, 0), Bumps.NONE, 0);
     assertThat(robot.step(new Pose(15, 0, 0), Bumps.LEFT, 60_000_000).isStop()).isTrue();
     assertThat(robot.status()).isEqualTo(MotionFlag.FAIL);

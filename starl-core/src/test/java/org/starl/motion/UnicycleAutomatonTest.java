@@ -26,12 +26,12 @@ class UnicycleAutomatonTest {
   private static final Point TARGET = new Point(0, 0);
 
   private MotionParameters parameters = MotionParameters.DEFAULT;
-  private MotionAutomaton automaton = MotionAutomaton.goTo(TARGET, parameters, new Rng(1));
+  private MotionAutomaton automaton = MotionAutomaton.goTo(TARGET, true, parameters, new Rng(1));
   private long nowNs;
 
   private void begin(MotionParameters newParameters) {
     parameters = newParameters;
-    automaton = MotionAutomaton.goTo(TARGET, parameters, new Rng(1));
+    automaton = MotionAutomaton.goTo(TARGET, true, parameters, new Rng(1));
   }
 
   /** A step from where the target is this far, and to the left of the heading by this angle. */

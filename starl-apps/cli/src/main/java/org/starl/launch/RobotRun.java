@@ -154,7 +154,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             spec.app(),
             plan.obstacles().known(),
             plan.waypoints(),
-            plan.settings().motionParameters(plan.robots().indexOf(spec)));
+            plan.settings().motionParameters(plan.robots().indexOf(spec), plan.robots().size()));
     List<SimObserver> observers = new ArrayList<>(plan.observers());
     observers.add(new LocalSpecs(plan, startNs, this::violated));
     observers.forEach(observer -> observer.started(plan.header()));

@@ -142,7 +142,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
             trace,
             plan.obstacles().known(),
             plan.waypoints(),
-            settings.motionParameters(plan.robots().indexOf(spec)),
+            settings.motionParameters(plan.robots().indexOf(spec), plan.robots().size()),
             plan.key());
     runner = new RobotRunner(platform, spec.app(), this::appEnded);
     control = new OneRobotControl(plan, spec, this, strand, clock, runner);

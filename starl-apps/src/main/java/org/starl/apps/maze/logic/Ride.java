@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
+import org.starl.body.RobotType;
 import org.starl.geometry.Angles;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -39,6 +40,7 @@ final class Ride {
   private static final double RETREAT_TO_MM = 20;
 
   private final GlobalVarHolder gvh;
+  private final RobotType own;
   private final List<Contact> contacts = new ArrayList<>();
   private final List<Point> trail = new ArrayList<>();
   private List<Point> ahead = List.of();
@@ -47,6 +49,7 @@ final class Ride {
 
   Ride(GlobalVarHolder gvh) {
     this.gvh = gvh;
+    own = gvh.plat.moat.parameters().robotType();
     gvh.plat.moat.onContact(contacts::add);
   }
 
@@ -62,7 +65,7 @@ final class Ride {
     gvh.plat.moat.setParameters(
         gvh.plat.moat.parameters().toBuilder()
             .collisionPolicy(mode.policy())
-            .robotType(mode.robotType())
+            .robotType(own == RobotType.GOAL ? mode.robotType() : own)
             .goalRadiusMm(PASS_MM)
             .smallTurnAngleRad(STRAIGHT_RAD)
             .enableArcing(false)
