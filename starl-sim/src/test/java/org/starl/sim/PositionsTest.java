@@ -56,6 +56,7 @@ class PositionsTest {
     return builder;
   }
 
+  // The app returned this map.
   @SuppressWarnings("unchecked")
   private static SortedMap<RobotId, Fix> positions(SimResult result, RobotId robot) {
     return (SortedMap<RobotId, Fix>) result.results().get(robot).get(1);

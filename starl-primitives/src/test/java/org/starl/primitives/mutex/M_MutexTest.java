@@ -1,3 +1,4 @@
+// Longer than 500 lines because each test is a small app on simulated robots.
 package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
