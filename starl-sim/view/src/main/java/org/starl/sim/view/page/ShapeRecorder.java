@@ -1,3 +1,4 @@
+// Longer than 500 lines because Graphics2D has that many abstract methods.
 package org.starl.sim.view.page;
 
 import java.awt.AlphaComposite;
@@ -50,8 +51,6 @@ import org.starl.sim.record.Painter;
  * Records drawing operations as {@link DrawnItem}s, in pixels of the page, so that a browser can
  * repeat them. Shapes, strokes, text and images are recorded; clips, gradients and XOR are not
  * supported: a clip is ignored, a gradient becomes its first colour.
- *
- * <p>Above 500 lines with the imports because {@link Graphics2D} has that many methods.
  */
 final class ShapeRecorder extends Graphics2D {
 
