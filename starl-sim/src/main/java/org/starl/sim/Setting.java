@@ -40,7 +40,7 @@ public final class Setting<T> {
       own(
           "duration",
           SettingType.DURATION,
-          Duration.ofSeconds(1200),
+          Duration.ofMinutes(20),
           "simulated time after which the run ends; 0ms for no limit");
 
   // The floor.
