@@ -42,6 +42,7 @@ import org.starl.time.Time;
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {
 
+  private static final int MAX_PAINTERS = 1000;
   private static final int MAX_STROKES = 300;
 
   /** Without faults and position noise: the goal radius, and the distance driven in a period. */
@@ -114,8 +115,8 @@ public final class LightPaintDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int painters = request.robots().orElse(settings.robots());
-    if (painters < 1) {
-      throw new BadInput("robots: " + painters + ": expected at least 1");
+    if (painters < 1 || painters > MAX_PAINTERS) {
+      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS);
     }
     MotionParameters body = settings.motionParameters(0);
     List<Stroke> strokes = strokes(request);

@@ -36,6 +36,7 @@ import org.starl.sim.fault.Envelope;
 public final class RaceDemo implements Demo {
 
   private static final String XID = "race";
+  private static final int MAX_ROBOTS = 1000;
   private static final int MAX_DRAWN = 100;
 
   /** More robots than this get a larger floor. */
@@ -101,8 +102,8 @@ public final class RaceDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1) {
-      throw new BadInput("robots: " + robots + ": expected at least 1 in a race");
+    if (robots < 1 || robots > MAX_ROBOTS) {
+      throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS + " in a race");
     }
     List<RacePoint> points = points(request, settings);
     RaceStory story = new RaceStory(points);

@@ -47,6 +47,7 @@ public final class SearchDemo implements Demo {
   private static final String FILES_SCENARIO = "files";
   private static final String NONE = "none";
   private static final String DRAWN = "drawn";
+  private static final int MAX_ROBOTS = 1000;
   private static final Pattern PLACE = Pattern.compile("(-?[0-9]{1,6}),(-?[0-9]{1,6})");
   private static final double UP_RAD = StrictMath.PI / 2;
 
@@ -182,8 +183,8 @@ public final class SearchDemo implements Demo {
 
   private SearchScene generated(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1) {
-      throw new BadInput("robots: " + robots + ": expected at least 1");
+    if (robots < 1 || robots > MAX_ROBOTS) {
+      throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS);
     }
     int rooms =
         request.parse(ROOMS, text -> (int) Quantities.whole(text, 1, GeneratedHouse.MAX_ROOMS));

@@ -277,8 +277,8 @@ class RaceTest {
           .isInstanceOf(BadInput.class)
           .hasMessage(file + ": " + one.getValue());
     }
-    assertThatThrownBy(() -> plan(1, 65, Map.of(), Map.of()))
-        .hasMessage("robots: 65: expected 1 to 64 in a race");
+    assertThatThrownBy(() -> plan(1, 1001, Map.of(), Map.of()))
+        .hasMessage("robots: 1001: expected 1 to 1000 in a race");
     assertThatThrownBy(() -> plan(1, 4, Map.of("drawn", "none"), Map.of()))
         .hasMessageContaining("drawn: 'none': expected a whole number from 1 to 100");
   }
