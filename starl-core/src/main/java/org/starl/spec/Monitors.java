@@ -21,6 +21,7 @@ public final class Monitors {
     this.monitors = List.copyOf(monitors);
     for (Monitor monitor : this.monitors) {
       report.expect(monitor.lemmas());
+      monitor.lemmas().forEach(lemma -> report.describe(lemma, monitor.description(lemma)));
     }
   }
 

@@ -60,7 +60,20 @@ public final class SpecReport implements Monitor.Report {
   }
 
   private final Map<String, Tally> tallies = new TreeMap<>();
+  private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
+
+  /** Sets the sentence that explains {@code lemma}; the first one that is not empty stays. */
+  void describe(String lemma, String sentence) {
+    if (!sentence.isEmpty()) {
+      sentences.putIfAbsent(lemma, sentence);
+    }
+  }
+
+  /** What {@code lemma} says, as its monitor describes it; empty if it does not. */
+  public String description(String lemma) {
+    return sentences.getOrDefault(lemma, "");
+  }
 
   /** Adds lemmas that must be in the report even if they are never checked. */
   public void expect(Collection<String> lemmas) {

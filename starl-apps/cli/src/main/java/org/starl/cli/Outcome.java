@@ -44,16 +44,30 @@ final class Outcome {
         .formatted(spec.lemmas().size(), checks, String.join(" ", spec.lemmas()));
   }
 
+  /** A line for each specification: its name, its sentence and its number of checks. */
+  static List<String> explanations(SpecReport spec) {
+    return spec.lemmas().stream()
+        .map(lemma -> "  %s (%d checks)".formatted(explained(spec, lemma), spec.checks(lemma)))
+        .toList();
+  }
+
+  private static String explained(SpecReport spec, String lemma) {
+    return lemma + ": " + spec.description(lemma);
+  }
+
   /** A line for each problem; empty if the run was good. */
   static List<String> complaints(SimResult result) {
     List<String> lines = new ArrayList<>();
-    result
-        .spec()
-        .violations()
-        .forEach(violation -> {
-          lines.add("VIOLATED: " + violation);
-          result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
-        });
+    SpecReport spec = result.spec();
+    spec.violations().forEach(violation -> {
+      lines.add("VIOLATED: " + violation);
+      result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
+    });
+    spec.lemmas().forEach(lemma -> {
+      if (spec.violations(lemma) > 0 && !spec.description(lemma).isEmpty()) {
+        lines.add("  " + explained(spec, lemma));
+      }
+    });
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));

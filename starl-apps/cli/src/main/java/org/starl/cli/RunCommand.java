@@ -87,6 +87,11 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   private @Nullable CarrierKind carrier;
 
   @Option(
+      names = "--explain",
+      description = "Also print what each specification says, and how often it was checked.")
+  private boolean explain;
+
+  @Option(
       names = "--view",
       description = "Show the run in a window; closing the window ends the run.")
   private boolean view;
@@ -158,8 +163,12 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   /** The result of a run, simulated or as processes, for output. */
   private record Ran(List<String> lines, Map<String, Object> json, boolean isGood) {
 
-    static Ran simulated(String app, SimResult result, Measures measures, boolean isStopped) {
+    static Ran simulated(
+        String app, SimResult result, Measures measures, boolean isStopped, boolean explain) {
       List<String> lines = new ArrayList<>(Outcome.lines(result, measures));
+      if (explain) {
+        lines.addAll(Outcome.explanations(result.spec()));
+      }
       if (isStopped) {
         lines.add("stopped: the window was closed");
       }
@@ -202,12 +211,12 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
       plan.simulation().carriers(Carriers.select(carrier, err()));
       if (view) {
         Viewing.Watched watched = viewing.run(plan);
-        return Ran.simulated(app, watched.result(), plan.story().measures(), watched.isStopped());
+        return Ran.simulated(app, watched.result(), plan.story().measures(), watched.isStopped(), explain);
       }
       RunProgress progress = RunProgress.of(plan.simulation(), err());
       try {
         SimResult simulated = plan.simulation().build().run();
-        return Ran.simulated(app, simulated, plan.story().measures(), false);
+        return Ran.simulated(app, simulated, plan.story().measures(), false, explain);
       } finally {
         progress.end();
       }

@@ -27,6 +27,12 @@ class BadInputTest {
       run intersection hello | 'hello' | expected nothing more
       run intersection --robots -3 | --robots | expected a whole number of at least 0
       run intersection --robots 0 | robots: 0 | expected 1 to 12 cars
+      run hello --for 10s --fault crash(bot1,at=12s) | 'crash(bot1,at=12s)' | 12s | duration=10s
+      run lightpaint --gps-noise 41mm | positionNoise=41mm | at most 40mm for reach tubes
+      run lightpaint --delay 5s | an answer takes at least 10s | less than 10s for reach tubes
+      run race --set startSpacing=1 | startSpacing=1 | at least 2
+      run lightpaint --set startFile=a.wpt | startFile=a.wpt | gives its robots' starts itself
+      run hello --robots 90 | robots: 90 | only | 462 mm apart | 5000 by 3000 mm
       run intersection --robots 13 | robots: 13 | expected 1 to 12 cars
       run intersection --robots many | 'many' | expected a whole number
       run intersection --robots 2147483648 | '2147483648' | from 0 to 2147483647
@@ -61,7 +67,7 @@ class BadInputTest {
       run intersection --set arrivals=20 | arrivals: '20' | expected a rate | 20/min
       run intersection --set arrivals=0/min | arrivals: '0/min' | expected a rate above 0
       run intersection --set arrivals=20/ms | arrivals: '20/ms' | expected a rate
-      run intersection --set arrivals=20/min --robots 4 | robots | cannot be set with scenario=open
+      run intersection --set arrivals=20/min --robots 0 | robots: 0 | at least 1 on an open road
       run intersection --set arrivals=20/min --for 0 | duration | where cars arrive until then
       run intersection --set arrivals=9/min --set scenario=figure7 | expected scenario=open
       run intersection --set scenario=legacy | files | expected the folder

@@ -53,6 +53,16 @@ class RunTest {
   }
 
   @Test
+  void explainPrintsTheSentenceOfEachSpecification() {
+    Cli cli = Cli.run("run", "hello", "--seed", "1", "--explain");
+    assertThat(cli.out())
+        .filteredOn(line -> line.startsWith("  "))
+        .hasSize(4)
+        .allMatch(line -> line.matches("  \\w+: [A-Z].*\\. \\([0-9]+ checks\\)"));
+    assertThat(Cli.run("run", "hello", "--seed", "1").text()).doesNotContain("checks)");
+  }
+
+  @Test
   void aRunIsWrittenAsTheories() throws IOException {
     Path pvs = folder.resolve("run.pvs");
     Cli cli =

@@ -12,6 +12,11 @@ final class StandsStill implements Monitor {
   }
 
   @Override
+  public String description(String lemma) {
+    return "No robot drives.";
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
       report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");

@@ -72,6 +72,7 @@ class ViolationTest {
     Cli again = paste(replay);
     assertThat(again.status()).isEqualTo(1);
     assertThat(again.out()).contains("VIOLATED: " + violation.substring("seed 3: ".length()));
+    assertThat(again.out()).contains("  stands_still: No robot drives.");
     assertThat(again.err()).containsExactly(replay);
   }
 

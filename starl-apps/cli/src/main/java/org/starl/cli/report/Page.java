@@ -139,8 +139,11 @@ public final class Page {
     figure(count(report.result().count(Verdict.GOOD)) + " of " + count(runs), "runs went well");
     Totals totals = report.totals();
     if (totals.came() > 0) {
+      // A robot may complete its task in a run that violates a specification.
+      String aside = report.result().count(Verdict.VIOLATED) > 0 ? ", violations aside" : "";
       figure(
-          count(totals.completed()) + " of " + count(totals.came()), "robots completed their task");
+          count(totals.completed()) + " of " + count(totals.came()),
+          "robots completed their task" + aside);
     }
     if (totals.hasWaits()) {
       figure(measured("s", Time.seconds(totals.waitNs(50))), "waiting time, median");
