@@ -51,8 +51,7 @@ final class MotionRun {
   }
 
   static MotionRun goTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
-    MotionAutomaton automaton =
-        MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
+    MotionAutomaton automaton = MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
     MotionRun run = new MotionRun(target, avoid, p, automaton, nowNs);
     if (run.guard.forbids(target)) {
       run.fail("the target is in the region to avoid");

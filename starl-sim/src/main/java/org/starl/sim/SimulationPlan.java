@@ -26,8 +26,9 @@ import org.starl.trace.TraceHeader;
  * @param waypoints named places on the floor, known to every robot
  * @param key seals datagrams; may be null
  * @param robots initial robots
- * @param placement the same robots, with drawn starts at least so many mm apart, and so many mm from
- *     edges and obstacles; null if no start is drawn. Throws {@link BadInput} if they do not fit
+ * @param placement the same robots, with drawn starts at least so many mm apart, and so many mm
+ *     from edges and obstacles; null if no start is drawn. Throws {@link BadInput} if they do not
+ *     fit
  * @param director may be null
  * @param stepListener may be null
  * @param faults of the settings, then those drawn by chaos

@@ -4,7 +4,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.platform.StartNeeds;

@@ -37,6 +37,7 @@ record StartPair(RobotId one, RobotId other, double mm) {
   @Override
   public String toString() {
     boolean isInOrder = one.compareTo(other) <= 0;
-    return "%s and %s start %.0f mm apart".formatted(isInOrder ? one : other, isInOrder ? other : one, mm);
+    return "%s and %s start %.0f mm apart"
+        .formatted(isInOrder ? one : other, isInOrder ? other : one, mm);
   }
 }

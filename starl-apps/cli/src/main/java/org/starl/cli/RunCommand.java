@@ -211,7 +211,8 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
       plan.simulation().carriers(Carriers.select(carrier, err()));
       if (view) {
         Viewing.Watched watched = viewing.run(plan);
-        return Ran.simulated(app, watched.result(), plan.story().measures(), watched.isStopped(), explain);
+        return Ran.simulated(
+            app, watched.result(), plan.story().measures(), watched.isStopped(), explain);
       }
       RunProgress progress = RunProgress.of(plan.simulation(), err());
       try {
