@@ -88,7 +88,7 @@ final class WaitsPicture {
   private void arrow(RobotId from, RobotId to) {
     double dx = x(to) - x(from);
     double dy = y(to) - y(from);
-    double length = Math.hypot(dx, dy);
+    double length = StrictMath.hypot(dx, dy);
     double ux = dx / length;
     double uy = dy / length;
     // Two arrows between the same robots lie side by side.
@@ -140,11 +140,11 @@ final class WaitsPicture {
   }
 
   private double x(RobotId robot) {
-    return WIDTH_PX / 2 + (WIDTH_PX / 2 - MARGIN_PX) * Math.sin(angleRad(robot));
+    return WIDTH_PX / 2 + (WIDTH_PX / 2 - MARGIN_PX) * StrictMath.sin(angleRad(robot));
   }
 
   private double y(RobotId robot) {
-    return HEIGHT_PX / 2 - (HEIGHT_PX / 2 - MARGIN_PX) * Math.cos(angleRad(robot));
+    return HEIGHT_PX / 2 - (HEIGHT_PX / 2 - MARGIN_PX) * StrictMath.cos(angleRad(robot));
   }
 
   private double angleRad(RobotId robot) {
