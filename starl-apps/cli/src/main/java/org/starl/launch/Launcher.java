@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -230,7 +231,7 @@ public final class Launcher implements AutoCloseable {
     SortedMap<RobotId, List<Wait>> waits = new TreeMap<>();
     long changedNs = -1;
     for (RobotId id : unfinished) {
-      Robot robot = robots.get(id);
+      Robot robot = Objects.requireNonNull(robots.get(id));
       waits.put(id, robot.waits);
       changedNs = Math.max(changedNs, robot.changedNs);
     }
@@ -238,7 +239,13 @@ public final class Launcher implements AutoCloseable {
     deaths.forEach(death -> down.add(death.robot()));
     return Diagnosis.of(
         new Diagnosis.Moment(
-            endNs, false, changedNs, waits, down, List.of(), id -> robots.get(id).explain()));
+            endNs,
+            false,
+            changedNs,
+            waits,
+            down,
+            List.of(),
+            id -> Objects.requireNonNull(robots.get(id)).explain()));
   }
 
   /** Ends every process, and deletes their files. */
