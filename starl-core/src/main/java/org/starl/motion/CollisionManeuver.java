@@ -122,9 +122,7 @@ final class CollisionManeuver {
       return WheelCommand.STOP;
     }
     double turnRad =
-        p.robotType() == RobotType.DISCOVERY
-            ? awayFromSide() * FOLLOW_TURN_RAD
-            : randomTurnRad();
+        p.robotType() == RobotType.DISCOVERY ? awayFromSide() * FOLLOW_TURN_RAD : randomTurnRad();
     wantedRad = pose.headingRad() + turnRad;
     enter(MotionState.COLLISION_TURN, nowNs);
     return turnToWanted(pose, nowNs);

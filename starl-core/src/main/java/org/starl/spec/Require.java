@@ -46,7 +46,8 @@ public final class Require {
         }
         report.checked(lemma);
         if (there.size() > 1 && !before.containsAll(there)) {
-          report.violated(lemma, state.timeNs(), there, "all of them are in " + RegionText.format(region));
+          report.violated(
+              lemma, state.timeNs(), there, "all of them are in " + RegionText.format(region));
         }
         before = there;
       }

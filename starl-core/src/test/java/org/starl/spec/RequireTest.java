@@ -55,8 +55,7 @@ class RequireTest {
     // B touches the region after 600 mm.
     assertThat(found.get(0).timeNs()).isBetween(6 * S, 6 * S + 40_000_000);
     assertThat(found.get(0).robots()).containsExactly(A, B);
-    assertThat(found.get(0).detail())
-        .isEqualTo("all of them are in circle(0.0 0.0 300.0)");
+    assertThat(found.get(0).detail()).isEqualTo("all of them are in circle(0.0 0.0 300.0)");
   }
 
   @Test
@@ -109,22 +108,14 @@ class RequireTest {
   void aRobotThatHasLeftOwesNothing() {
     Monitor monitor = Require.eventuallyIn("L", DOCK, Duration.ofSeconds(6));
     List<Violation> found =
-        violations(
-            monitor,
-            20 * S,
-            joined(0, A, 0),
-            joined(0, B, -1000),
-            new Left(S, B));
+        violations(monitor, 20 * S, joined(0, A, 0), joined(0, B, -1000), new Left(S, B));
     assertThat(found).isEmpty();
   }
 
   @Test
   void alwaysReportsTheMomentInWhichTheConditionBreaks() {
     Monitor monitor =
-        Require.always(
-            "L",
-            "a is idle",
-            state -> !state.variable(A, "app", "mode").equals("BUSY"));
+        Require.always("L", "a is idle", state -> !state.variable(A, "app", "mode").equals("BUSY"));
     List<Violation> found =
         violations(
             monitor,
@@ -139,10 +130,8 @@ class RequireTest {
 
   @Test
   void alwaysSeesBodiesBetweenEvents() {
-    Monitor monitor =
-        Require.always("L", "a stays left", state -> state.pose(A).xMm() < 500);
-    List<Violation> found =
-        violations(monitor, 20 * S, joined(0, A, 0), moved(0, A, 0, 100));
+    Monitor monitor = Require.always("L", "a stays left", state -> state.pose(A).xMm() < 500);
+    List<Violation> found = violations(monitor, 20 * S, joined(0, A, 0), moved(0, A, 0, 100));
     assertThat(found).hasSize(1);
     assertThat(found.get(0).timeNs()).isBetween(5 * S, 5 * S + 40_000_000);
   }

@@ -492,8 +492,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   /** The motion parameters of robot number {@code index}, unless its app sets others. */
   MotionParameters motionParameters(int index) {
     return motions.computeIfAbsent(
-        plan.settings().robotType(index, plan.robots().size()),
-        plan.settings()::motionParameters);
+        plan.settings().robotType(index, plan.robots().size()), plan.settings()::motionParameters);
   }
 
   MeasuredRobots measuredRobots() {

@@ -19,7 +19,6 @@ import org.starl.Version;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
-import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;

@@ -207,13 +207,13 @@ final class SimSettingsTest {
     Simulation.Builder near = Simulation.builder().robot(at(0, 0)).robot(at(1, 300));
     assertThatThrownBy(near::build)
         .isInstanceOf(BadInput.class)
-        .hasMessage("bot0 and bot1 start 300 mm apart: expected at least 330 mm, twice robotRadius");
+        .hasMessage(
+            "bot0 and bot1 start 300 mm apart: expected at least 330 mm, twice robotRadius");
     Obstacles wall = Obstacles.of(Obstacle.wall(new Point(100, -500), new Point(100, 500)));
     Simulation.Builder inside = Simulation.builder().obstacles(wall).robot(at(0, 0));
     assertThatThrownBy(inside::build)
         .isInstanceOf(BadInput.class)
-        .hasMessage(
-            "bot0 starts 100 mm from an obstacle: expected at least 165 mm, robotRadius");
+        .hasMessage("bot0 starts 100 mm from an obstacle: expected at least 165 mm, robotRadius");
   }
 
   private static RobotSpec at(int i, double xMm) {

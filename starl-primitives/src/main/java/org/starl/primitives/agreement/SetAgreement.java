@@ -25,12 +25,15 @@ public final class SetAgreement<T> extends SynodPrimitive {
   static final String ACCEPTORS = "acceptors";
 
   static final String PROPOSE = "propose";
+
   /** Variable: the decision, or {@code null}. */
   public static final String DECIDED = "decided";
+
   static final String FAILED = "failed";
 
   /** The primitive's name in sources. */
   public static final String PRIMITIVE = "agreement";
+
   private static final long ONLY_NUMBER = 1;
 
   private final Participants acceptors;

@@ -121,7 +121,11 @@ public abstract class AppMonitor extends LemmaMonitor {
     }
     if (!lemmas().contains(lemma)) {
       throw new IllegalArgumentException(
-          "check(" + lemma + "): expected one of " + lemmas() + "; the constructor calls lemma(...)");
+          "check("
+              + lemma
+              + "): expected one of "
+              + lemmas()
+              + "; the constructor calls lemma(...)");
     }
     current.checked(lemma);
     if (!holds) {

@@ -186,13 +186,12 @@ class AppMonitorTest {
 
   @Test
   void aCheckOfAnUnknownLemmaFailsTheRun() {
-    assertThatThrownBy(
-            () ->
-                Simulation.builder()
-                    .robots(1, gvh -> new Busy(gvh, new ArrayList<>()))
-                    .monitor(Unnamed::new)
-                    .build()
-                    .run())
+    assertThatThrownBy(() ->
+            Simulation.builder()
+                .robots(1, gvh -> new Busy(gvh, new ArrayList<>()))
+                .monitor(Unnamed::new)
+                .build()
+                .run())
         .hasStackTraceContaining("check(other): expected one of [never]");
   }
 

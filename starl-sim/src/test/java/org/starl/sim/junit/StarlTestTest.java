@@ -270,8 +270,9 @@ class StarlTestTest {
   void aFolderThatCannotBeWrittenIsNamedInTheMessage() throws IOException {
     folder = Files.createFile(folder.resolve("file"));
     assertThat(failureLines("planted", ""))
-        .anyMatch(line -> line.startsWith("the run of seed 10 cannot be shown: ")
-            && line.contains(folder.toString()));
+        .anyMatch(line ->
+            line.startsWith("the run of seed 10 cannot be shown: ")
+                && line.contains(folder.toString()));
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param text of a text; a data URL for an image; else empty
  * @param numbers sizes first, then coordinates, x and y alternating
  */
+@SuppressWarnings("ArrayRecordComponent") // equals and hashCode compare the numbers themselves
 record DrawnItem(int kind, int rgba, String pen, String text, int[] numbers) {
 
   /** Points of an open line. */

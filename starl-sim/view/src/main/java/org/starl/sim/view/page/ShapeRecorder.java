@@ -195,7 +195,7 @@ final class ShapeRecorder extends Graphics2D {
   private void add(int kind, String pen, String text, int... numbers) {
     float share = composite instanceof AlphaComposite alpha ? alpha.getAlpha() : 1;
     int opacity = Math.round(share * color.getAlpha());
-    int rgba = opacity << 24 | color.getRGB() & 0xFFFFFF;
+    int rgba = (opacity << 24) | (color.getRGB() & 0xFFFFFF);
     items.add(new DrawnItem(kind, rgba, pen, text, numbers));
   }
 
@@ -529,7 +529,7 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   @Override
-  public Object getRenderingHint(RenderingHints.Key key) {
+  public @Nullable Object getRenderingHint(RenderingHints.Key key) {
     return hints.get(key);
   }
 

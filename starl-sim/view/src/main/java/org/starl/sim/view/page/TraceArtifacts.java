@@ -75,7 +75,7 @@ public final class TraceArtifacts implements RunArtifacts {
           trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
     } catch (BadInput truncated) {
       // The observers have the events before the error.
-      recording.failed(truncated.getMessage());
+      recording.failed(String.valueOf(truncated.getMessage()));
     }
   }
 
