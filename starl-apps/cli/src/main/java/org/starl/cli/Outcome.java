@@ -59,15 +59,17 @@ final class Outcome {
   static List<String> complaints(SimResult result) {
     List<String> lines = new ArrayList<>();
     SpecReport spec = result.spec();
-    spec.violations().forEach(violation -> {
-      lines.add("VIOLATED: " + violation);
-      result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
-    });
-    spec.lemmas().forEach(lemma -> {
-      if (spec.violations(lemma) > 0 && !spec.description(lemma).isEmpty()) {
-        lines.add("  " + explained(spec, lemma));
-      }
-    });
+    spec.violations()
+        .forEach(violation -> {
+          lines.add("VIOLATED: " + violation);
+          result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
+        });
+    spec.lemmas()
+        .forEach(lemma -> {
+          if (spec.violations(lemma) > 0 && !spec.description(lemma).isEmpty()) {
+            lines.add("  " + explained(spec, lemma));
+          }
+        });
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));

@@ -45,7 +45,9 @@ record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
   static List<Car> drawn(String prefix, int count, Rng rng) {
     if (count < 1 || count > MAX_CARS) {
       throw new BadInput(
-          "robots: " + count + ": expected 1 to "
+          "robots: "
+              + count
+              + ": expected 1 to "
               + MAX_CARS
               + " cars at the intersection; with arrivals=20/min more come one after another");
     }

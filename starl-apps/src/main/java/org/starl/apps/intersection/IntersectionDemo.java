@@ -136,7 +136,10 @@ public final class IntersectionDemo implements Demo {
     long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
     Obstacles floor = Floor.withDebris(obstacles, (int) pieces, rng.fork("debris"));
     IntersectionPlan plan = new IntersectionPlan(floor, settings);
-    return isOpen ? plan.open(rateHz(request), request.robots().orElse(Integer.MAX_VALUE), rng.fork("arrivals")) : plan.closed(cars);
+    return isOpen
+        ? plan.open(
+            rateHz(request), request.robots().orElse(Integer.MAX_VALUE), rng.fork("arrivals"))
+        : plan.closed(cars);
   }
 
   /** The scenario; {@code open} if the user gives arrivals and no scenario. */

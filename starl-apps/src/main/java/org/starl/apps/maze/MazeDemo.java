@@ -94,7 +94,7 @@ public final class MazeDemo implements Demo {
   @Override
   public String summary() {
     return "robots find ways among known and hidden walls, or prove that there is none (section"
-               + " 5.4)";
+        + " 5.4)";
   }
 
   @Override

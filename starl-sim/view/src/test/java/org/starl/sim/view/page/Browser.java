@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * A Chromium without a window, driven over its DevTools protocol: three of its methods suffice, so
  * no library with browsers of its own is needed.
  */
-final class Browser implements AutoCloseable {
+final class Browser {
 
   private static final List<String> NAMES =
       List.of("chromium", "chromium-browser", "google-chrome", "chrome");
@@ -202,7 +202,6 @@ final class Browser implements AutoCloseable {
   }
 
   /** Ends the browser and waits for its end, so that its profile can be deleted. */
-  @Override
   public void close() throws Exception {
     process.descendants().forEach(ProcessHandle::destroy);
     process.destroy();
