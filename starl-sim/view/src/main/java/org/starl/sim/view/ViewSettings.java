@@ -1,6 +1,5 @@
 package org.starl.sim.view;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -19,11 +18,7 @@ import org.starl.trace.TraceHeader;
 public final class ViewSettings {
 
   private static final Setting<Double> SPEED =
-      Setting.number(
-          "speed",
-          1,
-          "window: simulated seconds per real second; 0 for no limit; 5 if not given and the run's"
-              + " duration is above 60 s");
+      Setting.number("speed", 1, "window: simulated seconds per real second; 0 for no limit");
   private static final Setting<Boolean> DRAW_TRAILS =
       Setting.yesOrNo("drawTrails", false, "window: show trails of robots");
   private static final Setting<Integer> TRAIL_LENGTH =
@@ -40,18 +35,11 @@ public final class ViewSettings {
 
   private static final Pattern RANGE = Pattern.compile("range\\(([^,)]*)\\)");
 
-  /** A run that may take longer than this starts at {@link #LONG_RUNS_SPEED}. */
-  private static final Duration SHORT = Duration.ofSeconds(60);
-
-  private static final double LONG_RUNS_SPEED = 5;
-
   private final SimSettings settings;
-  private final boolean isLong;
   private final double rangeMm;
 
-  private ViewSettings(SimSettings settings, boolean isLong, double rangeMm) {
+  private ViewSettings(SimSettings settings, double rangeMm) {
     this.settings = settings;
-    this.isLong = isLong;
     this.rangeMm = rangeMm;
   }
 
@@ -70,13 +58,7 @@ public final class ViewSettings {
       }
     }
     String faults = header.settings().getOrDefault(Setting.FAULTS.key(), "");
-    String duration = header.settings().get(Setting.DURATION.key());
-    SimSettings.Builder end = SimSettings.builder();
-    if (duration != null) {
-      end.read(Setting.DURATION, duration);
-    }
-    boolean isLong = end.build().get(Setting.DURATION).compareTo(SHORT) > 0;
-    return new ViewSettings(builder.build(), isLong, rangeMm(faults));
+    return new ViewSettings(builder.build(), rangeMm(faults));
   }
 
   /** The distance in a permanent fault {@code range(3m)}; 0 if there is none. */
@@ -109,9 +91,6 @@ public final class ViewSettings {
 
   /** Simulated seconds per real second; {@link Playback#NO_LIMIT} for as fast as possible. */
   double speed() {
-    if (!settings.given().containsKey(SPEED) && isLong) {
-      return LONG_RUNS_SPEED;
-    }
     double speed = settings.get(SPEED);
     return speed == 0 ? Playback.NO_LIMIT : speed;
   }
