@@ -151,17 +151,19 @@ final class MotionRun {
       heldBack = false;
       return limited;
     }
-    if (automaton.givesUpManeuver()) {
-      return WheelCommand.STOP;
-    }
     if (!heldBack) {
       heldBack = true;
       heldBackNs = nowNs;
     }
     // The error bound of a standing body shrinks with the next fix: wait for it before failing.
-    return nowNs - heldBackNs >= p.avoidPatienceMs() * NS_PER_MS && status == MotionFlag.MOVING
-        ? fail("the region to avoid is in the way")
-        : WheelCommand.STOP;
+    if (nowNs - heldBackNs < p.avoidPatienceMs() * NS_PER_MS || status != MotionFlag.MOVING) {
+      return WheelCommand.STOP;
+    }
+    if (automaton.givesUpManeuver()) {
+      heldBack = false;
+      return WheelCommand.STOP;
+    }
+    return fail("the region to avoid is in the way");
   }
 
   private WheelCommand fail(String why) {

@@ -330,7 +330,7 @@ class UnfinishedRunTest {
         simulation(
                 3,
                 app -> {
-                  M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+                  M_Mutex mutex = new M_Mutex(app.gvh(), "door", app.gvh().id.participants());
                   app.pause(app.is(1) ? 0 : 1_000);
                   app.enter(mutex, "D");
                   app.pause(app.is(1) ? 15_000 : 100);

@@ -37,8 +37,14 @@ final class SimSettingsTest {
     assertThat(settings.positionPeriodNs()).isEqualTo(75_000_000);
     assertThat(settings.messageDelay()).hasToString("uniform(10ms,20ms)");
     assertThat(settings.messageLoss().probability()).isZero();
-    assertThat(settings.endNs()).isEqualTo(Long.MAX_VALUE);
     assertThat(settings.get(Setting.FLOOR_WIDTH)).isEqualTo(5000);
+  }
+
+  @Test
+  void aRunEndsAfterTwentyMinutesUnlessItsDurationIsZero() {
+    assertThat(SimSettings.defaults().endNs()).isEqualTo(1_200_000_000_000L);
+    assertThat(SimSettings.builder().set("duration", "0ms").build().endNs())
+        .isEqualTo(Long.MAX_VALUE);
   }
 
   @Test
