@@ -18,7 +18,7 @@ import org.starl.trace.TraceEvent.Left;
  *
  * <pre>{@code
  * simulation.monitor(() -> Require.neverTwoIn("alone_at_the_dock", DOCK));
- * simulation.monitor(() -> Require.eventuallyIn("home", HOME, Duration.ofSeconds(60)));
+ * simulation.monitor(() -> Require.eventuallyIn("at_the_goal", GOAL, Duration.ofSeconds(60)));
  * simulation.monitor(() -> Require.always("in_line", "all robots keep the line", Line::isKept));
  * }</pre>
  *

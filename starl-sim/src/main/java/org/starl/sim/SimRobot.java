@@ -17,6 +17,7 @@ import org.starl.random.Rng;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.RobotClock;
+import org.starl.sim.kernel.AppFrame;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.SimBackground;
 import org.starl.sim.kernel.SimStrand;
@@ -250,7 +251,7 @@ final class SimRobot implements TraceSink {
     }
     return new UnfinishedRobot(
         spec.id(),
-        place(),
+        AppFrame.of(strand.appStack()),
         strand.appWaitsSinceNs(),
         app == null ? "the start of the program" : app.awaited(),
         changedNs(),
@@ -267,28 +268,6 @@ final class SimRobot implements TraceSink {
       case DONE -> "done";
       case FAIL -> "failed: " + moat.failure();
     };
-  }
-
-  /** The line of the app's own code that waits. */
-  private String place() {
-    for (StackTraceElement frame : strand.appStack()) {
-      String type = frame.getClassName();
-      boolean isFramework =
-          type.startsWith("java.")
-              || type.startsWith("jdk.")
-              || type.startsWith("org.starl.sim.kernel.")
-              || type.startsWith("org.starl.sim.fault.")
-              || type.equals(LogicThread.class.getName());
-      if (!isFramework) {
-        return frame.getFileName()
-            + ":"
-            + frame.getLineNumber()
-            + " ("
-            + frame.getMethodName()
-            + ")";
-      }
-    }
-    return "";
   }
 
   boolean isFinished() {

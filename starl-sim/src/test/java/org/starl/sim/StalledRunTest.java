@@ -105,6 +105,9 @@ class StalledRunTest {
   void aLoopOfAwaitsWhoseConditionHoldsEndsTheRun(CarrierKind kind) {
     SimulationFailed failed = failureOf(kind, App::loopOnATrueCondition);
     assertThat(failed).hasMessageContaining("100000 awaits in one action");
+    assertThat(failed)
+        .message()
+        .matches("(?s).*; at StalledRunTest.java:\\d+ .loopOnATrueCondition.*");
     assertStackNames(failed, "loopOnATrueCondition");
   }
 
@@ -121,6 +124,7 @@ class StalledRunTest {
   void aLoopThatNeitherWaitsNorEndsEndsTheRun(CarrierKind kind) {
     SimulationFailed failed = failureOf(kind, App::spin);
     assertThat(failed).hasMessageContaining("of processor time and does not end");
+    assertThat(failed).message().matches("(?s).*; at StalledRunTest.java:\\d+ .spin.*");
     assertStackNames(failed, "spin");
   }
 

@@ -32,6 +32,9 @@ public final class RobotError extends RuntimeException {
   private static String describe(Throwable cause) {
     String message = cause.getMessage();
     String type = cause.getClass().getSimpleName();
-    return message == null ? type : type + ": " + message;
+    String place = AppFrame.of(cause.getStackTrace());
+    return type
+        + (message == null ? "" : ": " + message)
+        + (place.isEmpty() ? "" : "; at " + place);
   }
 }

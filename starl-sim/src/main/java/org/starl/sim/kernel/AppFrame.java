@@ -1,0 +1,45 @@
+package org.starl.sim.kernel;
+
+import org.starl.LogicThread;
+
+/** Finds the line of an app's own code in a stack trace, for messages. */
+public final class AppFrame {
+
+  private static final String APP_METHOD = "callStarL";
+
+  private AppFrame() {}
+
+  /**
+   * The innermost line of the app's class as {@code PatrolApp.java:83 (enter)}; of a handler, the
+   * innermost line outside the simulator. Empty if there is none.
+   */
+  public static String of(StackTraceElement[] stack) {
+    String app = "";
+    for (StackTraceElement frame : stack) {
+      if (frame.getMethodName().equals(APP_METHOD)) {
+        app = outermost(frame);
+      }
+    }
+    for (StackTraceElement frame : stack) {
+      if (app.isEmpty() ? !isFramework(frame) : outermost(frame).equals(app)) {
+        return frame.getFileName() + ":" + frame.getLineNumber() + " (" + frame.getMethodName() + ")";
+      }
+    }
+    return "";
+  }
+
+  private static String outermost(StackTraceElement frame) {
+    String type = frame.getClassName();
+    int nested = type.indexOf('$');
+    return nested < 0 ? type : type.substring(0, nested);
+  }
+
+  private static boolean isFramework(StackTraceElement frame) {
+    String type = frame.getClassName();
+    return type.startsWith("java.")
+        || type.startsWith("jdk.")
+        || type.startsWith("org.starl.sim.kernel.")
+        || type.startsWith("org.starl.sim.fault.")
+        || type.equals(LogicThread.class.getName());
+  }
+}
