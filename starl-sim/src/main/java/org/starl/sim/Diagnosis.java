@@ -3,6 +3,8 @@ package org.starl.sim;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -74,7 +76,32 @@ public record Diagnosis(
       SortedMap<RobotId, List<Wait>> waits,
       Set<RobotId> down,
       List<RobotId> important,
-      Function<RobotId, UnfinishedRobot> explain) {}
+      Function<RobotId, UnfinishedRobot> explain) {
+    /** Of a run with these robots, in the order in which they joined. */
+    static Moment of(
+        long nowNs, boolean isIdle, Map<RobotId, SimRobot> robots, List<RobotId> important) {
+      SortedMap<RobotId, List<Wait>> waits = new TreeMap<>();
+      Set<RobotId> down = new TreeSet<>();
+      long changedNs = -1;
+      for (Map.Entry<RobotId, SimRobot> entry : robots.entrySet()) {
+        SimRobot robot = entry.getValue();
+        if (robot.isDown()) {
+          down.add(entry.getKey());
+        } else if (robot.isAwaited()) {
+          waits.put(entry.getKey(), robot.waits());
+          changedNs = Math.max(changedNs, robot.changedNs());
+        }
+      }
+      return new Moment(
+          nowNs,
+          isIdle,
+          changedNs,
+          waits,
+          down,
+          important,
+          id -> Objects.requireNonNull(robots.get(id)).explain());
+    }
+  }
 
   public Diagnosis {
     robots = List.copyOf(robots);

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
@@ -17,7 +16,6 @@ import org.starl.body.RobotType;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
-import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -187,27 +185,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
    * @param important robots to explain in any case
    */
   private Diagnosis diagnosis(List<RobotId> important) {
-    SortedMap<RobotId, List<Wait>> waits = new TreeMap<>();
-    Set<RobotId> down = new TreeSet<>();
-    long changedNs = -1;
-    for (Map.Entry<RobotId, SimRobot> entry : robots.entrySet()) {
-      SimRobot robot = entry.getValue();
-      if (robot.isDown()) {
-        down.add(entry.getKey());
-      } else if (robot.isAwaited()) {
-        waits.put(entry.getKey(), robot.waits());
-        changedNs = Math.max(changedNs, robot.changedNs());
-      }
-    }
-    return Diagnosis.of(
-        new Diagnosis.Moment(
-            kernel.nowNs(),
-            kernel.isIdle(),
-            changedNs,
-            waits,
-            down,
-            important,
-            id -> robot(id).explain()));
+    return Diagnosis.of(Diagnosis.Moment.of(kernel.nowNs(), kernel.isIdle(), robots, important));
   }
 
   @Override

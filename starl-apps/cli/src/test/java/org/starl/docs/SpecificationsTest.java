@@ -34,7 +34,7 @@ class SpecificationsTest {
           "starl-apps/kotlin");
   private static final Pattern MONITOR =
       Pattern.compile(
-          "(?<!abstract )\\bclass (\\w+)(?: extends (?:Conformance|InstanceSpec|InstanceMonitor|LemmaMonitor)\\b[^{;]*|"
+          "(?<!abstract )(?<!abstract static )\\bclass (\\w+)(?: extends (?:Conformance|InstanceSpec|InstanceMonitor|LemmaMonitor)\\b[^{;]*|"
               + "[^{;]*(?: implements |\\) : )[^{;]*\\bMonitor\\b(?!\\.)[^{;]*)\\{");
   private static final Pattern CONSTANT =
       Pattern.compile("(?:static final String|const val) (\\w+) = \"([^\"]+)\"");

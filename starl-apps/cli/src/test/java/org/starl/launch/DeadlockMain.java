@@ -37,8 +37,8 @@ final class DeadlockMain {
 
     Taker(GlobalVarHolder gvh) {
       super(gvh);
-      M_Mutex left = new M_Mutex(gvh, "left");
-      M_Mutex right = new M_Mutex(gvh, "right");
+      M_Mutex left = new M_Mutex(gvh, "left", gvh.id.participants());
+      M_Mutex right = new M_Mutex(gvh, "right", gvh.id.participants());
       boolean isFirst = gvh.id.name().name().equals("bot0");
       first = isFirst ? left : right;
       second = isFirst ? right : left;

@@ -22,7 +22,12 @@ public final class AppFrame {
     }
     for (StackTraceElement frame : stack) {
       if (app.isEmpty() ? !isFramework(frame) : outermost(frame).equals(app)) {
-        return frame.getFileName() + ":" + frame.getLineNumber() + " (" + frame.getMethodName() + ")";
+        return frame.getFileName()
+            + ":"
+            + frame.getLineNumber()
+            + " ("
+            + frame.getMethodName()
+            + ")";
       }
     }
     return "";
