@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -102,14 +103,14 @@ final class Shrinking {
   Shrunk run(PrintWriter err) {
     Shrink shrink =
         new Shrink(
-            trial -> outcome(request(trial).plan(seed)),
+            trial -> outcome(request(trial).plan(seed), trial),
             MOST_RUNS,
             (run, trial, outcome, isKept) ->
                 err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept)));
     Shrink.Result result = shrink.shrink(from);
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(request(result.trial()).words(seed));
-    RunOutcome again = outcome(parsed(words));
+    RunOutcome again = outcome(parsed(words), result.trial());
     if (!again.equals(result.outcome())) {
       throw new IllegalStateException(
           "'" + String.join(" ", words) + "' ends differently: " + again.detail());
@@ -122,9 +123,13 @@ final class Shrinking {
     return how + (isKept ? "" : " (discarded)");
   }
 
-  private RunOutcome outcome(Plan plan) {
+  private RunOutcome outcome(Plan plan, Trial trial) {
     try {
-      return RunOutcome.of(plan.simulation().carriers(carriers).build().run());
+      Simulation simulation = plan.simulation().carriers(carriers).build();
+      if (trial.robots() < from.robots() && simulation.plan().robots().size() >= from.robots()) {
+        return RunOutcome.failed(new BadInput("--robots changes nothing in this app"));
+      }
+      return RunOutcome.of(simulation.run());
     } catch (RuntimeException e) {
       return RunOutcome.failed(e);
     }

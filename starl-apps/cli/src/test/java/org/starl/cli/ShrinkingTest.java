@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -17,6 +18,8 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
@@ -42,6 +45,26 @@ class ShrinkingTest {
     Plan twist(Plan plan, Request request) {
       int least = Integer.parseInt(request.parameter("least"));
       plan.simulation().monitor(() -> new NeverStuck(least));
+      return plan;
+    }
+  }
+
+  /** Always four robots, whatever the user asks for. */
+  private static final class OfFour extends HelloWithATwist {
+    OfFour() {
+      super("of-four", "four robots that must not be stuck");
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      return super.plan(
+          new Request(request.seed(), OptionalInt.of(4), request.parameters()),
+          settings.with(Setting.ROBOTS, 4));
+    }
+
+    @Override
+    Plan twist(Plan plan, Request request) {
+      plan.simulation().monitor(() -> new NeverStuck(1));
       return plan;
     }
   }
@@ -131,6 +154,17 @@ class ShrinkingTest {
                 + " --fault 'stuck(bot1,at=2s,for=187ms)' --set least=2");
     assertThat(json.get("robots").asInt()).isEqualTo(2);
     assertThat(paste("replay: " + json.get("replay").asText()).status()).isEqualTo(1);
+  }
+
+  @Test
+  void anAppWithAFixedNumberOfRobotsShrinksWithAllOfThem() {
+    Demos ofFour = new Demos(List.of(new OfFour()));
+    Cli cli =
+        Cli.run(
+            ofFour,
+            "campaign of-four --seeds 1..1 --shrink --fault stuck(bot1,at=2s,for=3s)".split(" "));
+    assertThat(last(cli.err(), "shrunk in ")).matches(".* -> 4 robots, 1 fault, \\d+(ms|s)");
+    assertThat(last(cli.err(), "replay: ")).doesNotContain("--robots");
   }
 
   @Test
