@@ -20,17 +20,24 @@ public final class AppFrame {
         app = outermost(frame);
       }
     }
+    String found = "";
     for (StackTraceElement frame : stack) {
-      if (app.isEmpty() ? !isFramework(frame) : outermost(frame).equals(app)) {
-        return frame.getFileName()
-            + ":"
-            + frame.getLineNumber()
-            + " ("
-            + frame.getMethodName()
-            + ")";
+      boolean isOwn = app.isEmpty() ? !isFramework(frame) : outermost(frame).equals(app);
+      if (isOwn && found.isEmpty()) {
+        found =
+            frame.getFileName() + ":" + frame.getLineNumber() + " (" + frame.getMethodName() + ")";
+      }
+      if ((isOwn && !app.isEmpty()) || isStrand(frame)) {
+        return found;
       }
     }
+    // An exception from elsewhere, such as one that was made before the run.
     return "";
+  }
+
+  private static boolean isStrand(StackTraceElement frame) {
+    return frame.getClassName().equals(SimStrand.class.getName())
+        && frame.getMethodName().equals("run");
   }
 
   private static String outermost(StackTraceElement frame) {
