@@ -40,6 +40,7 @@ final class Browser {
       List.of("chromium", "chromium-browser", "google-chrome", "chrome");
   private static final String LISTENING = "DevTools listening on ";
   private static final long PATIENCE_S = 60;
+  private static final int MOST_ASKED = 3000;
   private static final ObjectMapper JSON = new ObjectMapper();
 
   private final Process process;
@@ -91,7 +92,25 @@ final class Browser {
         http.newWebSocketBuilder()
             .buildAsync(URI.create(address), new Answers())
             .get(PATIENCE_S, TimeUnit.SECONDS);
-    await("document.documentElement.dataset.ready");
+    awaitReady();
+  }
+
+  /** Asks until the page has loaded; until then the browser may show an empty one. */
+  private void awaitReady() throws Exception {
+    for (int asked = 0; asked < MOST_ASKED; asked++) {
+      try {
+        if (evaluate(
+                "new Promise(done => setTimeout(() =>"
+                    + " done(document.documentElement?.dataset.ready === 'true'), 20))")
+            .asBoolean()) {
+          return;
+        }
+      } catch (AssertionError replaced) {
+        // The page has just replaced the empty one, whose script ended: ask again.
+        continue;
+      }
+    }
+    throw new AssertionError("the page is not ready");
   }
 
   private static @Nullable String program() {
