@@ -65,6 +65,7 @@ class MazeTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"back", "stop", "discover"})
+  @Tag("long")
   void goalsAreReachedOrProvenToBeCutOff(String collision) {
     for (long seed = 1; seed <= 2; seed++) {
       String loss = seed % 2 == 0 ? "0.2" : "0";

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SortedSet;
 import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.primitives.mutex.MutexWorld.Shape;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 
 /** Safety in the whole envelope; every mutant of the model is found. */
+@Tag("long")
 class MutexSafetyTest {
 
   private static final int STEPS = 400;
