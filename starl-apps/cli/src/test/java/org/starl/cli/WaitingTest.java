@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** A missed deadline and an unfinished run say who waits for whom. */
+/** A missed deadline and an unfinished run name which robot waits for which. */
 class WaitingTest {
 
   private static final RobotId LEFT = new RobotId("left");
