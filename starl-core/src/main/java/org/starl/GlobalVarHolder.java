@@ -45,7 +45,9 @@ public final class GlobalVarHolder {
     log = new Log(platform.clock(), platform.log());
     trace = new Trace(platform.id(), platform.clock(), platform.trace());
     variables = new Variables(trace);
-    id = new Identity(platform.id(), platform.deployment(), boot);
+    id =
+        new Identity(
+            platform.id(), platform.deployment(), boot, StorageEpoch.of(platform.stable()));
     comms = new Comms(platform, boot);
     gps = new Gps(platform, variables);
     plat = new Plat(new MotionController(platform, gps, log, trace, variables), platform);

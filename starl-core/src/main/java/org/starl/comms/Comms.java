@@ -4,9 +4,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
-import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
 import org.starl.platform.Radio;
+import org.starl.session.Sessions;
 import org.starl.trace.TraceSink;
 
 /**
@@ -15,8 +15,8 @@ import org.starl.trace.TraceSink;
  * <p>A datagram that is not a valid message for this robot is counted ({@link #dropped}) and logged
  * once per reason; it never causes an exception. Plain messages are not de-duplicated. Each
  * incarnation of the receiver handles a reliable message once, and acknowledges it after the
- * handler has run. If the platform has a key, every datagram is authenticated with it; forged and
- * replayed datagrams are dropped.
+ * handler has run. If the platform has sessions, every datagram is sealed for its receiver; forged
+ * and replayed datagrams are dropped, and a broadcast is one datagram to each robot.
  */
 public final class Comms {
 
@@ -54,8 +54,8 @@ public final class Comms {
     this.boot = boot;
     this.trace = platform.trace();
     this.log = new DatagramLog(platform);
-    DeploymentKey key = platform.key();
-    this.seal = key == null ? null : new Seal(key);
+    Sessions sessions = platform.sessions();
+    this.seal = sessions == null ? null : new Seal(sessions);
     this.receiver =
         new DatagramReceiver(this, selfName, platform.deployment(), lamportClock, trace, seal);
     radio.onReceive(receiver);
@@ -100,6 +100,10 @@ public final class Comms {
   /** Number of received datagrams that were dropped for this reason. */
   public long dropped(DropReason reason) {
     return log.dropped(reason);
+  }
+
+  RobotId self() {
+    return self;
   }
 
   DatagramReceiver receiver() {
@@ -195,8 +199,24 @@ public final class Comms {
     } else if (seal == null) {
       radiate(to, buffer, length);
     } else {
-      int sealedLength = seal.seal(buffer, length);
-      radiate(to, seal.buffer(), sealedLength);
+      emitSealed(seal, to, buffer, length);
+    }
+  }
+
+  // Only this robot and the receiver can read or make a sealed datagram, so a broadcast is sealed
+  // for each robot.
+  private void emitSealed(Seal seal, @Nullable RobotId to, byte[] buffer, int length) {
+    if (to != null) {
+      int sealedLength = seal.seal(to, buffer, length);
+      if (sealedLength > 0) {
+        radio.send(to, seal.buffer(), sealedLength);
+      }
+      return;
+    }
+    for (RobotId robot : seal.peers()) {
+      if (!isSelf(robot)) {
+        emitSealed(seal, robot, buffer, length);
+      }
     }
   }
 

@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
+import org.starl.session.Session;
 import org.starl.trace.TraceSink;
 
 /** Receives datagrams: checks and counts them, and passes messages to their endpoints. */
@@ -13,8 +14,6 @@ final class DatagramReceiver implements Radio.Receiver {
   private static final Spare<Header> HEADERS = new Spare<>(Header::new);
 
   private static final int FIRST_BOOT = 1;
-  private static final long UNSEALED = 0;
-  private static final long FROM_SELF = -1;
 
   private final Comms comms;
   private final byte[] selfName;
@@ -36,7 +35,7 @@ final class DatagramReceiver implements Radio.Receiver {
 
   /**
    * @param selfName this robot's name as on the wire
-   * @param seal null if the deployment has no key
+   * @param seal null if datagrams are not sealed
    */
   DatagramReceiver(
       Comms comms,
@@ -99,47 +98,55 @@ final class DatagramReceiver implements Radio.Receiver {
   @Override
   public void received(byte[] buffer, int length) {
     received++;
-    if (seal == null) {
-      handle(buffer, length, UNSEALED);
-      return;
-    }
-    // Counts start at 1: this code never seals a smaller one.
-    long count = seal.verify(buffer, length) ? Seal.count(buffer, length) : 0;
-    if (count > 0) {
-      handle(buffer, length - Seal.BYTES, count);
+    Header header = HEADERS.take();
+    DropReason malformed =
+        seal == null ? header.parse(buffer, length) : header.parse(buffer, length - Session.BYTES);
+    if (malformed == null) {
+      handle(header, seal, length);
     } else {
-      drop(DropReason.FORGED, null, length + " bytes");
+      drop(seal == null ? malformed : DropReason.FORGED, null, length + " bytes");
     }
+    HEADERS.giveBack(header);
   }
 
   /** Receives a datagram that this robot sent to itself. */
   void receivedFromSelf(byte[] datagram) {
     received++;
-    handle(datagram, datagram.length, FROM_SELF);
-  }
-
-  /**
-   * @param count the transmission count in the authentication; or {@link #UNSEALED}, or {@link
-   *     #FROM_SELF}
-   */
-  private void handle(byte[] buffer, int length, long count) {
     Header header = HEADERS.take();
-    DropReason malformed = header.parse(buffer, length);
+    DropReason malformed = header.parse(datagram, datagram.length);
     if (malformed == null) {
-      handle(header, count);
+      accept(header, comms.self());
     } else {
-      drop(malformed, null, length + " bytes");
+      drop(malformed, null, datagram.length + " bytes");
     }
     HEADERS.giveBack(header);
   }
 
-  private void handle(Header header, long count) {
+  /**
+   * @param opening opens the datagram; null if datagrams are not sealed
+   * @param length of the datagram, with its seal
+   */
+  private void handle(Header header, @Nullable Seal opening, int length) {
     RobotId from = sender(header);
     if (from == null) {
-      drop(DropReason.BAD_NAME, null, "sender");
+      drop(opening == null ? DropReason.BAD_NAME : DropReason.FORGED, null, "sender");
       return;
     }
-    DropReason refused = refusal(header, from, count);
+    DropReason refused = refusal(header);
+    if (refused == null && opening != null) {
+      refused = opening.open(from, header, length);
+    }
+    if (refused == null) {
+      accept(header, from);
+    } else {
+      drop(refused, from, "");
+    }
+  }
+
+  private void accept(Header header, RobotId from) {
+    // A first incarnation has no dead predecessor to tell apart.
+    DropReason refused =
+        windows == null && header.boot == FIRST_BOOT ? null : windows().admit(from, header.boot);
     if (refused != null) {
       drop(refused, from, "");
       return;
@@ -165,24 +172,14 @@ final class DatagramReceiver implements Radio.Receiver {
 
   // Compares names as bytes, without reading the sender's object, which is usually not in the
   // cache.
-  private @Nullable DropReason refusal(Header header, RobotId from, long count) {
-    if (count != FROM_SELF
-        && ByteNames.equal(selfName, header.bytes, header.senderAt, header.senderLength)) {
+  private @Nullable DropReason refusal(Header header) {
+    if (ByteNames.equal(selfName, header.bytes, header.senderAt, header.senderLength)) {
       return DropReason.OWN;
     }
     boolean isForUs =
         header.addresseeLength == 0
             || ByteNames.equal(selfName, header.bytes, header.addresseeAt, header.addresseeLength);
-    if (!isForUs) {
-      return DropReason.NOT_FOR_US;
-    }
-    DropReason replayed =
-        seal == null || count == FROM_SELF ? null : seal.admit(from, header.boot, count);
-    if (replayed != null) {
-      return replayed;
-    }
-    // A first incarnation has no dead predecessor to tell apart.
-    return windows == null && header.boot == FIRST_BOOT ? null : windows().admit(from, header.boot);
+    return isForUs ? null : DropReason.NOT_FOR_US;
   }
 
   private InboundWindows windows() {

@@ -4,9 +4,13 @@ import java.util.Locale;
 
 /** Why a received datagram was dropped. */
 public enum DropReason {
-  /** Not authenticated with the deployment's key. */
+  /** Not sealed, or not by the robot that it names. */
   FORGED(true),
-  /** Authenticated, but received before, or older than the replay window. */
+  /** Sealed, but this robot has no session with its sender yet. */
+  NO_SESSION(false),
+  /** Sealed in another session: before a restart of either robot, or in another run. */
+  OTHER_SESSION(false),
+  /** Sealed in this session, but received before, or older than the replay window. */
   REPLAYED(false),
   /** Shorter than its length field, or than any datagram. */
   TRUNCATED(true),

@@ -2,6 +2,7 @@ package org.starl.comms;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Radio;
+import org.starl.session.Session;
 
 /**
  * The header of a received datagram: its fields, and the positions of its names
@@ -14,7 +15,7 @@ final class Header {
   static final int VERSION = 1;
 
   /** Maximum length in bytes, without authentication. */
-  static final int MAX_BYTES = Radio.MAX_BYTES - Seal.BYTES;
+  static final int MAX_BYTES = Radio.MAX_BYTES - Session.BYTES;
 
   static final int PLAIN = 1;
   static final int RELIABLE = 2;
@@ -92,6 +93,21 @@ final class Header {
       in.reset(bytes, bodyAt, length);
     }
     return malformed;
+  }
+
+  /** Continues in a copy of the parsed datagram. */
+  void continueIn(byte[] copy) {
+    bytes = copy;
+    in.reset(bytes, bodyAt, length);
+  }
+
+  /** Where the body of a well-formed datagram begins. */
+  static int bodyAt(byte[] datagram) {
+    int at = NAMES_AT;
+    for (int name = 0; name < 3; name++) {
+      at += 1 + (datagram[at] & 0xFF);
+    }
+    return at;
   }
 
   private @Nullable DropReason parseNames() {

@@ -1,33 +1,29 @@
 package org.starl.comms;
 
-import java.util.Arrays;
-import javax.crypto.Mac;
-import javax.crypto.ShortBufferException;
+import java.util.HashMap;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
-import org.starl.platform.DeploymentKey;
+import org.starl.session.Session;
+import org.starl.session.Sessions;
 
 /**
- * Authenticates datagrams as sent by a robot of the deployment: appends a count of this robot's
- * transmissions, and the first half of HMAC-SHA256 (RFC 2104; truncated as its section 5 allows)
- * over everything before. Strand only.
+ * Seals this robot's datagrams, and opens those of others so that each is accepted once. For each
+ * session the {@link #WINDOW} highest counts are tracked individually; older ones are dropped.
+ * Strand only.
  */
 final class Seal {
 
-  private static final int TAG_BYTES = 16;
+  static final int WINDOW = 1024;
 
-  /** Number of bytes that authentication adds. */
-  static final int BYTES = Long.BYTES + TAG_BYTES;
+  private final Sessions sessions;
+  // Never iterated. Only a robot with a session has an entry, so an attacker cannot fill it.
+  private final Map<RobotId, Inbound> inbound = new HashMap<>();
+  private byte[] sealed = new byte[256];
+  private byte[] opened = new byte[256];
 
-  private final ReplayWindows replays = new ReplayWindows();
-  private final Mac mac;
-  private final byte[] code;
-  private byte[] sealed = new byte[128];
-  private long transmissions;
-
-  Seal(DeploymentKey key) {
-    mac = key.newMac();
-    code = new byte[mac.getMacLength()];
+  Seal(Sessions sessions) {
+    this.sessions = sessions;
   }
 
   /** The last sealed datagram; valid until the next one. */
@@ -36,59 +32,65 @@ final class Seal {
   }
 
   /**
-   * Copies a datagram and appends its authentication, with a new count even if it was sent before.
+   * Seals a datagram for {@code to} into {@link #buffer}.
    *
-   * @return the sealed datagram's length in bytes
+   * @return the sealed datagram's length in bytes; 0 if there is no session with {@code to}
    */
-  int seal(byte[] datagram, int length) {
-    if (sealed.length < length + BYTES) {
-      sealed = new byte[length + BYTES];
+  int seal(RobotId to, byte[] datagram, int length) {
+    Session session = sessions.with(to);
+    if (session == null) {
+      return 0;
     }
-    System.arraycopy(datagram, 0, sealed, 0, length);
-    transmissions++;
-    WireWriter.putI64(sealed, length, transmissions);
-    compute(sealed, length + Long.BYTES);
-    System.arraycopy(code, 0, sealed, length + Long.BYTES, TAG_BYTES);
-    return length + BYTES;
+    if (sealed.length < length + Session.BYTES) {
+      sealed = new byte[length + Session.BYTES];
+    }
+    session.seal(datagram, Header.bodyAt(datagram), length, sealed);
+    return length + Session.BYTES;
+  }
+
+  /** The receivers of a broadcast, in order. */
+  Iterable<RobotId> peers() {
+    return sessions.peers();
   }
 
   /**
-   * Checks that a holder of the key sealed these bytes. Takes the same time wherever they differ.
+   * Opens a sealed datagram, whose header was parsed; the header then reads the opened bytes.
    *
-   * @return whether the authentication is correct
+   * @param length of the sealed datagram
+   * @return why to drop it, or null if it is genuine and arrives for the first time
    */
-  boolean verify(byte[] datagram, int length) {
-    if (length < BYTES) {
-      return false;
+  @Nullable DropReason open(RobotId from, Header header, int length) {
+    Session session = sessions.with(from);
+    if (session == null) {
+      return DropReason.NO_SESSION;
     }
-    compute(datagram, length - TAG_BYTES);
-    int difference = 0;
-    for (int i = 0; i < TAG_BYTES; i++) {
-      difference |= code[i] ^ datagram[length - TAG_BYTES + i];
+    if (!session.isOf(header.bytes, length)) {
+      return DropReason.OTHER_SESSION;
     }
-    return difference == 0;
+    if (opened.length < length) {
+      opened = new byte[length];
+    }
+    long count = Session.count(header.bytes, length);
+    if (count <= 0 || !session.open(header.bytes, header.bodyAt, length, opened)) {
+      return DropReason.FORGED;
+    }
+    SlidingWindow arrived = arrived(from, session);
+    if (arrived.isTooOld(count) || arrived.contains(count)) {
+      return DropReason.REPLAYED;
+    }
+    arrived.add(count);
+    header.continueIn(opened);
+    return null;
   }
 
-  /**
-   * Accepts an authenticated datagram.
-   *
-   * @return why to drop it, or null if it arrives for the first time
-   */
-  @Nullable DropReason admit(RobotId from, int boot, long count) {
-    return replays.admit(from, boot, count);
-  }
-
-  /** The transmission count of an authenticated datagram, from 1. */
-  static long count(byte[] datagram, int length) {
-    return WireReader.getI64(datagram, length - BYTES);
-  }
-
-  private void compute(byte[] bytes, int length) {
-    try {
-      mac.update(bytes, 0, length);
-      mac.doFinal(code, 0);
-    } catch (ShortBufferException e) {
-      throw new IllegalStateException("a code of " + Arrays.toString(code), e);
+  private SlidingWindow arrived(RobotId from, Session session) {
+    Inbound present = inbound.get(from);
+    if (present == null || present.session != session) {
+      present = new Inbound(session, new SlidingWindow(WINDOW));
+      inbound.put(from, present);
     }
+    return present.arrived;
   }
+
+  private record Inbound(Session session, SlidingWindow arrived) {}
 }

@@ -1,9 +1,10 @@
 package org.starl.platform;
 
-import java.security.GeneralSecurityException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import javax.crypto.Mac;
-import javax.crypto.spec.SecretKeySpec;
+import org.starl.id.RobotId;
+import org.starl.session.PairKey;
 
 /**
  * The secret that all robots of one deployment share; holding it proves membership. It is never
@@ -11,33 +12,36 @@ import javax.crypto.spec.SecretKeySpec;
  */
 public final class DeploymentKey {
 
-  /** Length of a key: the output length of HMAC-SHA256 (RFC 2104, section 3). */
-  public static final int BYTES = 32;
-
-  private static final String ALGORITHM = "HmacSHA256";
+  /** Length of a key in bytes. */
+  public static final int BYTES = PairKey.BYTES;
 
   private final byte[] secret;
 
   /**
-   * @throws IllegalArgumentException if {@code secret} is not {@link #BYTES} long
+   * @throws IllegalArgumentException if {@code secret} is not {@link #BYTES} long, or only zeros
    */
   public DeploymentKey(byte[] secret) {
     if (secret.length != BYTES) {
       throw new IllegalArgumentException("a key of " + secret.length + " bytes: expected " + BYTES);
     }
+    if (Arrays.equals(secret, new byte[BYTES])) {
+      throw new IllegalArgumentException("a key of zeros: expected a random one");
+    }
     this.secret = secret.clone();
   }
 
-  /** Creates a message authentication code with this key, for one strand. */
-  public Mac newMac() {
-    try {
-      Mac mac = Mac.getInstance(ALGORITHM);
-      mac.init(new SecretKeySpec(secret, ALGORITHM));
-      return mac;
-    } catch (GeneralSecurityException e) {
-      // Every Java platform has HmacSHA256 (java.security.Mac) and accepts any key.
-      throw new IllegalStateException(ALGORITHM, e);
-    }
+  /** Creates HMAC-SHA256 (RFC 2104) under this key for one purpose, for one thread. */
+  public Mac newMac(String purpose) {
+    return new PairKey(secret).newMac(purpose);
+  }
+
+  /** The secret of two robots, in either order; equal if they are. */
+  public PairKey pairKey(RobotId one, RobotId other) {
+    boolean isInOrder = one.compareTo(other) <= 0;
+    Mac mac = newMac("pair");
+    mac.update(
+        (isInOrder ? one + " " + other : other + " " + one).getBytes(StandardCharsets.US_ASCII));
+    return new PairKey(mac.doFinal());
   }
 
   @Override

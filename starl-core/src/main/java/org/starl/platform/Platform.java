@@ -7,6 +7,7 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.session.Sessions;
 import org.starl.trace.TraceSink;
 
 /**
@@ -18,7 +19,7 @@ import org.starl.trace.TraceSink;
  * @param knownObstacles the robot's map at its start, without hidden obstacles
  * @param waypoints named places on the floor, the same for every robot
  * @param motionParameters the motion parameters until the app sets others
- * @param key authenticates this deployment's datagrams; null for no authentication
+ * @param sessions seal the datagrams to and from other robots; null: datagrams are not sealed
  */
 public record Platform(
     RobotId id,
@@ -37,4 +38,4 @@ public record Platform(
     Obstacles knownObstacles,
     List<ItemPosition> waypoints,
     MotionParameters motionParameters,
-    @Nullable DeploymentKey key) {}
+    @Nullable Sessions sessions) {}

@@ -9,7 +9,7 @@ import org.starl.id.RobotId;
 public interface Radio {
 
   /** Maximum length of a datagram in bytes, authentication included: it fits one Ethernet frame. */
-  int MAX_BYTES = 1424;
+  int MAX_BYTES = 1428;
 
   /**
    * Sends the first {@code length} bytes of {@code buffer} to one robot. The caller may reuse the

@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.session.Session;
 import org.starl.testing.FakeWorld;
 
 /** {@code docs/wire-format.md} says what the code does. */
@@ -85,9 +86,8 @@ class WireFormatDocTest {
         .contains("| reliable | " + Header.RELIABLE + " |")
         .contains("| acknowledgement | " + Header.ACK + " |")
         .contains("at most " + Header.MAX_BYTES + " bytes")
-        .contains("the " + Seal.BYTES + " bytes of a seal")
-        .contains(
-            "the " + String.format(Locale.ROOT, "%,d", ReplayWindows.WINDOW) + " highest counts")
+        .contains("the " + Session.BYTES + " bytes of a seal")
+        .contains("the " + String.format(Locale.ROOT, "%,d", Seal.WINDOW) + " highest counts")
         .contains("the " + InboundWindows.WINDOW + " highest orders")
         .contains(String.format(Locale.ROOT, "remembers %,d senders", InboundWindows.MAX_SENDERS));
     assertThat(Header.MAX_CLOCK).isEqualTo((1L << 62) - 1);

@@ -14,6 +14,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Chassis;
+import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
 import org.starl.platform.Positioning;
 import org.starl.platform.Radio;
@@ -21,6 +22,8 @@ import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
+import org.starl.session.KnownStarts;
+import org.starl.session.Sessions;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
@@ -74,7 +77,15 @@ public final class FakePlatform {
         Obstacles.NONE,
         List.of(),
         parameters,
-        world.key);
+        sessions());
+  }
+
+  private @Nullable Sessions sessions() {
+    DeploymentKey key = world.key;
+    return key == null
+        ? null
+        : new KnownStarts(
+            peer -> key.pairKey(id, peer), id, world.starts(id), world::starts, () -> deployment);
   }
 
   /** The bundle of ports. */

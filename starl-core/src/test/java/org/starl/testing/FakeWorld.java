@@ -43,6 +43,7 @@ public final class FakeWorld {
   private final PriorityQueue<Event> events =
       new PriorityQueue<>(Comparator.comparingLong(Event::atNs).thenComparingLong(Event::serial));
   private final Map<RobotId, FakePlatform> robots = new TreeMap<>();
+  private final Map<RobotId, Integer> starts = new TreeMap<>();
   private final Participants deployment;
   private long nowNs;
   private long serial;
@@ -58,10 +59,16 @@ public final class FakeWorld {
     if (before != null) {
       before.isUp = false;
     }
+    starts.merge(id, 1, Integer::sum);
     FakePlatform robot =
         new FakePlatform(this, id, deployment, before == null ? new TreeMap<>() : before.stored);
     robots.put(id, robot);
     return robot;
+  }
+
+  /** How often the robot has started. */
+  int starts(RobotId robot) {
+    return starts.getOrDefault(robot, 0);
   }
 
   public long nowNs() {

@@ -19,9 +19,9 @@ import org.starl.geometry.Pose;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.platform.DeploymentKey;
 import org.starl.platform.StartNeeds;
 import org.starl.random.Rng;
+import org.starl.session.Sessions;
 import org.starl.sim.fault.FaultRun;
 import org.starl.sim.fault.FaultTarget;
 import org.starl.sim.fault.Impairment;
@@ -56,6 +56,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // Data of robots that left: a robot that joins again is a new incarnation with its stored data.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
+  private final RunSessions sessions;
   private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
   private final MeasuredRobots measuredRobots = new MeasuredRobots();
   private final Impairments impairments = new Impairments();
@@ -67,6 +68,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   Engine(SimulationPlan plan) {
     this.plan = plan;
+    sessions = new RunSessions(plan.key());
     behaviourRng = new Rng(plan.header().behaviourSeed());
     kernel = new Kernel(plan.carriers());
     observers =
@@ -450,9 +452,9 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     }
   }
 
-  /** The key that seals this run's datagrams, or null. */
-  @Nullable DeploymentKey key() {
-    return plan.key();
+  /** The sessions of a robot that starts now; null if datagrams are not sealed. */
+  @Nullable Sessions startSessions(RobotId id) {
+    return sessions.started(id);
   }
 
   SimSettings settings() {

@@ -110,7 +110,7 @@ final class SimRobot implements TraceSink {
             engine.knownObstacles(),
             engine.waypoints(),
             engine.motionParameters(index),
-            engine.key());
+            engine.startSessions(spec.id()));
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (!impairment.equals(Impairment.NONE)) {

@@ -21,7 +21,6 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink;
 import org.starl.platform.LogSink.Level;
 import org.starl.platform.Platform;
@@ -40,7 +39,8 @@ import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.udp.Discovery;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
-import org.starl.robot.udp.StartNumber;
+import org.starl.robot.udp.OpenSessions;
+import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.time.Time;
@@ -100,6 +100,7 @@ public final class DeployedRobot implements AutoCloseable {
   private final UdpRadio udp;
   private final LossyRadio radio;
   private final Discovery discovery;
+  private final boolean isProven;
   private final FileStable stable;
   private final RealBackground background;
   private final PoseFeed poses;
@@ -110,20 +111,20 @@ public final class DeployedRobot implements AutoCloseable {
   /**
    * Opens everything; {@link #start} runs it.
    *
-   * @param key null for none
+   * @param keys null: datagrams are not sealed
    * @throws IOException if radio, storage, positions or wheels cannot be opened; one line for people
    */
   public static DeployedRobot open(
       Deployment deployment,
       RobotEntry entry,
-      @Nullable DeploymentKey key,
+      @Nullable PeerKeys keys,
       Program program,
       Surroundings surroundings,
       Host host)
       throws IOException {
     Opened opened = new Opened();
     try {
-      return new DeployedRobot(deployment, entry, key, program, surroundings, host, opened);
+      return new DeployedRobot(deployment, entry, keys, program, surroundings, host, opened);
     } catch (IOException | RuntimeException e) {
       opened.close();
       throw e;
@@ -133,7 +134,7 @@ public final class DeployedRobot implements AutoCloseable {
   private DeployedRobot(
       Deployment deployment,
       RobotEntry entry,
-      @Nullable DeploymentKey key,
+      @Nullable PeerKeys keys,
       Program program,
       Surroundings surroundings,
       Host host,
@@ -156,16 +157,20 @@ public final class DeployedRobot implements AutoCloseable {
     poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
     long startNs = clock.nowNs();
     Participants participants = deployment.participants();
+    isProven = keys != null;
+    OpenSessions sessions = new OpenSessions();
     discovery =
         opened.add(
-            Discovery.open(
+            new Discovery(
                 udp,
                 id,
                 participants,
                 known(deployment),
-                key,
+                keys,
+                sessions,
+                strand,
+                stable,
                 settings(deployment.network()),
-                StartNumber.next(stable, startNs),
                 clock,
                 new Neighbourhood()));
     // Each start has its own random choices.
@@ -209,8 +214,16 @@ public final class DeployedRobot implements AutoCloseable {
             program.knownObstacles(),
             program.waypoints(),
             motion,
-            key);
-    runner = new RobotRunner(platform, program.app(), this::finished);
+            keys == null ? null : sessions);
+    runner =
+        new RobotRunner(
+            platform,
+            gvh -> {
+              // The boot number is in stable storage now.
+              discovery.begin(gvh.id.boot());
+              return program.app().apply(gvh);
+            },
+            this::finished);
   }
 
   /** Starts the app. Once. */
@@ -329,8 +342,27 @@ public final class DeployedRobot implements AutoCloseable {
     host.failed(error);
   }
 
-  /** Logs and traces which robots are heard and suspected. */
+  /** Logs and traces which robots are heard, suspected and refused. */
   private final class Neighbourhood implements Discovery.Listener {
+
+    @Override
+    public void refused(RobotId robot, InetSocketAddress at, boolean isOtherStorage) {
+      String why =
+          isOtherStorage
+              ? "its storage is not the one that is known here"
+              : "a later start of it is known here";
+      tell(Level.WARN, "refuses", robot, "refuses " + robot + " at " + at + ": " + why);
+    }
+
+    @Override
+    public void disowned(String why) {
+      if (isProven) {
+        fail(new DisownedException(why));
+      } else {
+        // Without keys any sender on the network could stop robots by this.
+        log.log(clock.nowNs(), Level.WARN, TAG, why);
+      }
+    }
 
     @Override
     public void appeared(RobotId robot, InetSocketAddress at) {

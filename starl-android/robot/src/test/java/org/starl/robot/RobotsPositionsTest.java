@@ -14,7 +14,7 @@ import org.starl.robot.file.Wheels;
 class RobotsPositionsTest {
 
   private static RobotEntry robot(String name, String rigidBody) {
-    return new RobotEntry(new RobotId(name), 1, null, new Wheels.Simulated(), rigidBody);
+    return new RobotEntry(new RobotId(name), 1, null, new Wheels.Simulated(), rigidBody, List.of());
   }
 
   @Test

@@ -47,7 +47,11 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
     Deployment deployment = DeploymentFile.read(file);
     RobotEntry here = robot == null ? null : deployment.robot(robot);
     SimulationPlan plan = DeployedApp.of(deployment, demos()).plan();
-    DeploymentFile.key(deployment);
+    if (here != null) {
+      DeploymentFile.keys(deployment, here);
+    } else if (deployment.key() != null) {
+      DeploymentFile.keys(deployment, deployment.robots().get(deployment.robots().firstKey()));
+    }
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
     problems.addAll(DeploymentCheck.ofMotion(deployment, plan.settings().motionParameters(0)));
     Map<String, Object> result = new LinkedHashMap<>();
@@ -76,9 +80,11 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
                 deployment.app(),
                 robots,
                 robots == 1 ? "robot" : "robots",
-                deployment.key() == null
-                    ? "no key: any computer on the network can send messages"
-                    : "sealed"));
+                deployment.isSealed()
+                    ? deployment.hasSeparateKeys()
+                        ? "sealed, each robot with its own key"
+                        : "sealed with one key: a captured robot can act as any other"
+                    : "no key: any computer on the network can send messages"));
     return lines;
   }
 

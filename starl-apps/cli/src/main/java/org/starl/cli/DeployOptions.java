@@ -78,7 +78,7 @@ final class DeployOptions {
         new RobotRun.Settings(
             deployment,
             entry,
-            DeploymentFile.key(deployment),
+            DeploymentFile.keys(deployment, entry),
             app::plan,
             wheels,
             folder().resolve(entry.id() + ".storage"),

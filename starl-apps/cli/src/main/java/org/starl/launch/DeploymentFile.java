@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
-import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentReader;
-import org.starl.robot.udp.KeyFile;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.udp.PeerKeys;
 
 /** Reads a deployment file in YAML. All errors are {@link BadInput}. */
 public final class DeploymentFile {
@@ -32,24 +32,26 @@ public final class DeploymentFile {
   }
 
   /**
-   * The key of a deployment, or null if it names none.
+   * The keys of a robot with the others, from the file of its secret; null if the deployment is not
+   * sealed.
    *
-   * @throws BadInput if the key's file cannot be read, or others may read it
+   * @throws BadInput if the file cannot be read, others may read it, or it is not this robot's
    */
-  public static @Nullable DeploymentKey key(Deployment deployment) {
-    if (deployment.key() == null) {
+  public static @Nullable PeerKeys keys(Deployment deployment, RobotEntry robot) {
+    String secret = deployment.secretOf(robot);
+    if (secret == null) {
       return null;
     }
+    String where =
+        deployment.key() == null
+            ? deployment.file() + ":" + robot.line() + ": robots." + robot.id() + ": "
+            : deployment.where("key") + "key: ";
     try {
-      return KeyFile.read(Path.of(deployment.file()).resolveSibling(deployment.key()));
+      return deployment.keys(robot, Path.of(deployment.file()).resolveSibling(secret));
     } catch (InvalidPathException e) {
-      throw new BadInput(
-          deployment.where("key")
-              + "key: "
-              + BadInput.quote(deployment.key())
-              + ": expected a file's name");
+      throw new BadInput(where + BadInput.quote(secret) + ": expected a file's name");
     } catch (IOException e) {
-      throw new BadInput(deployment.where("key") + "key: " + e.getMessage());
+      throw new BadInput(where + e.getMessage());
     }
   }
 }

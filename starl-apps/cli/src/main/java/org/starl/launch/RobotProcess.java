@@ -108,12 +108,7 @@ public final class RobotProcess extends RobotMain {
   }
 
   private void start() {
-    ports.forEach((peer, at) -> {
-      if (!peer.equals(id)) {
-        running().setPeer(peer, at);
-      }
-    });
-    running().start();
+    running().start(ports);
   }
 
   @Override

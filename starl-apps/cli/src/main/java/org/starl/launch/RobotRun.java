@@ -12,9 +12,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
+import org.starl.robot.DisownedException;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
@@ -25,6 +25,7 @@ import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
+import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
@@ -38,7 +39,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
   /**
    * The robot and its run.
    *
-   * @param key null for none
+   * @param keys null: datagrams are not sealed
    * @param plans makes equal plans, one for each round, because a director serves one run
    * @param storage a folder for this robot only
    * @param rounds number of runs of the app, from 1
@@ -46,7 +47,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
   public record Settings(
       Deployment deployment,
       RobotEntry entry,
-      @Nullable DeploymentKey key,
+      @Nullable PeerKeys keys,
       Supplier<SimulationPlan> plans,
       Wheelbase.Source wheels,
       Path storage,
@@ -132,7 +133,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
 
   @Override
   public void failed(Throwable error) {
-    end(error, error.toString());
+    end(error, error instanceof DisownedException ? error.getMessage() : error.toString());
   }
 
   private void violated(Violation violation) {
@@ -165,7 +166,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
         DeployedRobot.open(
             settings.deployment(),
             settings.entry(),
-            settings.key(),
+            settings.keys(),
             program,
             new DeployedRobot.Surroundings(
                 settings.storage(), settings.wheels(), clock, this::log, trace),

@@ -6,10 +6,14 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
@@ -17,6 +21,7 @@ import org.starl.geometry.Pose;
 import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink.Level;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
@@ -27,8 +32,11 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
+import org.starl.robot.udp.Discovery;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
+import org.starl.robot.udp.OpenSessions;
+import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -49,12 +57,18 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
   private static final long WAITS_LIMIT_S = 2;
   private static final long ALIVE_EVERY_NS = 50 * Time.NS_PER_MS;
+  private static final Discovery.Settings BEACONS =
+      new Discovery.Settings(500, Integer.MAX_VALUE, 0);
 
   private final ProcessTrace trace;
   private final DeployedRobot.Host host;
+  private final SimulationPlan plan;
+  private final RobotSpec spec;
+  private final RealClock real;
   private final RealStrand strand;
   private final BodyClock clock;
   private final UdpRadio udp;
+  private final OpenSessions sessions = new OpenSessions();
   private final LossyRadio radio;
   private final FileStable stable;
   private final RealBackground background;
@@ -64,6 +78,9 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   private final RobotRunner runner;
   private final OneRobotControl control;
   private final Timer alive;
+
+  // Null if datagrams are not sealed; set before the strand starts the program.
+  private @Nullable Discovery discovery;
 
   // Strand only.
   private boolean isPlaceRequested;
@@ -85,6 +102,9 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
       ProcessTrace trace,
       DeployedRobot.Host host)
       throws IOException {
+    this.plan = plan;
+    this.spec = spec;
+    this.real = real;
     this.trace = trace;
     this.host = host;
     SimSettings settings = plan.settings();
@@ -143,10 +163,17 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
             plan.obstacles().known(),
             plan.waypoints(),
             settings.motionParameters(plan.robots().indexOf(spec), plan.robots().size()),
-            plan.key());
-    runner = new RobotRunner(platform, spec.app(), this::appEnded);
+            plan.key() == null ? null : sessions);
+    runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     control = new OneRobotControl(plan, spec, this, strand, clock, runner);
     alive = strand.timer(this::reportAlive);
+  }
+
+  private LogicThread makeApp(GlobalVarHolder gvh) {
+    if (discovery != null) {
+      discovery.begin(gvh.id.boot());
+    }
+    return spec.app().apply(gvh);
   }
 
   private static long delayNs(SimSettings settings, Rng rng) {
@@ -165,11 +192,32 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     return udp.address().getPort();
   }
 
-  void setPeer(RobotId robot, int port) {
-    udp.setPeer(robot, loopback(port));
-  }
-
-  void start() {
+  /**
+   * Starts the program.
+   *
+   * @param ports of all robots' radios
+   */
+  void start(Map<RobotId, Integer> ports) {
+    ports.forEach((robot, port) -> udp.setPeer(robot, loopback(port)));
+    DeploymentKey key = plan.key();
+    if (key != null) {
+      SortedMap<RobotId, InetSocketAddress> known = new TreeMap<>();
+      ports.forEach((robot, port) -> known.put(robot, loopback(port)));
+      Participants robots = Participants.of(plan.header().robots());
+      discovery =
+          new Discovery(
+              udp,
+              spec.id(),
+              robots,
+              known,
+              PeerKeys.shared(key, spec.id(), robots),
+              sessions,
+              strand,
+              stable,
+              BEACONS,
+              real,
+              new Introductions());
+    }
     strand.post(this::reportAlive);
     control.begin();
     runner.start();
@@ -294,5 +342,23 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
   private void scaleWheels(double factor) {
     chassis.impair(factor, factor);
+  }
+
+  /** The parent knows which processes run; here only the sessions count. */
+  private final class Introductions implements Discovery.Listener {
+
+    @Override
+    public void appeared(RobotId robot, InetSocketAddress address) {}
+
+    @Override
+    public void suspected(RobotId robot, @Nullable Long lastHeardNs) {}
+
+    @Override
+    public void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage) {}
+
+    @Override
+    public void disowned(String why) {
+      host.failed(new IllegalStateException(why));
+    }
   }
 }

@@ -47,6 +47,7 @@ final class Layers {
     "org.starl.motion..",
     "org.starl.platform..",
     "org.starl.random..",
+    "org.starl.session..",
     "org.starl.spec..",
     "org.starl.time..",
     "org.starl.trace.."

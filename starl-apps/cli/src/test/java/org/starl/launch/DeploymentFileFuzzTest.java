@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
+import org.starl.robot.file.RobotEntry;
 import org.starl.sim.check.MalformedBytes;
 
 /** Any bytes as a deployment file: a deployment, or one line that names the file. */
@@ -29,7 +30,8 @@ public class DeploymentFileFuzzTest {
     }
     require(!deployment.robots().isEmpty() && !deployment.app().isEmpty(), "nothing in it");
     try {
-      require(DeploymentFile.key(deployment) == null, "a key out of nowhere");
+      RobotEntry robot = deployment.robots().get(deployment.robots().firstKey());
+      require(DeploymentFile.keys(deployment, robot) == null, "a key out of nowhere");
     } catch (BadInput refused) {
       requireLine(refused);
     }

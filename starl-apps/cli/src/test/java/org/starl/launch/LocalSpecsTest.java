@@ -151,7 +151,8 @@ class LocalSpecsTest {
             1,
             new HostPort("127.0.0.1", 0),
             new Wheels.Create("create2", new Wheels.Device("none"), 115_200, null),
-            "bot0");
+            "bot0",
+            List.of());
     return new Deployment(
         "my.yaml",
         "doors",

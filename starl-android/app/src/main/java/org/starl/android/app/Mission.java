@@ -5,22 +5,22 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.input.BadInput;
-import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
+import org.starl.robot.udp.PeerKeys;
 
 /**
  * This phone's task: one robot of a deployment, checked without network or hardware. Immutable.
  *
  * @param app makes the robot's app
- * @param key seals the deployment's datagrams; may be null
+ * @param keys seal the datagrams to and from other robots; null if the deployment has no keys
  */
 record Mission(
     Deployment deployment,
     RobotEntry robot,
     Function<GlobalVarHolder, LogicThread> app,
-    @Nullable DeploymentKey key) {
+    @Nullable PeerKeys keys) {
 
   /** Prefix of a chassis port over Bluetooth; the adapter's name or address follows. */
   static final String BLUETOOTH = "bluetooth:";
@@ -28,13 +28,14 @@ record Mission(
   /**
    * @throws BadInput if a phone cannot run this robot of this deployment
    */
-  static Mission of(Deployment deployment, String robotName, @Nullable DeploymentKey key) {
+  static Mission of(Deployment deployment, String robotName, @Nullable PeerKeys keys) {
     RobotEntry robot = deployment.robot(robotName);
-    if (deployment.key() != null && key == null) {
-      throw deployment.error("key", deployment.key(), "this key to be loaded onto the phone too");
+    String secret = deployment.secretOf(robot);
+    if (secret != null && keys == null) {
+      throw deployment.error("key", secret, "this key to be loaded onto the phone too");
     }
     Mission mission =
-        new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), key);
+        new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), keys);
     if (mission.bluetooth() == null && mission.tcp() == null) {
       throw BadInput.at(
           deployment.file(),

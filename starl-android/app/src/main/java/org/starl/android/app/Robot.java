@@ -82,7 +82,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
         DeployedRobot.open(
             mission.deployment(),
             mission.robot(),
-            mission.key(),
+            mission.keys(),
             new DeployedRobot.Program(
                 mission.app(), Obstacles.NONE, List.of(), MotionParameters.DEFAULT),
             new DeployedRobot.Surroundings(

@@ -26,10 +26,11 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
-import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentReader;
 import org.starl.robot.udp.KeyFile;
+import org.starl.robot.udp.PeerKeys;
+import org.starl.robot.udp.RobotKey;
 
 /** The files that the user loaded, in the app's own folder, which no other app can read. */
 final class Store {
@@ -183,15 +184,24 @@ final class Store {
           "this phone has no robot yet: choose one of " + deployment.robots().keySet());
     }
     Path keyFile = folder.resolve(Item.KEY.file);
-    boolean isSealed = deployment.key() != null && Files.exists(keyFile);
-    DeploymentKey key = isSealed ? KeyFile.read(keyFile) : null;
-    return Mission.of(deployment, robotName(), key);
+    PeerKeys keys =
+        Files.exists(keyFile) ? deployment.keys(deployment.robot(robotName()), keyFile) : null;
+    return Mission.of(deployment, robotName(), keys);
   }
 
   private static void check(Item item, Path file) throws IOException {
     switch (item) {
       case DEPLOYMENT -> parse(file);
-      case KEY -> KeyFile.read(file);
+      case KEY -> readKey(file);
+    }
+  }
+
+  /** Either kind of key: which one is right, the deployment says. */
+  private static void readKey(Path file) throws IOException {
+    if (Files.size(file) > KeyFile.MAX_BYTES) {
+      RobotKey.read(file);
+    } else {
+      KeyFile.read(file);
     }
   }
 

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentReader;
+import org.starl.robot.udp.PeerKeys;
 
 class MissionTest {
 
@@ -33,7 +35,11 @@ class MissionTest {
 
   private static Mission mission(String text, String robot, DeploymentKey key) {
     Deployment deployment = DeploymentReader.read("my.yaml", text);
-    return Mission.of(deployment, robot, key);
+    PeerKeys keys =
+        key == null
+            ? null
+            : PeerKeys.shared(key, new RobotId("bot0"), deployment.participants());
+    return Mission.of(deployment, robot, keys);
   }
 
   private static DeploymentKey key() {

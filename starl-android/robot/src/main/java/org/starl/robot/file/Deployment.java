@@ -1,5 +1,7 @@
 package org.starl.robot.file;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,6 +13,10 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.robot.udp.KeyFile;
+import org.starl.robot.udp.PeerKeys;
+import org.starl.robot.udp.PublicRobotKey;
+import org.starl.robot.udp.RobotKey;
 
 /**
  * The content of a deployment file.
@@ -21,7 +27,7 @@ import org.starl.input.BadInput;
  * @param parameters of the app and settings of the motion, as texts, in the file's order
  * @param lines the line of each of {@code app}, {@code key}, {@code positions}, {@code world}, {@code
  *     limits} and the parameters
- * @param key path of the key's file, as written; null if datagrams are not sealed
+ * @param key path of the file of the one key for all robots, as written; null if there is none
  * @param world address of the process that simulates bodies; null if there is none
  */
 public record Deployment(
@@ -60,6 +66,45 @@ public record Deployment(
           file + ": has no robot " + BadInput.quote(name) + "; expected one of " + robots.keySet());
     }
     return entry;
+  }
+
+  /** Whether each robot has a key of its own. */
+  public boolean hasSeparateKeys() {
+    return robots.values().stream().anyMatch(robot -> !robot.publicKeys().isEmpty());
+  }
+
+  /** Whether datagrams are sealed. */
+  public boolean isSealed() {
+    return key != null || hasSeparateKeys();
+  }
+
+  /**
+   * The keys of one robot with the others; null if datagrams are not sealed.
+   *
+   * @param secret the file of the robot's secret: its own, or the one of all robots
+   * @throws IOException if it cannot be read, others may read it, or it is not this robot's; the
+   *     message is one line for people
+   */
+  public @Nullable PeerKeys keys(RobotEntry robot, Path secret) throws IOException {
+    if (key != null) {
+      return PeerKeys.shared(KeyFile.read(secret), robot.id(), participants());
+    }
+    if (!hasSeparateKeys()) {
+      return null;
+    }
+    RobotKey own = RobotKey.read(secret);
+    if (!own.isAmong(robot.publicKeys())) {
+      throw new IOException(
+          secret + ": expected the secret half of robots." + robot.id() + ".publicKey");
+    }
+    Map<RobotId, List<PublicRobotKey>> published = new TreeMap<>();
+    robots.forEach((id, entry) -> published.put(id, entry.publicKeys()));
+    return PeerKeys.separate(own, published);
+  }
+
+  /** The name of the file with that robot's secret, relative to this file; null if not sealed. */
+  public @Nullable String secretOf(RobotEntry robot) {
+    return hasSeparateKeys() ? robot.id() + ".key" : key;
   }
 
   /** The robots whose bodies are in the deployment's world. */

@@ -8,6 +8,7 @@ import org.starl.input.Form;
 import org.starl.input.Form.Address;
 import org.starl.input.Form.Kinds;
 import org.starl.input.Form.Lines;
+import org.starl.robot.udp.PublicRobotKey;
 
 /** Every line that a deployment file can have: {@link DeploymentReader} and the JSON schema use these. */
 public final class DeploymentFormat {
@@ -33,8 +34,9 @@ public final class DeploymentFormat {
       Field.text(
           "key",
           "the path of a key, as 'starl keygen' makes it",
-          "file of the deployment's key, as 'starl keygen' makes it; relative to this file's folder;"
-              + " without a key, datagrams are not sealed and broadcasts must be off");
+          "file of one key for all robots, as 'starl keygen' makes it; relative to this file's folder;"
+              + " without it and without the robots' public keys, datagrams are not sealed and"
+              + " broadcasts must be off");
 
   static final Field<Integer> RADIO_PORT =
       port("UDP port of the broadcast beacons, and of each robot whose address has no port")
@@ -147,6 +149,15 @@ public final class DeploymentFormat {
           "rigidBody",
           "the rigid body's name",
           "the robot's name in the measuring system; without it, the name used here");
+  static final Field<List<PublicRobotKey>> PUBLIC_KEY =
+      Field.of(
+          "publicKey",
+          new Form.Words(
+              "a key that 'starl keygen --robot' has printed, or two with a space between"),
+          "the robot's public key, as 'starl keygen --robot NAME' prints it; while a key is replaced,"
+              + " the new and the old one, with a space between; its secret half is in NAME.key in this"
+              + " file's folder, on that robot only",
+          PublicRobotKey::parseOrNull);
   static final Field<String> KIND =
       Field.choice(
               "kind",
@@ -191,7 +202,9 @@ public final class DeploymentFormat {
               "the robot's drive")
           .needed();
   static final Lines ROBOT =
-      new Lines("lines such as 'address: 192.168.1.10'", List.of(ADDRESS, RIGID_BODY, CHASSIS));
+      new Lines(
+          "lines such as 'address: 192.168.1.10'",
+          List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, CHASSIS));
   static final Field<Void> ROBOTS =
       Field.mapping(
               "robots",

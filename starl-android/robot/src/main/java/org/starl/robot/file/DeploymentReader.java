@@ -11,6 +11,7 @@ import org.starl.input.DocumentReader;
 import org.starl.input.Field;
 import org.starl.input.Section;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.udp.PublicRobotKey;
 
 /** Makes a {@link Deployment} of a file's text. */
 public final class DeploymentReader {
@@ -144,6 +145,7 @@ public final class DeploymentReader {
       RobotId id = new RobotId(name);
       String address = robot.getOrNull(DeploymentFormat.ADDRESS);
       String rigidBody = robot.getOrNull(DeploymentFormat.RIGID_BODY);
+      List<PublicRobotKey> publicKeys = robot.getOrNull(DeploymentFormat.PUBLIC_KEY);
       robots.put(
           id,
           new RobotEntry(
@@ -151,7 +153,8 @@ public final class DeploymentReader {
               given.line(name),
               address == null ? null : HostPort.parse(address, network.port()),
               wheels(robot),
-              rigidBody == null ? name : rigidBody));
+              rigidBody == null ? name : rigidBody,
+              publicKeys == null ? List.of() : publicKeys));
       robot.end();
     }
     if (robots.isEmpty()) {
@@ -200,10 +203,27 @@ public final class DeploymentReader {
       refuseShared(bodies, "rigidBody", robot.rigidBody(), robot);
       refuseSimulation(deployment, robot);
     }
-    if (deployment.key() == null && deployment.network().broadcasts()) {
+    refuseKeys(deployment);
+  }
+
+  private void refuseKeys(Deployment deployment) {
+    boolean areSeparate = deployment.hasSeparateKeys();
+    for (RobotEntry robot : deployment.robots().values()) {
+      if (areSeparate && robot.publicKeys().isEmpty()) {
+        throw at(robot, "has no publicKey, and another robot has one; expected one for each");
+      }
+    }
+    if (areSeparate && deployment.key() != null) {
+      throw top.wrong(
+          DeploymentFormat.KEY.key(),
+          deployment.key(),
+          "no key for all, since each robot has its own");
+    }
+    if (!areSeparate && deployment.key() == null && deployment.network().broadcasts()) {
       throw top.missing(
           DeploymentFormat.KEY.key(),
-          "the path of a key, or network.broadcasts: no: without a key, unknown robots could join");
+          "the path of a key, or publicKey for each robot, or network.broadcasts: no: without keys,"
+              + " unknown robots could join");
     }
   }
 

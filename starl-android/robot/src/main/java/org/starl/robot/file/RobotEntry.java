@@ -1,7 +1,9 @@
 package org.starl.robot.file;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.robot.udp.PublicRobotKey;
 
 /**
  * One robot of a deployment.
@@ -9,6 +11,17 @@ import org.starl.id.RobotId;
  * @param line its line in the file
  * @param address of its radio; null if the robot is found by its beacons
  * @param rigidBody its name in the measuring system
+ * @param publicKeys its own keys, the newest first; none if robots have no keys of their own
  */
 public record RobotEntry(
-    RobotId id, int line, @Nullable HostPort address, Wheels wheels, String rigidBody) {}
+    RobotId id,
+    int line,
+    @Nullable HostPort address,
+    Wheels wheels,
+    String rigidBody,
+    List<PublicRobotKey> publicKeys) {
+
+  public RobotEntry {
+    publicKeys = List.copyOf(publicKeys);
+  }
+}

@@ -9,9 +9,11 @@ import java.net.InetSocketAddress;
 import java.net.InterfaceAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
+import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.Executors;
@@ -19,20 +21,29 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.starl.StorageEpoch;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
-import org.starl.platform.DeploymentKey;
+import org.starl.platform.StableStorage;
+import org.starl.platform.Strand;
 import org.starl.robot.realtime.Daemons;
+import org.starl.robot.udp.Beacon.Answer;
+import org.starl.robot.udp.Neighbours.Verdict;
+import org.starl.session.Nonce;
+import org.starl.session.PairKey;
+import org.starl.session.Session;
+import org.starl.session.Start;
 
 /**
- * Finds the other robots and suspects silent ones, by beacons over the radio's own socket; it gives
- * the radio the addresses of its peers. Beacons go to known addresses and, if configured, as broadcasts
- * out of every interface. It has its own thread below the strand, so that a robot that computes for
- * long still sends beacons.
+ * Finds the other robots, proves to them that this robot has started and learns the same of them, and
+ * suspects silent ones; by beacons over the radio's own socket. It gives the radio the addresses of its
+ * peers, and opens the sessions with them. Beacons go to known addresses and, if configured, as
+ * broadcasts out of every interface. It has its own thread below the strand, so that a robot that
+ * computes for long still sends beacons.
  *
- * <p>Beacons that are not signed with the deployment's key are dropped. A beacon that is recorded and
- * sent again is old; one that is forwarded does not come from the address that it contains.
+ * <p>A beacon that is recorded and sent again proves nothing, since it has not the nonce of this start
+ * ({@link Neighbours}); one that is forwarded does not come from the address that it contains.
  */
 public final class Discovery implements AutoCloseable {
 
@@ -57,87 +68,119 @@ public final class Discovery implements AutoCloseable {
      * @param lastHeardNs by this robot's clock; null if it was never heard
      */
     void suspected(RobotId robot, @Nullable Long lastHeardNs);
+
+    /** This robot refuses a start of another robot, and has told it; once for each start. */
+    void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage);
+
+    /**
+     * This machine must not run this robot: another one does, or this one has lost its storage. With
+     * keys, this is proven.
+     *
+     * @param why one line for people
+     */
+    void disowned(String why);
   }
 
   private final UdpRadio radio;
   private final RobotId self;
+  private final Participants deployment;
   private final SortedMap<RobotId, InetSocketAddress> known;
+  private final @Nullable PeerKeys keys;
+  private final OpenSessions sessions;
+  private final Strand strand;
+  private final StableStorage stable;
+  private final long epoch;
   private final Settings settings;
-  private final long start;
   private final Clock clock;
   private final Listener listener;
   private final ScheduledExecutorService worker;
-
   private final InetSocketAddress bound;
   private @Nullable Future<?> ticks;
 
+  private final SecureRandom random = new SecureRandom();
+
   // Guarded by this.
-  private final Beacon.Codec codec;
-  private final Neighbours neighbours;
+  private final Map<RobotId, List<SigningKey>> signing = new TreeMap<>();
+  private final Map<RobotId, Start> refused = new TreeMap<>();
+  private Start mine = new Start(0, 1, Nonce.NONE);
+  private @Nullable Neighbours neighbours;
   private long count;
 
-  private Discovery(
+  /**
+   * Sends nothing before {@link #begin}.
+   *
+   * @param known the fixed addresses; these robots are the radio's peers at once, and their beacons
+   *     are accepted from these addresses only
+   * @param keys sign beacons; null: any host could send them, so robots outside {@code known} are not
+   *     accepted
+   * @param sessions receives a session with each robot, if there are keys
+   * @param stable the robot's; its strand does not use it yet. It receives the storage's epoch and
+   *     the latest start of each other robot
+   * @param clock read by several threads
+   */
+  public Discovery(
       UdpRadio radio,
       RobotId self,
       Participants deployment,
       SortedMap<RobotId, InetSocketAddress> known,
-      @Nullable DeploymentKey key,
+      @Nullable PeerKeys keys,
+      OpenSessions sessions,
+      Strand strand,
+      StableStorage stable,
       Settings settings,
-      long start,
       Clock clock,
       Listener listener) {
     this.radio = radio;
     this.self = self;
+    this.deployment = deployment;
     this.known = Collections.unmodifiableSortedMap(new TreeMap<>(known));
+    this.keys = keys;
+    this.sessions = sessions;
+    this.strand = strand;
+    this.stable = stable;
+    epoch = StorageEpoch.ofOrNew(stable, random);
     this.settings = settings;
-    this.start = start;
     this.clock = clock;
     this.listener = listener;
     bound = radio.address();
-    codec = new Beacon.Codec(key);
-    neighbours =
-        new Neighbours(self, deployment, settings.suspectAfterMs() * NS_PER_MS, clock.nowNs());
+    if (keys != null) {
+      for (RobotId robot : deployment) {
+        List<SigningKey> list = new ArrayList<>();
+        keys.with(robot).forEach(pair -> list.add(new SigningKey(pair)));
+        signing.put(robot, list);
+      }
+    }
     worker = Executors.newSingleThreadScheduledExecutor(Daemons.factory(self + " beacons"));
+    this.known.forEach(radio::setPeer);
   }
 
   /**
-   * Begins.
+   * Begins. Strand only.
    *
-   * @param known the fixed addresses; these robots are the radio's peers at once, and their beacons
-   *     are accepted from these addresses only
-   * @param key signs beacons; null: any host could send them, so robots outside {@code known} are not
-   *     accepted
-   * @param start larger at each start of this robot's program: {@link StartNumber}
-   * @param clock read by several threads
+   * @param boot number of this start of the robot's program, in stable storage
    */
-  public static Discovery open(
-      UdpRadio radio,
-      RobotId self,
-      Participants deployment,
-      SortedMap<RobotId, InetSocketAddress> known,
-      @Nullable DeploymentKey key,
-      Settings settings,
-      long start,
-      Clock clock,
-      Listener listener) {
-    Discovery discovery =
-        new Discovery(radio, self, deployment, known, key, settings, start, clock, listener);
-    discovery.known.forEach(radio::setPeer);
-    radio.onBeacon(discovery::received);
-    discovery.ticks =
-        discovery.worker.scheduleAtFixedRate(
-            discovery::tickOrFail, 0, settings.everyMs(), TimeUnit.MILLISECONDS);
-    return discovery;
+  public synchronized void begin(int boot) {
+    mine = new Start(epoch, boot, Nonce.draw(random));
+    Neighbours all =
+        new Neighbours(
+            self, mine, deployment, settings.suspectAfterMs() * NS_PER_MS, clock.nowNs());
+    LatestStarts.of(stable, deployment)
+        .forEach((robot, latest) -> all.remember(robot, latest.epoch(), latest.boot()));
+    neighbours = all;
+    radio.onBeacon(packet -> received(all, packet));
+    ticks =
+        worker.scheduleAtFixedRate(
+            () -> tickOrFail(all), 0, settings.everyMs(), TimeUnit.MILLISECONDS);
   }
 
   /** The time of a robot's last beacon; null if it was never heard. From any thread. */
   public synchronized @Nullable Long lastHeardNs(RobotId robot) {
-    return neighbours.lastHeardNs(robot);
+    return neighbours == null ? null : neighbours.lastHeardNs(robot);
   }
 
   /** Sends no more beacons and reports nothing more. */
   @Override
-  public void close() {
+  public synchronized void close() {
     if (ticks != null) {
       ticks.cancel(false);
     }
@@ -145,48 +188,59 @@ public final class Discovery implements AutoCloseable {
   }
 
   // An exception would silently cancel all later runs.
-  private void tickOrFail() {
+  private void tickOrFail(Neighbours all) {
     try {
-      tick();
+      tick(all);
     } catch (RuntimeException bug) {
       radio.fail(bug);
     }
   }
 
-  private void tick() {
+  private void tick(Neighbours all) {
     if (radio.isClosed()) {
       return;
     }
-    long nowNs = clock.nowNs();
     List<RobotId> suspected;
     synchronized (this) {
-      suspected = neighbours.newlySuspected(nowNs);
-      count++;
+      suspected = all.newlySuspected(clock.nowNs());
     }
     for (RobotId robot : suspected) {
       listener.suspected(robot, lastHeardNs(robot));
     }
-    InetAddress here = bound.getAddress();
-    InetAddress mine = here.isAnyLocalAddress() ? null : here;
-    known.forEach((robot, address) -> {
-      if (!robot.equals(self)) {
-        emit(mine, address);
+    for (RobotId robot : deployment) {
+      InetSocketAddress address = addressOf(all, robot);
+      if (!robot.equals(self) && address != null) {
+        prove(robot, echoTo(all, robot), Answer.ACCEPTED, address);
       }
-    });
-    if (settings.broadcastPort() > 0) {
-      broadcast(here);
     }
+    if (settings.broadcastPort() > 0) {
+      broadcast(bound.getAddress());
+    }
+  }
+
+  private synchronized @Nullable InetSocketAddress addressOf(Neighbours all, RobotId robot) {
+    InetSocketAddress fixed = known.get(robot);
+    return fixed == null ? all.addressOf(robot) : fixed;
+  }
+
+  private synchronized Nonce echoTo(Neighbours all, RobotId robot) {
+    return all.echoTo(robot);
   }
 
   private void broadcast(InetAddress here) {
     for (InterfaceAddress interfaceAddress : broadcasting()) {
       InetAddress address = interfaceAddress.getAddress();
       if (here.isAnyLocalAddress() || here.equals(address)) {
-        emit(
+        announce(
             address,
             new InetSocketAddress(interfaceAddress.getBroadcast(), settings.broadcastPort()));
       }
     }
+  }
+
+  /** Sends a beacon for all robots, which proves nothing. */
+  void announce(InetAddress here, InetSocketAddress to) {
+    emit(beacon(here, null, Nonce.NONE, Answer.ACCEPTED).write(null), to);
   }
 
   // Interfaces come and go: they are listed anew each time.
@@ -210,54 +264,164 @@ public final class Discovery implements AutoCloseable {
     return found;
   }
 
-  private void emit(@Nullable InetAddress mine, InetSocketAddress to) {
+  /** Sends a beacon that proves this start to one robot, which has sent that nonce. */
+  private void prove(RobotId to, Nonce echo, Answer answer, InetSocketAddress at) {
+    InetAddress here = bound.getAddress();
     byte[] bytes;
     synchronized (this) {
-      bytes = codec.write(new Beacon(self, start, count, mine, bound.getPort()));
+      Beacon beacon = beacon(here.isAnyLocalAddress() ? null : here, to, echo, answer);
+      List<SigningKey> list = signing.getOrDefault(to, List.of());
+      // While a key is replaced a robot has two, and it is unknown which one it uses.
+      SigningKey key = list.isEmpty() ? null : list.get((int) (count % list.size()));
+      if (keys != null && key == null) {
+        return;
+      }
+      bytes = beacon.write(key);
     }
+    emit(bytes, at);
+  }
+
+  private synchronized Beacon beacon(
+      @Nullable InetAddress here, @Nullable RobotId to, Nonce echo, Answer answer) {
+    count++;
+    return new Beacon(self, mine, count, here, bound.getPort(), to, echo, answer);
+  }
+
+  private void emit(byte[] bytes, InetSocketAddress to) {
     radio.transmit(to, bytes, bytes.length);
   }
 
   // On the radio's thread.
-  private void received(DatagramPacket packet) {
+  private void received(Neighbours all, DatagramPacket packet) {
     InetSocketAddress source = (InetSocketAddress) packet.getSocketAddress();
-    Beacon beacon;
-    Neighbours.Verdict verdict;
+    Beacon beacon = Beacon.readOrNull(packet.getData(), packet.getLength());
+    if (beacon == null) {
+      radio.dropped(UdpDrop.FORGED_BEACON, source);
+      return;
+    }
+    Verdict verdict;
+    PairKey pair = null;
     synchronized (this) {
-      beacon = codec.readOrNull(packet.getData(), packet.getLength());
-      if (beacon == null) {
-        radio.dropped(UdpDrop.FORGED_BEACON, source);
-        return;
-      }
-      if (beacon.robot().equals(self)) {
-        // A broadcast comes back to its sender.
-        radio.dropped(UdpDrop.OWN_BEACON, source);
-        return;
+      if (keys != null && beacon.to() != null) {
+        SigningKey key = keyOrNull(beacon.robot(), Beacon.keyId(packet.getData()));
+        if (key == null) {
+          radio.dropped(UdpDrop.UNKNOWN_KEY_BEACON, source);
+          return;
+        }
+        if (!Beacon.isSignedWith(key, packet.getData(), packet.getLength())) {
+          radio.dropped(UdpDrop.FORGED_BEACON, source);
+          return;
+        }
+        pair = key.pair();
       }
       if (!isFromItsAddress(beacon, source)) {
         radio.dropped(UdpDrop.PASSED_ON_BEACON, source);
         return;
       }
-      verdict = neighbours.hear(beacon, clock.nowNs());
+      verdict = all.hear(beacon, source, clock.nowNs());
     }
+    act(all, verdict, beacon, source, pair);
+  }
+
+  private void act(
+      Neighbours all,
+      Verdict verdict,
+      Beacon beacon,
+      InetSocketAddress source,
+      @Nullable PairKey pair) {
+    RobotId robot = beacon.robot();
+    Nonce echo = beacon.start().nonce();
     switch (verdict) {
-      case APPEARED -> {
-        radio.setPeer(beacon.robot(), source);
-        listener.appeared(beacon.robot(), source);
+      case STARTED -> {
+        radio.setPeer(robot, source);
+        strand.post(() -> started(robot, beacon.start(), pair));
+        listener.appeared(robot, source);
+        prove(robot, echo, Answer.ACCEPTED, source);
       }
-      case HEARD -> radio.setPeer(beacon.robot(), source);
+      case APPEARED -> {
+        radio.setPeer(robot, source);
+        listener.appeared(robot, source);
+      }
+      case HEARD -> radio.setPeer(robot, source);
+      case UNPROVEN -> {
+        radio.dropped(UdpDrop.UNPROVEN_BEACON, source);
+        prove(robot, echo, Answer.ACCEPTED, source);
+      }
+      case REFUSED -> refuse(all, beacon, source);
+      case TWIN -> {
+        prove(robot, echo, Answer.ACCEPTED, source);
+        listener.disowned(
+            "another machine runs "
+                + robot
+                + " too, at "
+                + source
+                + "; both stop: start one of them");
+      }
+      case REFUSES_US ->
+          listener.disowned(
+              beacon.answer() == Answer.OTHER_STORAGE
+                  ? robot
+                      + " knows another storage of "
+                      + self
+                      + ": the promises in it are lost. Bring it back, or start all robots with"
+                      + " empty storage"
+                  : robot
+                      + " knows a later start of "
+                      + self
+                      + ": another machine runs it, or this storage is an old copy");
       // Over two interfaces each beacon arrives twice.
       case OLD -> radio.dropped(UdpDrop.OLD_BEACON, source);
+      // A broadcast comes back to its sender.
+      case OWN -> radio.dropped(UdpDrop.OWN_BEACON, source);
       case STRANGE -> radio.dropped(UdpDrop.STRANGE_BEACON, source);
     }
   }
 
+  // First the storage: an older start must not be accepted after this robot has started again.
+  private void started(RobotId robot, Start start, @Nullable PairKey pair) {
+    LatestStarts.put(
+        stable,
+        robot,
+        start,
+        () -> {
+          if (pair != null) {
+            sessions.open(robot, new Session(pair, self, mine(), robot, start));
+          }
+        });
+  }
+
+  private synchronized Start mine() {
+    return mine;
+  }
+
+  private void refuse(Neighbours all, Beacon beacon, InetSocketAddress source) {
+    Answer answer;
+    boolean isNew;
+    synchronized (this) {
+      answer = all.answerTo(beacon.robot(), beacon.start());
+      isNew = !beacon.start().equals(refused.put(beacon.robot(), beacon.start()));
+    }
+    if (isNew) {
+      listener.refused(beacon.robot(), source, answer == Answer.OTHER_STORAGE);
+    }
+    prove(beacon.robot(), beacon.start().nonce(), answer, source);
+  }
+
+  private @Nullable SigningKey keyOrNull(RobotId robot, int id) {
+    for (SigningKey key : signing.getOrDefault(robot, List.of())) {
+      if (key.id() == id) {
+        return key;
+      }
+    }
+    return null;
+  }
+
   private boolean isFromItsAddress(Beacon beacon, InetSocketAddress source) {
     InetSocketAddress fixed = known.get(beacon.robot());
-    if (fixed != null) {
+    if (fixed != null && !beacon.robot().equals(self)) {
       return fixed.equals(source);
     }
     // Without a signature any sender could use any robot's name.
-    return codec.isSigned() && beacon.address() != null && beacon.reachedFrom(source) != null;
+    return keys != null && beacon.isFrom(source);
   }
 }

@@ -15,6 +15,7 @@ import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import org.starl.platform.DeploymentKey;
@@ -29,8 +30,12 @@ public final class KeyFile {
   private static final String OWNER_ONLY = "rw-------";
   private static final int DIGITS = 2 * DeploymentKey.BYTES;
   private static final int RADIX = 16;
-  // A line ending of either kind may follow.
-  private static final int MAX_BYTES = DIGITS + 2;
+
+  /** Greatest length of such a file: a line ending of either kind may follow the digits. */
+  public static final int MAX_BYTES = DIGITS + 2;
+
+  private static final String EXPECTED =
+      "expected a key, as 'starl keygen' makes it: one line of " + DIGITS + " hexadecimal digits";
 
   private KeyFile() {}
 
@@ -41,14 +46,24 @@ public final class KeyFile {
    *     line with the file and what was expected
    */
   public static DeploymentKey read(Path file) throws IOException {
+    return parse(file, readSecret(file, MAX_BYTES, EXPECTED));
+  }
+
+  /**
+   * Reads a file that only its owner may read.
+   *
+   * @param expected what it contains, for messages
+   * @throws IOException if it is missing, longer than {@code maxBytes}, or readable by others
+   */
+  static byte[] readSecret(Path file, int maxBytes, String expected) throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw new IOException(file + ": no such file; expected a key, as 'starl keygen' makes it");
+      throw new IOException(file + ": no such file; " + expected);
     }
     refuseOthers(file);
-    if (Files.size(file) > MAX_BYTES) {
-      throw notAKey(file);
+    if (Files.size(file) > maxBytes) {
+      throw new IOException(file + ": is not a key; " + expected);
     }
-    return parse(file, Files.readAllBytes(file));
+    return Files.readAllBytes(file);
   }
 
   /** The key in these bytes of {@code file}. */
@@ -70,6 +85,9 @@ public final class KeyFile {
         throw notAKey(file);
       }
     }
+    if (Arrays.equals(secret, new byte[DeploymentKey.BYTES])) {
+      throw new IOException(file + ": is a key of zeros; " + EXPECTED);
+    }
     return new DeploymentKey(secret);
   }
 
@@ -86,7 +104,11 @@ public final class KeyFile {
       line.append(Character.forDigit(b >> 4 & 0xF, RADIX))
           .append(Character.forDigit(b & 0xF, RADIX));
     }
-    byte[] bytes = line.append('\n').toString().getBytes(StandardCharsets.US_ASCII);
+    writeSecret(file, line.append('\n').toString().getBytes(StandardCharsets.US_ASCII));
+  }
+
+  /** Writes a new file that only its owner may read. */
+  static void writeSecret(Path file, byte[] bytes) throws IOException {
     try (OutputStream out =
         Channels.newOutputStream(
             Files.newByteChannel(
@@ -137,7 +159,6 @@ public final class KeyFile {
   }
 
   private static IOException notAKey(Path file) {
-    return new IOException(
-        file + ": is not a key; expected one line of " + DIGITS + " hexadecimal digits");
+    return new IOException(file + ": is not a key; " + EXPECTED);
   }
 }

@@ -1,5 +1,8 @@
 package org.starl.robot.udp;
 
+import static org.starl.time.Time.NS_PER_MS;
+
+import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
@@ -7,64 +10,171 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.robot.udp.Beacon.Answer;
+import org.starl.session.Nonce;
+import org.starl.session.Start;
 
 /**
- * Each robot's newest beacon, and the robots that are suspected because they have been silent for too
- * long. Silence proves nothing: a suspected robot may be driving. Pure; one thread.
+ * The latest start of each other robot's program, and the robots that are suspected because they have
+ * been silent for too long. Silence proves nothing: a suspected robot may be driving. Pure; one
+ * thread at a time.
+ *
+ * <p>A beacon is <em>fresh</em> if it contains the nonce of this robot's own start: its sender has heard
+ * this start, so it is not a recording of an earlier one. Only fresh beacons change anything. The
+ * storage's epoch and the boot number say which of two starts is later; an earlier start is refused,
+ * and so is another storage, since the promises that the old one contained are lost.
  */
 final class Neighbours {
 
-  /** The result of a genuine beacon. */
+  /** The result of a beacon. */
   enum Verdict {
-    /** The first one, or the first one after a silence. */
+    /** A new start of the robot, the latest one from now on. */
+    STARTED,
+    /** The first beacon of that start after a silence. */
     APPEARED,
     HEARD,
+    /** Not fresh: the sender needs this robot's nonce to prove that it is not a recording. */
+    UNPROVEN,
+    /** An earlier start, or another storage: see {@link #answerTo}. */
+    REFUSED,
+    /** Another machine runs a program of this robot's name. */
+    TWIN,
+    /** The sender refuses this robot's start. */
+    REFUSES_US,
     /** Older than one that was heard: recorded and sent again, or overtaken. */
     OLD,
-    /** From a robot that the deployment does not have, or from this robot. */
+    /** From this robot's own start. */
+    OWN,
+    /** To or from a robot that the deployment does not have, or to another robot. */
     STRANGE
   }
 
+  private static final long ANSWER_EVERY_NS = 100 * NS_PER_MS;
+
   private final RobotId self;
+  private final Start mine;
   private final Participants deployment;
   private final long suspectAfterNs;
   private final SortedMap<RobotId, Neighbour> heard = new TreeMap<>();
   private final long beganNs;
 
   private static final class Neighbour {
-    private long start = Long.MIN_VALUE;
+    // The latest start; its nonce is NONE while this robot has only read of it in its storage.
+    private @Nullable Start start;
     private long count;
-    private long lastNs;
+    private @Nullable InetSocketAddress address;
+    // Of the last beacon that proved nothing; used until one does.
+    private @Nullable InetSocketAddress hint;
+    private Nonce claimed = Nonce.NONE;
+    private long answeredNs = -ANSWER_EVERY_NS;
+    private @Nullable Long lastNs;
     private boolean isPresent;
     private boolean isSuspected;
   }
 
-  Neighbours(RobotId self, Participants deployment, long suspectAfterNs, long nowNs) {
+  Neighbours(RobotId self, Start mine, Participants deployment, long suspectAfterNs, long nowNs) {
     this.self = self;
+    this.mine = mine;
     this.deployment = deployment;
     this.suspectAfterNs = suspectAfterNs;
     this.beganNs = nowNs;
   }
 
-  /** Takes a genuine beacon that arrived at {@code nowNs}. */
-  Verdict hear(Beacon beacon, long nowNs) {
-    if (beacon.robot().equals(self) || !deployment.contains(beacon.robot())) {
+  /** Remembers the latest start of another robot, of an earlier start of this one. */
+  void remember(RobotId robot, long epoch, int boot) {
+    neighbour(robot).start = new Start(epoch, boot, Nonce.NONE);
+  }
+
+  /**
+   * Takes a beacon that arrived at {@code nowNs} from {@code source}. If it is to this robot, its
+   * signature was checked.
+   */
+  Verdict hear(Beacon beacon, InetSocketAddress source, long nowNs) {
+    boolean isToUs = self.equals(beacon.to());
+    if (!deployment.contains(beacon.robot()) || (beacon.to() != null && !isToUs)) {
       return Verdict.STRANGE;
     }
-    Neighbour neighbour = heard.computeIfAbsent(beacon.robot(), id -> new Neighbour());
-    boolean isNewer =
-        beacon.start() > neighbour.start
-            || (beacon.start() == neighbour.start && beacon.count() > neighbour.count);
-    if (!isNewer) {
+    if (beacon.robot().equals(self) && beacon.start().nonce().equals(mine.nonce())) {
+      return Verdict.OWN;
+    }
+    Neighbour neighbour = neighbour(beacon.robot());
+    if (!isToUs || !beacon.echo().equals(mine.nonce())) {
+      return heardUnproven(neighbour, beacon, source, nowNs);
+    }
+    if (beacon.robot().equals(self)) {
+      return Verdict.TWIN;
+    }
+    if (answerTo(beacon.robot(), beacon.start()) != Answer.ACCEPTED) {
+      return Verdict.REFUSED;
+    }
+    return heardFresh(neighbour, beacon, source, nowNs);
+  }
+
+  private static Verdict heardUnproven(
+      Neighbour neighbour, Beacon beacon, InetSocketAddress source, long nowNs) {
+    neighbour.hint = source;
+    neighbour.claimed = beacon.start().nonce();
+    boolean needsNoAnswer = beacon.to() == null && isCurrent(neighbour, beacon.start());
+    // An answer is a beacon for each beacon of whatever sender: bounded.
+    if (needsNoAnswer || nowNs < neighbour.answeredNs + ANSWER_EVERY_NS) {
+      return Verdict.OLD;
+    }
+    neighbour.answeredNs = nowNs;
+    return Verdict.UNPROVEN;
+  }
+
+  private static Verdict heardFresh(
+      Neighbour neighbour, Beacon beacon, InetSocketAddress source, long nowNs) {
+    boolean isNewStart = !isCurrent(neighbour, beacon.start());
+    if (!isNewStart && beacon.count() <= neighbour.count) {
       return Verdict.OLD;
     }
     neighbour.start = beacon.start();
     neighbour.count = beacon.count();
+    neighbour.address = source;
     neighbour.lastNs = nowNs;
+    neighbour.isSuspected = false;
+    if (beacon.answer() != Answer.ACCEPTED) {
+      return Verdict.REFUSES_US;
+    }
     boolean wasPresent = neighbour.isPresent;
     neighbour.isPresent = true;
-    neighbour.isSuspected = false;
-    return wasPresent ? Verdict.HEARD : Verdict.APPEARED;
+    return isNewStart ? Verdict.STARTED : wasPresent ? Verdict.HEARD : Verdict.APPEARED;
+  }
+
+  private static boolean isCurrent(Neighbour neighbour, Start start) {
+    return start.equals(neighbour.start);
+  }
+
+  /** Whether this robot accepts that start, which is proven to be fresh. */
+  Answer answerTo(RobotId robot, Start start) {
+    Start latest = neighbour(robot).start;
+    if (latest == null || start.equals(latest)) {
+      return Answer.ACCEPTED;
+    }
+    if (start.epoch() != latest.epoch()) {
+      return Answer.OTHER_STORAGE;
+    }
+    // A robot writes its boot number before it is heard, so two starts with one number are on two
+    // machines; unless this robot knows the start from its storage only.
+    boolean isLater =
+        start.boot() > latest.boot()
+            || (start.boot() == latest.boot() && latest.nonce().equals(Nonce.NONE));
+    return isLater ? Answer.ACCEPTED : Answer.LATER_START;
+  }
+
+  /** The nonce that the next beacon to that robot must contain: of its latest start, if proven. */
+  Nonce echoTo(RobotId robot) {
+    Neighbour neighbour = neighbour(robot);
+    return neighbour.address == null || neighbour.start == null
+        ? neighbour.claimed
+        : neighbour.start.nonce();
+  }
+
+  /** Where that robot is: the source of its last fresh beacon, or else of its last; or null. */
+  @Nullable InetSocketAddress addressOf(RobotId robot) {
+    Neighbour neighbour = neighbour(robot);
+    return neighbour.address == null ? neighbour.hint : neighbour.address;
   }
 
   /** The robots suspected since the last call, in order; robots that were never heard are included. */
@@ -74,8 +184,8 @@ final class Neighbours {
       if (robot.equals(self)) {
         continue;
       }
-      Neighbour neighbour = heard.computeIfAbsent(robot, id -> new Neighbour());
-      long sinceNs = neighbour.start == Long.MIN_VALUE ? beganNs : neighbour.lastNs;
+      Neighbour neighbour = neighbour(robot);
+      long sinceNs = neighbour.lastNs == null ? beganNs : neighbour.lastNs;
       if (!neighbour.isSuspected && nowNs - sinceNs > suspectAfterNs) {
         neighbour.isSuspected = true;
         neighbour.isPresent = false;
@@ -85,9 +195,12 @@ final class Neighbours {
     return suspected;
   }
 
-  /** The time of a robot's last beacon; null if it was never heard. */
+  /** The time of a robot's last fresh beacon; null if there was none. */
   @Nullable Long lastHeardNs(RobotId robot) {
-    Neighbour neighbour = heard.get(robot);
-    return neighbour == null || neighbour.start == Long.MIN_VALUE ? null : neighbour.lastNs;
+    return neighbour(robot).lastNs;
+  }
+
+  private Neighbour neighbour(RobotId robot) {
+    return heard.computeIfAbsent(robot, id -> new Neighbour());
   }
 }

@@ -5,7 +5,9 @@ public enum UdpDrop {
   FOREIGN("not from a robot's address"),
   OVERSIZE("longer than any StarL datagram"),
   OVERFLOW("the robot's strand is too far behind"),
-  FORGED_BEACON("a beacon not signed with the deployment's key"),
+  FORGED_BEACON("a beacon that the robot it names has not signed"),
+  UNKNOWN_KEY_BEACON("a beacon signed with a key that this deployment does not list"),
+  UNPROVEN_BEACON("a beacon that does not prove that it is not a recording"),
   PASSED_ON_BEACON("a beacon that names another source address"),
   STRANGE_BEACON("a beacon from a robot that is not in the deployment"),
   UNEXPECTED_BEACON("a beacon before discovery has started"),
@@ -20,7 +22,10 @@ public enum UdpDrop {
 
   /** Whether it cannot occur in a network of correct robots. */
   boolean isSuspicious() {
-    return this != UNEXPECTED_BEACON && this != OLD_BEACON && this != OWN_BEACON;
+    return this != UNEXPECTED_BEACON
+        && this != UNPROVEN_BEACON
+        && this != OLD_BEACON
+        && this != OWN_BEACON;
   }
 
   /** For people. */

@@ -6,51 +6,56 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Arrays;
 import java.util.List;
-import javax.crypto.Mac;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
-import org.starl.platform.DeploymentKey;
+import org.starl.robot.udp.Beacon.Answer;
+import org.starl.session.Nonce;
+import org.starl.session.PairKey;
+import org.starl.session.Start;
 import org.starl.sim.check.MalformedBytes;
 
-/** Any bytes as a beacon: what is one has one spelling, and no robot is believed without the key. */
+/** Any bytes as a beacon: each beacon has one encoding, and none is genuine without the key. */
 public class BeaconFuzzTest {
 
-  private static final DeploymentKey KEY = new DeploymentKey(new byte[DeploymentKey.BYTES]);
-  private static final Mac MAC = KEY.newMac();
-  private static final Beacon.Codec UNSIGNED = new Beacon.Codec(null);
-  private static final Beacon.Codec SIGNED = new Beacon.Codec(KEY);
-  private static final int TAG_BYTES = 16;
+  private static final SigningKey KEY = new SigningKey(new PairKey(new byte[PairKey.BYTES]));
+  private static final RobotId ROBOT = new RobotId("bot1");
 
   public static void fuzzerTestOneInput(byte[] input) {
-    Beacon beacon = UNSIGNED.readOrNull(input, input.length);
-    if (beacon != null) {
-      require(Arrays.equals(UNSIGNED.write(beacon), input), "another spelling");
-      require(RobotId.isValid(beacon.robot().name()) && beacon.port() > 0, "no robot, no port");
+    Beacon beacon = Beacon.readOrNull(input, input.length);
+    if (beacon == null) {
+      return;
     }
-    // That a fuzzer finds a tag is as likely as that it finds the key.
-    require(
-        SIGNED.readOrNull(input, input.length) == null || isSample(input),
-        "a beacon without the key");
-    byte[] signed = Arrays.copyOf(input, input.length + TAG_BYTES);
-    MAC.update(input);
-    System.arraycopy(MAC.doFinal(), 0, signed, input.length, TAG_BYTES);
-    Beacon believed = SIGNED.readOrNull(signed, signed.length);
-    boolean fits = signed.length <= Beacon.MAX_BYTES;
-    require(beacon == null || !fits || beacon.equals(believed), "signed, and not read");
-    require(believed == null || Arrays.equals(SIGNED.write(believed), signed), "another spelling");
+    boolean isSigned = Beacon.keyId(input) != 0;
+    if (!isSigned) {
+      require(Arrays.equals(beacon.write(null), input), "another encoding");
+    } else {
+      // That a fuzzer finds a tag is as likely as that it finds the key.
+      require(
+          !Beacon.isSignedWith(KEY, input, input.length) || isSample(input),
+          "signed without a key");
+    }
+    byte[] signed = beacon.write(KEY);
+    require(Beacon.isSignedWith(KEY, signed, signed.length), "a signature that does not hold");
+    require(beacon.equals(Beacon.readOrNull(signed, signed.length)), "signed, and not read");
+    require(RobotId.isValid(beacon.robot().name()) && beacon.port() > 0, "no robot, no port");
   }
 
   private static boolean isSample(byte[] input) {
     return samples().stream().anyMatch(sample -> Arrays.equals(sample, input));
   }
 
+  private static Beacon beacon(@Nullable InetAddress address, @Nullable RobotId to, Answer answer) {
+    Start start = new Start(-5, 3, new Nonce(1, 2));
+    return new Beacon(ROBOT, start, 7, address, 4747, to, new Nonce(3, 4), answer);
+  }
+
   private static List<byte[]> samples() {
-    RobotId robot = new RobotId("bot1");
     return List.of(
-        UNSIGNED.write(new Beacon(robot, 5, 7, null, 4747)),
-        UNSIGNED.write(new Beacon(robot, 5, 7, address(4), 4747)),
-        UNSIGNED.write(new Beacon(robot, -1, Long.MAX_VALUE, address(16), 65_535)),
-        SIGNED.write(new Beacon(robot, 5, 7, address(4), 4747)));
+        beacon(null, null, Answer.ACCEPTED).write(null),
+        beacon(address(4), null, Answer.ACCEPTED).write(null),
+        beacon(address(16), new RobotId("a".repeat(32)), Answer.LATER_START).write(KEY),
+        beacon(address(4), new RobotId("bot0"), Answer.OTHER_STORAGE).write(KEY));
   }
 
   private static InetAddress address(int length) {
@@ -69,16 +74,26 @@ public class BeaconFuzzTest {
     }
   }
 
-  /** An IPv4 address inside one of IPv6 was read as the former: two spellings of one beacon. */
+  /** An IPv4 address inside one of IPv6 was read as the former: two encodings of one beacon. */
   @Test
   void anIpv4MappedAddressIsRefused() {
-    byte[] input = UNSIGNED.write(new Beacon(new RobotId("b"), 5, 7, address(16), 4747));
+    byte[] input = beacon(address(16), null, Answer.ACCEPTED).write(null);
     int addressAt = input.length - 2 - 16;
     Arrays.fill(input, addressAt, addressAt + 10, (byte) 0);
     Arrays.fill(input, addressAt + 10, addressAt + 12, (byte) 0xFF);
     fuzzerTestOneInput(input);
 
-    assertThat(UNSIGNED.readOrNull(input, input.length)).isNull();
+    assertThat(Beacon.readOrNull(input, input.length)).isNull();
+  }
+
+  @Test
+  void theLongestBeaconIsAsLongAsStated() {
+    RobotId longest = new RobotId("r".repeat(32));
+    Start start = new Start(1, 1, new Nonce(1, 1));
+    Beacon beacon =
+        new Beacon(longest, start, 1, address(16), 1, longest, Nonce.NONE, Answer.ACCEPTED);
+
+    assertThat(beacon.write(KEY)).hasSize(Beacon.MAX_BYTES);
   }
 
   @Test

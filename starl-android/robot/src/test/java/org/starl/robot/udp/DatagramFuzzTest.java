@@ -10,13 +10,15 @@ import java.nio.charset.CharacterCodingException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import javax.crypto.Mac;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.comms.DropReason;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
+import org.starl.session.KnownStarts;
+import org.starl.session.Session;
 import org.starl.sim.check.MalformedBytes;
 
 /**
@@ -29,13 +31,18 @@ public class DatagramFuzzTest {
   private static final RobotId SELF = new RobotId("b");
   private static final RobotId OTHER = new RobotId("a");
   private static final Participants BOTH = Participants.of(List.of(OTHER, SELF));
-  private static final DeploymentKey KEY = new DeploymentKey(new byte[DeploymentKey.BYTES]);
-  private static final Mac MAC = KEY.newMac();
-  private static final int SEAL_BYTES = 24;
+  private static final DeploymentKey KEY = key();
   private static final int MOST_BYTES = 1400;
+  private static final int NAMES_AT = 26;
   private static final int PLAIN = 1;
   private static final int RELIABLE = 2;
   private static final List<byte[]> GENUINE = said(KEY);
+
+  private static DeploymentKey key() {
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    secret[0] = 1;
+    return new DeploymentKey(secret);
+  }
 
   /** What another robot sends, of each kind. */
   private static List<byte[]> said(@Nullable DeploymentKey key) {
@@ -59,14 +66,14 @@ public class DatagramFuzzTest {
     if (!isGenuine) {
       LoneRobot robot = new LoneRobot(SELF, BOTH, KEY);
       robot.arrive(input);
-      require(robot.comms.dropped(DropReason.FORGED) == 1, "a forged one was taken for sealed");
+      require(LoneRobot.dropped(robot.comms) == 1, "a forged one was taken for sealed");
       require(robot.heard.isEmpty() && robot.sent.isEmpty(), "a forged one had an effect");
     }
     sealed(input, message);
   }
 
   private static void openTo(byte[] input, @Nullable String message) {
-    LoneRobot robot = new LoneRobot(SELF, BOTH, null);
+    LoneRobot robot = new LoneRobot(SELF, BOTH, (DeploymentKey) null);
     robot.arrive(input);
     requireHeard(robot, message);
     if (message != null && input[3] == RELIABLE) {
@@ -77,19 +84,38 @@ public class DatagramFuzzTest {
     }
   }
 
-  /** Whoever has the key may still say anything. */
+  /** A robot that has the key can still send any body. */
   private static void sealed(byte[] input, @Nullable String message) {
-    byte[] sealed = Arrays.copyOf(input, input.length + SEAL_BYTES);
-    sealed[input.length + 7] = 1;
-    MAC.update(sealed, 0, input.length + 8);
-    System.arraycopy(MAC.doFinal(), 0, sealed, input.length + 8, 16);
+    int bodyAt = bodyAtOrNegative(input);
+    if (bodyAt < 0) {
+      return;
+    }
+    Session end =
+        new KnownStarts(peer -> KEY.pairKey(OTHER, SELF), OTHER, 1, peer -> 1, () -> BOTH)
+            .with(SELF);
+    byte[] sealed = new byte[input.length + Session.BYTES];
+    Objects.requireNonNull(end).seal(input, bodyAt, input.length, sealed);
     LoneRobot robot = new LoneRobot(SELF, BOTH, KEY);
     robot.arrive(sealed);
-    requireHeard(robot, message);
+    String heard = isFromOther(input) ? message : null;
+    requireHeard(robot, heard);
     robot.arrive(sealed);
-    require(robot.heard.size() == (message == null ? 0 : 1), "heard a recording");
-    require(LoneRobot.dropped(robot.comms) == (message == null ? 2 : 1), "a recording counts not");
-    require(message == null || robot.comms.dropped(DropReason.REPLAYED) == 1, "not replayed");
+    require(robot.heard.size() == (heard == null ? 0 : 1), "heard a recording");
+    require(LoneRobot.dropped(robot.comms) == (heard == null ? 2 : 1), "a recording counts not");
+    require(heard == null || robot.comms.dropped(DropReason.REPLAYED) == 1, "not replayed");
+  }
+
+  /** Where the body begins if the three names are in the datagram. */
+  private static int bodyAtOrNegative(byte[] bytes) {
+    int at = NAMES_AT;
+    for (int i = 0; i < 3 && at < bytes.length; i++) {
+      at += 1 + (bytes[at] & 0xFF);
+    }
+    return at > NAMES_AT && at <= bytes.length ? at : -1;
+  }
+
+  private static boolean isFromOther(byte[] bytes) {
+    return bytes[NAMES_AT] == 1 && bytes[NAMES_AT + 1] == OTHER.name().charAt(0);
   }
 
   private static void requireHeard(LoneRobot robot, @Nullable String message) {

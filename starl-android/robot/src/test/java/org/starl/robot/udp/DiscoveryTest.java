@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
@@ -20,29 +21,35 @@ import org.junit.jupiter.api.Test;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
-import org.starl.random.Rng;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
+import org.starl.robot.udp.Beacon.Answer;
+import org.starl.session.Nonce;
+import org.starl.session.Session;
+import org.starl.session.Start;
 
+/** Robots on the loopback interface find, prove and refuse each other. */
 @Tag("realtime")
 class DiscoveryTest {
 
   private static final RobotId ME = new RobotId("bot0");
   private static final RobotId OTHER = new RobotId("bot1");
   private static final Participants BOTH = Participants.of(List.of(ME, OTHER));
-  private static final DeploymentKey KEY = new DeploymentKey(new byte[DeploymentKey.BYTES]);
-  private static final long S = 1_000_000_000;
+  private static final DeploymentKey KEY = key(1);
 
-  private static DeploymentKey otherKey() {
+  private static DeploymentKey key(int fill) {
     byte[] secret = new byte[DeploymentKey.BYTES];
-    secret[0] = 1;
+    Arrays.fill(secret, (byte) fill);
     return new DeploymentKey(secret);
   }
 
-  /** A radio with discovery, and what it tells. */
+  /** One start of a robot: its radio with discovery, and what they report. */
   private static final class Station implements AutoCloseable, Discovery.Listener {
+    private final RobotId self;
     private final RealStrand strand = new RealStrand("bot", new RealClock(), e -> {});
     private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private final OpenSessions sessions = new OpenSessions();
+    private final LoneRobot.PromptStable stable;
     private final UdpRadio radio;
     private @Nullable Discovery discovery;
 
@@ -50,20 +57,48 @@ class DiscoveryTest {
     private boolean isBroken;
 
     Station(RobotId self) throws Exception {
-      InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+      this(self, null, 0);
+    }
+
+    /** Another start, with the storage and the port of an earlier one. */
+    Station(RobotId self, LoneRobot.@Nullable PromptStable kept, int port) throws Exception {
+      this.self = self;
+      stable =
+          kept == null
+              ? new LoneRobot.PromptStable(strand)
+              : new LoneRobot.PromptStable(strand, kept);
+      InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
       radio = UdpRadio.open(self, strand, any, e -> told.add("failed"));
       radio.onDrop(told::add);
     }
 
-    void discover(RobotId self, Map<RobotId, InetSocketAddress> known) {
-      discover(self, known, 60_000);
+    Station discover(Map<RobotId, InetSocketAddress> known) {
+      return discover(known, 1, 60_000);
     }
 
-    void discover(RobotId self, Map<RobotId, InetSocketAddress> known, long suspectAfterMs) {
-      Discovery.Settings settings = new Discovery.Settings(20, suspectAfterMs, 0);
-      discovery =
-          Discovery.open(
-              radio, self, BOTH, new TreeMap<>(known), KEY, settings, 1, new RealClock(), this);
+    Station discover(Map<RobotId, InetSocketAddress> known, int boot, long suspectAfterMs) {
+      Discovery started =
+          new Discovery(
+              radio,
+              self,
+              BOTH,
+              new TreeMap<>(known),
+              PeerKeys.shared(KEY, self, BOTH),
+              sessions,
+              strand,
+              stable,
+              new Discovery.Settings(20, suspectAfterMs, 0),
+              new RealClock(),
+              this);
+      discovery = started;
+      strand.post(() -> started.begin(boot));
+      return this;
+    }
+
+    void announceTo(Station station) {
+      if (discovery != null) {
+        discovery.announce(radio.address().getAddress(), station.radio.address());
+      }
     }
 
     @Override
@@ -78,6 +113,16 @@ class DiscoveryTest {
       told.add(robot + " suspected");
     }
 
+    @Override
+    public void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage) {
+      told.add(robot + " refused" + (isOtherStorage ? ": other storage" : ""));
+    }
+
+    @Override
+    public void disowned(String why) {
+      told.add("disowned: " + why);
+    }
+
     private void fail() {
       if (isBroken) {
         throw new IllegalStateException("a bug");
@@ -86,6 +131,29 @@ class DiscoveryTest {
 
     String next() throws InterruptedException {
       return String.valueOf(told.poll(60, TimeUnit.SECONDS));
+    }
+
+    /** The next report that contains this. */
+    String next(String part) throws InterruptedException {
+      String line = next();
+      while (!line.contains(part) && !line.equals("null")) {
+        line = next();
+      }
+      return line;
+    }
+
+    /** The session with a robot, as soon as it is open. */
+    Session session(RobotId robot) throws Exception {
+      long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+      while (System.nanoTime() < endNs) {
+        CompletableFuture<@Nullable Session> now = new CompletableFuture<>();
+        strand.post(() -> now.complete(sessions.with(robot)));
+        Session session = now.get(60, TimeUnit.SECONDS);
+        if (session != null) {
+          return session;
+        }
+      }
+      throw new AssertionError(self + " has no session with " + robot);
     }
 
     @Override
@@ -98,14 +166,98 @@ class DiscoveryTest {
     }
   }
 
+  private static boolean opens(Session from, Session to) {
+    byte[] datagram = new byte[40];
+    byte[] sealed = new byte[40 + Session.BYTES];
+    from.seal(datagram, 8, 40, sealed);
+    return to.isOf(sealed, sealed.length) && to.open(sealed, 8, sealed.length, new byte[80]);
+  }
+
   @Test
-  void aRobotOfUnknownAddressIsFoundByItsBeacon() throws Exception {
+  void aRobotOfUnknownAddressIsFoundAndBothOpenOneSession() throws Exception {
     try (Station me = new Station(ME);
         Station other = new Station(OTHER)) {
-      me.discover(ME, Map.of());
-      other.discover(OTHER, Map.of(ME, me.radio.address()));
+      me.discover(Map.of());
+      other.discover(Map.of(ME, me.radio.address()));
 
       assertThat(me.next()).isEqualTo("bot1 at " + other.radio.address().getPort());
+      assertThat(opens(me.session(OTHER), other.session(ME))).isTrue();
+      assertThat(opens(other.session(ME), me.session(OTHER))).isTrue();
+    }
+  }
+
+  @Test
+  void aLaterStartOfARobotGetsANewSession() throws Exception {
+    try (Station me = new Station(ME).discover(Map.of())) {
+      Session first;
+      LoneRobot.PromptStable kept;
+      try (Station other = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        first = other.session(ME);
+        kept = other.stable;
+        assertThat(opens(first, me.session(OTHER))).isTrue();
+      }
+      try (Station again =
+          new Station(OTHER, kept, 0).discover(Map.of(ME, me.radio.address()), 2, 60_000)) {
+        Session second = again.session(ME);
+        me.next("bot1 at " + again.radio.address().getPort());
+
+        assertThat(opens(second, me.session(OTHER))).isTrue();
+        assertThat(opens(first, me.session(OTHER))).isFalse();
+      }
+    }
+  }
+
+  @Test
+  void aRobotThatHasLostItsStorageIsRefusedAndTold() throws Exception {
+    try (Station me = new Station(ME).discover(Map.of())) {
+      try (Station other = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        other.session(ME);
+        me.session(OTHER);
+      }
+      try (Station lost = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        assertThat(me.next("refused")).isEqualTo("bot1 refused: other storage");
+        assertThat(lost.next("disowned"))
+            .isEqualTo(
+                "disowned: bot0 knows another storage of bot1: the promises in it are lost. Bring"
+                    + " it back, or start all robots with empty storage");
+      }
+    }
+  }
+
+  @Test
+  void anEarlierStartIsRefusedAndToldEvenAfterARestart() throws Exception {
+    LoneRobot.PromptStable mine;
+    LoneRobot.PromptStable ofOther;
+    try (Station me = new Station(ME).discover(Map.of());
+        Station other =
+            new Station(OTHER).discover(Map.of(ME, me.radio.address()), 7, 60_000)) {
+      other.session(ME);
+      me.session(OTHER);
+      mine = me.stable;
+      ofOther = other.stable;
+    }
+    try (Station restarted = new Station(ME, mine, 0).discover(Map.of(), 2, 60_000);
+        Station old =
+            new Station(OTHER, ofOther, 0)
+                .discover(Map.of(ME, restarted.radio.address()), 6, 60_000)) {
+      assertThat(restarted.next("refused")).isEqualTo("bot1 refused");
+      assertThat(old.next("disowned"))
+          .isEqualTo(
+              "disowned: bot0 knows a later start of bot1: another machine runs it, or this storage"
+                  + " is an old copy");
+    }
+  }
+
+  @Test
+  void twoMachinesOfOneNameBothStop() throws Exception {
+    try (Station one = new Station(ME).discover(Map.of());
+        Station two = new Station(ME).discover(Map.of())) {
+      one.announceTo(two);
+
+      assertThat(one.next("disowned"))
+          .contains("another machine runs bot0 too, at ")
+          .contains(":" + two.radio.address().getPort());
+      assertThat(two.next("disowned")).contains("another machine runs bot0 too, at ");
     }
   }
 
@@ -113,76 +265,32 @@ class DiscoveryTest {
   void beaconsWithoutTheKeyOrFromAnotherAddressAreDroppedAndReported() throws Exception {
     try (Station me = new Station(ME);
         DatagramSocket stranger = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
-      me.discover(ME, Map.of());
-      Beacon honest = new Beacon(OTHER, 1, 1, stranger.getLocalAddress(), stranger.getLocalPort());
-      Beacon passedOn = new Beacon(OTHER, 1, 1, stranger.getLocalAddress(), 1234);
-      Beacon strange =
-          new Beacon(new RobotId("spy"), 1, 1, stranger.getLocalAddress(), stranger.getLocalPort());
+      me.discover(Map.of());
+      CompletableFuture<Void> begun = new CompletableFuture<>();
+      me.strand.post(() -> begun.complete(null));
+      begun.get(60, TimeUnit.SECONDS);
+      SigningKey key = new SigningKey(KEY.pairKey(ME, OTHER));
+      byte[] changed = beacon(OTHER, stranger.getLocalPort()).write(key);
+      changed[20]++;
       List<byte[]> bytes = new ArrayList<>();
-      bytes.add(new Beacon.Codec(otherKey()).write(honest));
-      bytes.add(new Beacon.Codec(KEY).write(passedOn));
-      bytes.add(new Beacon.Codec(KEY).write(strange));
-      bytes.add(new Beacon.Codec(KEY).write(honest));
+      bytes.add(
+          beacon(OTHER, stranger.getLocalPort()).write(new SigningKey(key(2).pairKey(ME, OTHER))));
+      bytes.add(changed);
+      bytes.add(beacon(OTHER, 1234).write(key));
       for (byte[] datagram : bytes) {
         stranger.send(new DatagramPacket(datagram, datagram.length, me.radio.address()));
       }
 
-      assertThat(me.next()).contains("not signed with the deployment's key");
+      assertThat(me.next()).contains("signed with a key that this deployment does not list");
+      assertThat(me.next()).contains("that the robot it names has not signed");
       assertThat(me.next()).contains("names another source address");
-      assertThat(me.next()).contains("robot that is not in the deployment");
-      assertThat(me.next()).startsWith("bot1 at ");
     }
   }
 
-  @Test
-  void aSilentRobotIsSuspectedOnceAndMayReturn() {
-    Neighbours neighbours = new Neighbours(ME, BOTH, 3 * S, 0);
-
-    assertThat(neighbours.newlySuspected(3 * S)).isEmpty();
-    assertThat(neighbours.newlySuspected(3 * S + 1)).containsExactly(OTHER);
-    assertThat(neighbours.newlySuspected(9 * S)).isEmpty();
-    assertThat(neighbours.hear(new Beacon(OTHER, 5, 1, null, 1), 9 * S))
-        .isEqualTo(Neighbours.Verdict.APPEARED);
-    assertThat(neighbours.lastHeardNs(OTHER)).isEqualTo(9 * S);
-    assertThat(neighbours.newlySuspected(12 * S)).isEmpty();
-    assertThat(neighbours.newlySuspected(12 * S + 1)).containsExactly(OTHER);
-  }
-
-  @Test
-  void aReplayedBeaconDoesNotEndASuspicion() {
-    Neighbours neighbours = new Neighbours(ME, BOTH, 3 * S, 0);
-    Beacon recorded = new Beacon(OTHER, 5, 7, null, 1);
-    neighbours.hear(recorded, S);
-
-    assertThat(neighbours.hear(recorded, 2 * S)).isEqualTo(Neighbours.Verdict.OLD);
-    assertThat(neighbours.hear(new Beacon(OTHER, 4, 99, null, 1), 2 * S))
-        .isEqualTo(Neighbours.Verdict.OLD);
-    assertThat(neighbours.lastHeardNs(OTHER)).isEqualTo(S);
-    assertThat(neighbours.hear(new Beacon(OTHER, 6, 1, null, 1), 2 * S))
-        .isEqualTo(Neighbours.Verdict.HEARD);
-  }
-
-  @Test
-  void changedBeaconsAreRefused() throws Exception {
-    long seed = 20251122;
-    Rng rng = new Rng(seed);
-    Beacon.Codec codec = new Beacon.Codec(KEY);
-    Beacon.Codec unsigned = new Beacon.Codec(null);
-    InetAddress address = InetAddress.getByAddress(new byte[] {10, 0, 0, 1});
-    byte[] genuine = codec.write(new Beacon(OTHER, 5, 7, address, 4747));
-    assertThat(codec.readOrNull(genuine, genuine.length))
-        .isEqualTo(new Beacon(OTHER, 5, 7, address, 4747));
-    for (int i = 0; i < 100_000; i++) {
-      byte[] changed = Arrays.copyOf(genuine, rng.nextInt(2 * genuine.length));
-      for (int flips = 1 + rng.nextInt(4); flips > 0 && changed.length > 0; flips--) {
-        changed[rng.nextInt(changed.length)] ^= (byte) (1 << rng.nextInt(8));
-      }
-      boolean isSame = Arrays.equals(changed, genuine);
-      assertThat(codec.readOrNull(changed, changed.length) != null)
-          .as("seed %d, round %d", seed, i)
-          .isEqualTo(isSame);
-      unsigned.readOrNull(changed, changed.length);
-    }
+  private static Beacon beacon(RobotId from, int port) {
+    Start start = new Start(1, 1, new Nonce(1, 1));
+    InetAddress here = InetAddress.getLoopbackAddress();
+    return new Beacon(from, start, 1, here, port, ME, Nonce.NONE, Answer.ACCEPTED);
   }
 
   @Test
@@ -190,10 +298,10 @@ class DiscoveryTest {
     try (Station me = new Station(ME);
         Station other = new Station(OTHER)) {
       me.isBroken = true;
-      me.discover(ME, Map.of(OTHER, other.radio.address()));
-      other.discover(OTHER, Map.of(ME, me.radio.address()));
+      me.discover(Map.of(OTHER, other.radio.address()));
+      other.discover(Map.of(ME, me.radio.address()));
 
-      assertThat(me.next()).isEqualTo("failed");
+      assertThat(me.next("failed")).isEqualTo("failed");
       assertThat(me.radio.isClosed()).isTrue();
     }
   }
@@ -202,7 +310,7 @@ class DiscoveryTest {
   void anExceptionOnTheBeaconsThreadIsReported() throws Exception {
     try (Station me = new Station(ME)) {
       me.isBroken = true;
-      me.discover(ME, Map.of(), 1);
+      me.discover(Map.of(), 1, 1);
 
       assertThat(me.next()).isEqualTo("failed");
     }

@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -26,11 +27,15 @@ import org.starl.platform.DeploymentKey;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
 import org.starl.robot.contract.RealGround;
+import org.starl.robot.udp.Beacon.Answer;
+import org.starl.session.Nonce;
+import org.starl.session.Session;
+import org.starl.session.Start;
 import org.starl.sim.check.MalformedBytes;
 
 /**
- * A robot with radio, discovery and key in the midst of people who record, change, cut, forge, pass on and
- * make up datagrams and beacons: it takes none of theirs, each of its friend's, and keeps nothing.
+ * A robot with radio, discovery and key, among senders without the key that record, change, cut, forge and
+ * forward datagrams and beacons: it accepts none of theirs, each of its friend's, and stores nothing.
  *
  * <p>{@code -Dstarl.fuzz=1000000} sends so many, {@code -Dstarl.fuzz.seed=7} others.
  */
@@ -47,11 +52,16 @@ class HostileDatagramsTest {
   private static final RobotId ME = new RobotId("bot0");
   private static final RobotId FRIEND = new RobotId("bot1");
   private static final Participants BOTH = Participants.of(List.of(ME, FRIEND));
-  private static final DeploymentKey KEY = key(0);
+  private static final DeploymentKey KEY = key(2);
+  private static final Start FRIENDS_START = new Start(5, 5, new Nonce(5, 5));
+  private static final Start LATER = new Start(5, 6, new Nonce(6, 6));
   private static final InetAddress HERE = InetAddress.getLoopbackAddress();
 
   private final Rng rng = new Rng(SEED);
-  private final LoneRobot friend = new LoneRobot(FRIEND, BOTH, KEY);
+  private final OpenSessions friendsSessions = new OpenSessions();
+  private final LoneRobot friend = new LoneRobot(FRIEND, BOTH, friendsSessions);
+  private final SigningKey friendsKey = new SigningKey(KEY.pairKey(FRIEND, ME));
+  private Start victimsStart = FRIENDS_START;
   private final List<byte[]> recorded = new ArrayList<>();
   private final List<byte[]> beacons = new ArrayList<>();
   private final AtomicInteger appearances = new AtomicInteger();
@@ -82,10 +92,23 @@ class HostileDatagramsTest {
               failure -> {
                 throw new AssertionError(failure);
               });
-      comms = new Comms(LoneRobot.platform(ME, BOTH, radio, strand, KEY), 1);
+      OpenSessions sessions = new OpenSessions();
+      comms = new Comms(LoneRobot.platform(ME, BOTH, radio, strand, sessions), 1);
       comms.open(LoneRobot.TALK, (from, message) -> heard.add(from + ": " + message));
-      Discovery.Settings settings = new Discovery.Settings(3_600_000, 3_600_000, 0);
-      discovery = Discovery.open(radio, ME, BOTH, new TreeMap<>(), KEY, settings, 1, () -> 1, this);
+      discovery =
+          new Discovery(
+              radio,
+              ME,
+              BOTH,
+              new TreeMap<>(),
+              PeerKeys.shared(KEY, ME, BOTH),
+              sessions,
+              strand,
+              new LoneRobot.PromptStable(strand),
+              new Discovery.Settings(3_600_000, 3_600_000, 0),
+              () -> 1,
+              this);
+      discovery.begin(1);
     }
 
     @Override
@@ -99,14 +122,36 @@ class HostileDatagramsTest {
     }
 
     @Override
+    public void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage) {
+      throw new AssertionError(robot + " is refused");
+    }
+
+    @Override
+    public void disowned(String why) {
+      throw new AssertionError(why);
+    }
+
+    @Override
     public void close() {
       discovery.close();
       radio.close();
     }
   }
 
-  /** What the friend says, of both kinds, and its beacons from where it is. */
-  private void record(int friendPort) {
+  /**
+   * The friend's messages, of both kinds, and its beacons from its address. Before, it must get the
+   * victim's nonce: the answer to a first beacon has it.
+   */
+  private void record(DatagramSocket friends, Victim victim) throws IOException {
+    int port = friends.getLocalPort();
+    send(friends, beacon(FRIEND, FRIENDS_START, 1, port, ME, Nonce.NONE).write(friendsKey), victim);
+    byte[] answer = new byte[UdpRadio.MAX_BYTES];
+    DatagramPacket packet = new DatagramPacket(answer, answer.length);
+    friends.receive(packet);
+    Beacon beacon = Beacon.readOrNull(answer, packet.getLength());
+    victimsStart = Objects.requireNonNull(beacon).start();
+    friendsSessions.open(
+        ME, new Session(friendsKey.pair(), FRIEND, FRIENDS_START, ME, victimsStart));
     for (int i = 0; i < RECORDED; i++) {
       if (i % 2 == 0) {
         friend.talk.send(ME, "message " + i);
@@ -115,10 +160,15 @@ class HostileDatagramsTest {
       }
     }
     recorded.addAll(friend.sent);
-    Beacon.Codec codec = new Beacon.Codec(KEY);
-    for (int i = 1; i <= RECORDED; i++) {
-      beacons.add(codec.write(new Beacon(FRIEND, 5, i, HERE, friendPort)));
+    for (int i = 2; i <= RECORDED; i++) {
+      beacons.add(
+          beacon(FRIEND, FRIENDS_START, i, port, ME, victimsStart.nonce()).write(friendsKey));
     }
+  }
+
+  private static Beacon beacon(
+      RobotId from, Start start, int count, int port, @Nullable RobotId to, Nonce echo) {
+    return new Beacon(from, start, count, HERE, port, to, echo, Answer.ACCEPTED);
   }
 
   /** One that nobody who has the key has sent, or that was heard before. */
@@ -154,14 +204,16 @@ class HostileDatagramsTest {
       forger.talk.sendReliably(ME, "forged");
       forger.talk.broadcast("forged");
       forged.addAll(forger.sent);
-      Beacon.Codec codec = new Beacon.Codec(other);
-      forged.add(codec.write(new Beacon(FRIEND, 6, 1, HERE, friendPort)));
-      forged.add(codec.write(new Beacon(new RobotId("spy"), 6, 1, HERE, friendPort)));
+      SigningKey signing = other == null ? null : new SigningKey(other.pairKey(FRIEND, ME));
+      forged.add(beacon(FRIEND, LATER, 1, friendPort, ME, victimsStart.nonce()).write(signing));
     }
-    Beacon.Codec codec = new Beacon.Codec(KEY);
-    forged.add(codec.write(new Beacon(ME, 6, 1, HERE, friendPort)));
-    forged.add(codec.write(new Beacon(new RobotId("spy"), 6, 1, HERE, friendPort)));
-    forged.add(codec.write(new Beacon(FRIEND, 7, 1, HERE, friendPort == 1 ? 2 : 1)));
+    forged.add(
+        beacon(FRIEND, LATER, 1, friendPort == 1 ? 2 : 1, ME, victimsStart.nonce())
+            .write(friendsKey));
+    forged.add(beacon(FRIEND, LATER, 1, friendPort, ME, new Nonce(8, 8)).write(friendsKey));
+    forged.add(beacon(FRIEND, LATER, 1, friendPort, null, Nonce.NONE).write(null));
+    forged.add(beacon(ME, victimsStart, 1, friendPort, null, Nonce.NONE).write(null));
+    forged.add(beacon(new RobotId("spy"), LATER, 1, friendPort, null, Nonce.NONE).write(null));
     forged.add(new byte[UdpRadio.MAX_BYTES + 1]);
     return forged;
   }
@@ -174,13 +226,14 @@ class HostileDatagramsTest {
         DatagramSocket strangersSocket = new DatagramSocket(0, HERE)) {
       InetSocketAddress friendly = address(friendsSocket);
       InetSocketAddress strange = address(strangersSocket);
-      record(friendly.getPort());
+      record(friendsSocket, victim);
       beacons.forEach(beacon -> judge(victim, strand, beacon, friendly));
       recorded.forEach(message -> judge(victim, strand, message, friendly));
       assertThat(victim.heard).hasSize(RECORDED);
       assertThat(appearances).hasValue(1);
       victim.heard.clear();
 
+      long droppedBefore = droppedBelow(victim);
       long received = victim.radio.statistics().received();
       long sent = victim.radio.statistics().sent();
       List<byte[]> forged = forged(friendly.getPort());
@@ -195,7 +248,7 @@ class HostileDatagramsTest {
       UdpStatistics statistics = victim.radio.statistics();
       assertThat(statistics.sent()).as("answers").isEqualTo(sent);
       assertThat(LoneRobot.dropped(victim.comms)).isEqualTo(statistics.received() - received);
-      long below = statistics.dropped().values().stream().mapToLong(Long::longValue).sum();
+      long below = droppedBelow(victim) - droppedBefore;
       assertThat(below + statistics.received() - received).isEqualTo(COUNT);
       assertThat(victim.comms.dropped(DropReason.FORGED)).isGreaterThan(COUNT / 10);
       assertThat(victim.comms.dropped(DropReason.REPLAYED)).isGreaterThan(COUNT / 20);
@@ -204,6 +257,7 @@ class HostileDatagramsTest {
               UdpDrop.FOREIGN,
               UdpDrop.OVERSIZE,
               UdpDrop.FORGED_BEACON,
+              UdpDrop.UNKNOWN_KEY_BEACON,
               UdpDrop.PASSED_ON_BEACON,
               UdpDrop.STRANGE_BEACON,
               UdpDrop.OLD_BEACON,
@@ -214,6 +268,10 @@ class HostileDatagramsTest {
       assertThat(victim.heard).containsExactly("bot1: still there?");
       report(victim, usedAfter - usedBefore);
     }
+  }
+
+  private static long droppedBelow(Victim victim) {
+    return victim.radio.statistics().dropped().values().stream().mapToLong(Long::longValue).sum();
   }
 
   private void attack(
@@ -236,7 +294,7 @@ class HostileDatagramsTest {
         Victim victim = new Victim(ground.strand());
         DatagramSocket friends = new DatagramSocket(0, HERE);
         DatagramSocket strangers = new DatagramSocket(0, HERE)) {
-      record(friends.getLocalPort());
+      record(friends, victim);
       List<byte[]> forged = forged(friends.getLocalPort());
       MalformedBytes malformed = new MalformedBytes(SEED, samples());
       List<byte[]> honest = new ArrayList<>(beacons);

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
@@ -28,6 +30,8 @@ import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
+import org.starl.session.KnownStarts;
+import org.starl.session.Sessions;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
@@ -64,6 +68,18 @@ final class LoneRobot {
 
   /** One with a radio of its own, which {@link #arrive} makes hear. */
   LoneRobot(RobotId self, Participants deployment, @Nullable DeploymentKey key) {
+    this(self, deployment, sessions(self, deployment, key));
+  }
+
+  private static @Nullable Sessions sessions(
+      RobotId self, Participants deployment, @Nullable DeploymentKey key) {
+    return key == null
+        ? null
+        : new KnownStarts(peer -> key.pairKey(self, peer), self, 1, peer -> 1, () -> deployment);
+  }
+
+  /** The same with these sessions. */
+  LoneRobot(RobotId self, Participants deployment, @Nullable Sessions sessions) {
     Radio radio =
         new Radio() {
           @Override
@@ -81,7 +97,7 @@ final class LoneRobot {
             receiver = newReceiver;
           }
         };
-    comms = new Comms(platform(self, deployment, radio, strand, key), 1);
+    comms = new Comms(platform(self, deployment, radio, strand, sessions), 1);
     talk = comms.open(TALK, (from, message) -> heard.add(message));
   }
 
@@ -108,7 +124,7 @@ final class LoneRobot {
       Participants deployment,
       Radio radio,
       Strand strand,
-      @Nullable DeploymentKey key) {
+      @Nullable Sessions sessions) {
     return new Platform(
         self,
         deployment,
@@ -118,7 +134,7 @@ final class LoneRobot {
         radio,
         receiver -> {},
         new NoChassis(),
-        new NoStable(),
+        new PromptStable(strand),
         name -> new Rng(1).fork(name),
         (task, done) -> task.run(),
         (timeNs, level, tag, line) -> {
@@ -130,7 +146,7 @@ final class LoneRobot {
         Obstacles.NONE,
         List.of(),
         MotionParameters.DEFAULT,
-        key);
+        sessions);
   }
 
   /** Runs what is posted in its order, when it is told to. */
@@ -195,17 +211,36 @@ final class LoneRobot {
     public void onBump(Runnable receiver) {}
   }
 
-  private static final class NoStable implements StableStorage {
-    @Override
-    public byte @Nullable [] get(String key) {
-      return null;
+  /** A disk that writes at once. */
+  static final class PromptStable implements StableStorage {
+    private final Map<String, byte[]> written = new TreeMap<>();
+    private final Strand strand;
+
+    PromptStable(Strand strand) {
+      this.strand = strand;
+    }
+
+    /** The disk of an earlier start. */
+    PromptStable(Strand strand, PromptStable kept) {
+      this.strand = strand;
+      written.putAll(kept.written);
     }
 
     @Override
-    public void put(String key, byte[] value, Runnable flushed) {}
+    public byte @Nullable [] get(String key) {
+      return written.get(key);
+    }
 
     @Override
-    public void remove(String key) {}
+    public void put(String key, byte[] value, Runnable flushed) {
+      written.put(key, value.clone());
+      strand.post(flushed);
+    }
+
+    @Override
+    public void remove(String key) {
+      written.remove(key);
+    }
   }
 
   private static final class NoTrace implements TraceSink {
