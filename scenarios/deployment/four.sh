@@ -53,16 +53,16 @@ host() { if [ -n "$spaces" ]; then echo 10.47.0.1; else echo 127.0.0.1; fi; }
   echo "app: intersection"
   echo "parameters: {scenario: figure7, debris: 0, speedError: 0.05}"
   echo "seed: 7"
-  echo "key: crossing.key"
   echo "network: {loss: 0.1, broadcasts: $([ -n "$spaces" ] && echo yes || echo no)}"
   echo "positions: {source: natnet, server: $(host), version: 4.1, up: y}"
   echo "world: $(host):4745"
   echo "robots:"
   number=2
   for robot in $robots; do
+    key=$($starl keygen --robot $robot "$work/$robot.key" 2>/dev/null | sed 's/^ *//') || exit 1
     # Where there are namespaces, nobody is told where the others are: their beacons say it.
-    [ -n "$spaces" ] || echo "  $robot: {address: \"$(address $number)\", chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
-    [ -z "$spaces" ] || echo "  $robot: {chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
+    [ -n "$spaces" ] || echo "  $robot: {$key, address: \"$(address $number)\", chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
+    [ -z "$spaces" ] || echo "  $robot: {$key, chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
     number=$((number + 1))
   done
 } >"$work/crossing.yaml"
@@ -73,7 +73,7 @@ in_space() {
   if [ -n "$spaces" ]; then exec ip netns exec "$net-$space" "$@"; else exec "$@"; fi
 }
 
-$starl keygen "$work/crossing.key" && $starl deploy check "$work/crossing.yaml" || exit 1
+$starl deploy check "$work/crossing.yaml" || exit 1
 (in_space world $starl deploy world "$work/crossing.yaml" --folder "$work") >"$work/world.log" 2>&1 &
 pids+=($!)
 until grep -qs 'runs' "$work/world.log"; do
