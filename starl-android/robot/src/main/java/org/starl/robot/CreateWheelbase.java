@@ -14,16 +14,27 @@ public final class CreateWheelbase {
   private CreateWheelbase() {}
 
   /**
-   * Opens the Create of one robot.
+   * Opens the Create of one robot. A link on which frames have stopped for 3 s is opened again.
    *
    * @param name of the robot
    * @param links lead to the Create
    */
   public static Wheelbase.Source of(
       String name, Wheels.Create create, Limits limits, ByteLink.Source links) {
+    return of(name, create, limits, links, CreateSettings.OPEN_MS);
+  }
+
+  /** The same for links that are opened again when frames have stopped for {@code silentMs}. */
+  public static Wheelbase.Source of(
+      String name, Wheels.Create create, Limits limits, ByteLink.Source links, long silentMs) {
     CreateSettings settings =
         CreateSettings.of(model(create))
-            .withLimits(limits.watchdogMs(), limits.positionMs(), (int) limits.speedMmPerS());
+            .withLimits(
+                limits.watchdogMs(),
+                limits.positionMs(),
+                silentMs,
+                Math.max(1, limits.reactionMs()),
+                (int) limits.speedMmPerS());
     return (strand, clock, log, onFailure) ->
         CreateChassis.open(name, settings, links, strand, clock, log, onFailure);
   }

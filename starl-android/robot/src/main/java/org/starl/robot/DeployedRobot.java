@@ -146,7 +146,7 @@ public final class DeployedRobot implements AutoCloseable {
     log = surroundings.log();
     trace = surroundings.trace();
     strand = opened.add(new RealStrand(id.name(), clock, this::fail));
-    wheels = opened.add(surroundings.wheels().open(strand, clock, log, host::failed));
+    wheels = opened.add(surroundings.wheels().open(strand, clock, this::wheelsLog, host::failed));
     InetSocketAddress address = address(entry, deployment.network());
     InetAddress local = address.getAddress().isAnyLocalAddress() ? null : address.getAddress();
     udp = opened.add(UdpRadio.open(id, strand, address, this::fail));
@@ -333,6 +333,23 @@ public final class DeployedRobot implements AutoCloseable {
     }
   }
 
+  /** Warnings of the wheels are actions of the trace, too: they explain violations. */
+  private void wheelsLog(long timeNs, Level level, String tag, String line) {
+    log.log(timeNs, level, tag, line);
+    if (level.compareTo(Level.WARN) >= 0) {
+      act("wheels", "warns", line);
+    }
+  }
+
+  private void act(String source, String action, String argument) {
+    strand.post(() -> {
+      if (trace.isOn()) {
+        trace.record(
+            new Action(strand.pieceClock().nowNs(), id, source, action, List.of(argument)));
+      }
+    });
+  }
+
   private void finished() {
     host.finished(List.copyOf(runner.results() == null ? List.of() : runner.results()));
   }
@@ -380,12 +397,7 @@ public final class DeployedRobot implements AutoCloseable {
 
     private void tell(Level level, String action, RobotId robot, String line) {
       log.log(clock.nowNs(), level, TAG, line);
-      strand.post(() -> {
-        if (trace.isOn()) {
-          trace.record(
-              new Action(strand.pieceClock().nowNs(), id, TAG, action, List.of(robot.name())));
-        }
-      });
+      act(TAG, action, robot.name());
     }
   }
 

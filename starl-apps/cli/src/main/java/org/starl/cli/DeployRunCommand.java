@@ -8,6 +8,7 @@ import org.starl.launch.WheelGuard;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
+import org.starl.robot.file.Limits;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
 import picocli.CommandLine.Command;
@@ -47,9 +48,14 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
       String text = ": this robot is simulated; run it with 'starl deploy world'";
       throw BadInput.at(deployment.file(), entry.line(), "robots." + robot + text);
     }
+    Limits limits = deployment.limits();
     Wheelbase.Source wheels =
         CreateWheelbase.of(
-            robot, create, deployment.limits(), WheelGuard.links(create.port(), create.baud()));
+            robot,
+            create,
+            limits,
+            WheelGuard.links(create.port(), create.baud(), limits),
+            WheelGuard.SILENT_MS);
     RobotRun run = options.robot(deployment, entry, app, wheels, out()::println);
     UntilStopped stop = new UntilStopped(run::stop);
     try {

@@ -1,5 +1,9 @@
 package org.starl.launch;
 
+import java.io.BufferedInputStream;
+import java.io.Closeable;
+import java.io.DataInputStream;
+import java.io.EOFException;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -15,16 +19,23 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.SocketLink;
 import org.starl.robot.create.StreamLink;
+import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels.Port;
 import org.starl.robot.realtime.Daemons;
+import org.starl.robot.realtime.RealClock;
 import org.starl.robot.serial.SerialLink;
+import org.starl.time.Time;
 
 /**
  * A process between a robot's program and its Create. A Create has no watchdog: when the driver's
  * process is killed or frozen, the Create continues its last command. The guard has the Create's port
  * and passes bytes between the port and its standard input and output. It stops the wheels when its
- * input ends, for any reason, and when its input is silent: a live driver never is. If the guard is
- * killed, the driver starts another one.
+ * input ends, for any reason, and when the time of the driver's last command is too long ago: a live
+ * driver repeats it. So a command that was held up on its way is not executed late: older wheel
+ * speeds are dropped, and the wheels stop instead.
+ *
+ * <p>A guard that is killed, or that passes nothing for {@link #SILENT_MS}, is replaced by another one.
+ * Before that the driver's own process stops the wheels, because a JVM takes long to start.
  */
 public final class WheelGuard {
 
@@ -36,18 +47,28 @@ public final class WheelGuard {
 
   private static final int HALT_COPIES = 3;
 
+  /** A Create streams every 15 ms; after this time without frames the driver replaces its guard. */
+  public static final long SILENT_MS = 500;
+
   /** A live driver writes every 50 ms, and every 100 ms while it starts the robot. */
-  private static final long SILENCE_MS = 300;
+  private static final long MIN_VALID_MS = 150;
+
+  private static final long MAX_VALID_MS = 300;
 
   /** Closing a port drops its unsent bytes; at 300 baud these take 600 ms. */
   private static final long DRAIN_MS = 700;
 
   private static final int BUFFER_BYTES = 256;
-  private static final long CLOSE_MS = 2000;
+
+  /** A guard that has not ended by then is frozen or stuck in a write. */
+  private static final long CLOSE_MS = 200;
+
   private static final int HEAP_MB = 32;
+  private static final int LINK_FAILED = 1;
   private static final String TCP = "tcp:";
 
   private final ByteLink link;
+  private final long validNs;
   private final ReentrantLock lock = new ReentrantLock();
   private final Thread reader = Daemons.of("reader", this::passToProgram);
   private final Thread watchdog = Daemons.of("watchdog", this::watch);
@@ -56,23 +77,31 @@ public final class WheelGuard {
   private final Condition written = lock.newCondition();
   private boolean wheelsMayTurn;
   private boolean isHalted;
+  private long lastSentNs = Long.MIN_VALUE;
 
-  private WheelGuard(ByteLink link) {
+  private WheelGuard(ByteLink link, long validMs) {
     this.link = link;
+    validNs = validMs * Time.NS_PER_MS;
+  }
+
+  /** For how long a guard executes a command: the reaction time, from 150 to 300 ms. */
+  static long validMs(Limits limits) {
+    return Math.min(MAX_VALID_MS, Math.max(MIN_VALID_MS, limits.reactionMs()));
   }
 
   /** Links to a Create through a guard; each link has a guard of its own. */
-  public static ByteLink.Source links(Port port, int baud) {
-    List<String> command =
-        JavaProcess.command(
-            HEAP_MB, WheelGuard.class.getName(), List.of(port.toString(), Integer.toString(baud)));
+  public static ByteLink.Source links(Port port, int baud, Limits limits) {
+    String address = port.toString();
+    List<String> args =
+        List.of(address, Integer.toString(baud), Long.toString(validMs(limits)));
+    List<String> command = JavaProcess.command(HEAP_MB, WheelGuard.class.getName(), args);
     return () -> {
       Process process = new ProcessBuilder(command).start();
       return new StreamLink(
-          port.toString(),
+          address,
           new GuardedInput(port, process),
-          process.getOutputStream(),
-          () -> close(process));
+          new GuardedOutput(process.getOutputStream()),
+          new GuardEnd(process, direct(address, baud)));
     };
   }
 
@@ -89,30 +118,33 @@ public final class WheelGuard {
    * Runs a guard. If the port cannot be opened or is lost, its exit status is 1 and its last line
    * on standard error is the reason.
    *
-   * @param args the port, as {@link Port} writes it, and the baud rate
+   * @param args the port, as {@link Port} writes it, the baud rate, and for how many ms a command is
+   *     valid
    */
   public static void main(String[] args) {
     int status = 0;
     try (ByteLink link = direct(args[0], Integer.parseInt(args[1])).open()) {
-      WheelGuard guard = new WheelGuard(link);
+      WheelGuard guard = new WheelGuard(link, Long.parseLong(args[2]));
       Runtime.getRuntime().addShutdownHook(new Thread(guard::halt, "guard's end"));
       guard.reader.start();
       guard.watchdog.start();
       guard.passToCreate();
     } catch (IOException e) {
       reportReason(String.valueOf(e.getMessage()));
-      status = 1;
+      status = LINK_FAILED;
     }
     Runtime.getRuntime().exit(status);
   }
 
   /** Passes bytes from the program to the Create until the program ends. */
   private void passToCreate() throws IOException {
-    try (InputStream in = new FileInputStream(FileDescriptor.in)) {
-      byte[] buffer = new byte[BUFFER_BYTES];
-      for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
-        write(buffer, n);
+    try (DataInputStream in =
+        new DataInputStream(new BufferedInputStream(new FileInputStream(FileDescriptor.in)))) {
+      while (true) {
+        pass(GuardedOutput.Write.read(in));
       }
+    } catch (EOFException end) {
+      return; // the program has ended
     } finally {
       halt();
     }
@@ -127,11 +159,11 @@ public final class WheelGuard {
         out.write(buffer, 0, n);
       }
       reportReason(link + " was closed");
-      Runtime.getRuntime().exit(1);
+      Runtime.getRuntime().exit(LINK_FAILED);
     } catch (IOException e) {
       // The program or the Create is gone.
       reportReason(link + ": " + e.getMessage());
-      Runtime.getRuntime().exit(1);
+      Runtime.getRuntime().exit(LINK_FAILED);
     }
   }
 
@@ -144,12 +176,21 @@ public final class WheelGuard {
     }
   }
 
-  private void write(byte[] bytes, int length) throws IOException {
+  private void pass(GuardedOutput.Write write) throws IOException {
     lock.lock();
     try {
-      if (!isHalted) {
-        link.output().write(bytes, 0, length);
-        link.output().flush();
+      boolean isValid = RealClock.machineNs() - write.sentNs() < validNs;
+      if (isHalted) {
+        return;
+      }
+      if (!isValid && isSpeeds(write.bytes())) {
+        stop();
+        return;
+      }
+      link.output().write(write.bytes());
+      link.output().flush();
+      if (isValid) {
+        lastSentNs = Math.max(lastSentNs, write.sentNs());
         wheelsMayTurn = true;
         written.signal();
       }
@@ -158,15 +199,22 @@ public final class WheelGuard {
     }
   }
 
+  private static boolean isSpeeds(byte[] bytes) {
+    return bytes.length == STOP_BYTES && bytes[0] == HALT[0];
+  }
+
   /** Stops the wheels of a silent program; its later bytes are passed on again. */
   private void watch() {
     lock.lock();
     try {
       while (!isHalted) {
-        if (!written.await(SILENCE_MS, TimeUnit.MILLISECONDS) && wheelsMayTurn) {
-          link.output().write(HALT, 0, STOP_BYTES);
-          link.output().flush();
-          wheelsMayTurn = false;
+        long leftNs = lastSentNs + validNs - RealClock.machineNs();
+        if (!wheelsMayTurn) {
+          written.await();
+        } else if (leftNs > 0) {
+          written.awaitNanos(leftNs);
+        } else {
+          stop();
         }
       }
     } catch (InterruptedException e) {
@@ -174,9 +222,18 @@ public final class WheelGuard {
       Thread.currentThread().interrupt();
     } catch (IOException e) {
       // The Create is gone.
-      Runtime.getRuntime().exit(1);
+      Runtime.getRuntime().exit(LINK_FAILED);
     } finally {
       lock.unlock();
+    }
+  }
+
+  // With the lock held.
+  private void stop() throws IOException {
+    if (wheelsMayTurn) {
+      link.output().write(HALT, 0, STOP_BYTES);
+      link.output().flush();
+      wheelsMayTurn = false;
     }
   }
 
@@ -213,15 +270,48 @@ public final class WheelGuard {
     }
   }
 
-  /** Closing its input ends the guard; a guard that is frozen or stuck in a write is killed. */
-  private static void close(Process process) throws IOException {
-    try {
-      process.getOutputStream().close();
-      if (!process.waitFor(CLOSE_MS, TimeUnit.MILLISECONDS)) {
-        process.destroyForcibly();
+  /** Ends a guard by closing its input; a guard that is frozen or stuck in a write is killed. */
+  private static final class GuardEnd implements Closeable {
+    private final Process process;
+    private final ByteLink.Source port;
+    private boolean isOver;
+
+    GuardEnd(Process process, ByteLink.Source port) {
+      this.process = process;
+      this.port = port;
+    }
+
+    // Two threads may close a link: the next guard needs the port, so the second one waits.
+    @Override
+    public synchronized void close() throws IOException {
+      if (!isOver) {
+        isOver = true;
+        process.getOutputStream().close();
+        if (!hasEndedByItself()) {
+          stopWheels();
+        }
       }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    }
+
+    /** False if it was killed, so that the wheels may still turn. */
+    private boolean hasEndedByItself() {
+      try {
+        if (!process.waitFor(CLOSE_MS, TimeUnit.MILLISECONDS)) {
+          process.destroyForcibly().waitFor();
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      return !process.isAlive() && process.exitValue() <= LINK_FAILED;
+    }
+
+    private void stopWheels() throws IOException {
+      try (ByteLink link = port.open()) {
+        for (int i = 0; i < HALT_COPIES; i++) {
+          link.output().write(HALT, 0, STOP_BYTES);
+        }
+        link.output().flush();
+      }
     }
   }
 

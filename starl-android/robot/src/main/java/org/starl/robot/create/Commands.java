@@ -26,6 +26,11 @@ final class Commands {
     return bytes(Opcodes.DRIVE_DIRECT, rightMmPerS >> 8, rightMmPerS, leftMmPerS >> 8, leftMmPerS);
   }
 
+  /** Whether a command is {@link #driveDirect}. */
+  static boolean areWheelSpeeds(byte[] command) {
+    return (command[0] & 0xFF) == Opcodes.DRIVE_DIRECT;
+  }
+
   static byte[] stream(int[] packets) {
     int[] command = new int[2 + packets.length];
     command[0] = Opcodes.STREAM;

@@ -57,6 +57,9 @@ public final class CreateChassis implements Wheelbase {
   // The reader only.
   private String lastLinkFailure = "";
 
+  // The watchdog only.
+  private long longestSilentNs;
+
   // Strand only.
   private Runnable receiver = () -> {};
   private Bumps seenBumps = Bumps.NONE;
@@ -76,7 +79,7 @@ public final class CreateChassis implements Wheelbase {
     this.clock = clock;
     this.log = log;
     this.onFailure = onFailure;
-    protocol = new CreateProtocol(settings, bytes -> toRobot.offer(bytes));
+    protocol = new CreateProtocol(settings, this::send);
     reader = thread("reader", this::serveLinks);
     watchdog = thread("watchdog", this::watch);
   }
@@ -205,16 +208,42 @@ public final class CreateChassis implements Wheelbase {
     List<CreateHold> logged = List.of();
     while (pause(CreateProtocol.TICK_NS)) {
       ByteLink[] dead = new ByteLink[1];
+      long[] silentNs = new long[1];
       update(() -> {
         protocol.advance(clock.nowNs());
+        silentNs[0] = protocol.silentNs(clock.nowNs());
         dead[0] = protocol.isLinkDead(clock.nowNs()) ? link : null;
       });
+      logSilence(silentNs[0]);
       WriteQueue.closeQuietly(dead[0]);
       List<CreateHold> holds = status().holds();
       if (!holds.equals(logged)) {
         logged = holds;
         log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
       }
+    }
+  }
+
+  /** Logs the beginning and the end of each silence, because no command is certain to act in it. */
+  private void logSilence(long silentNs) {
+    if (silentNs > settings.tellAfterMs() * NS_PER_MS) {
+      if (longestSilentNs == 0) {
+        log.log(
+            clock.nowNs(),
+            Level.WARN,
+            TAG,
+            "silent for over "
+                + settings.tellAfterMs()
+                + " ms: the robot may continue its last command");
+      }
+      longestSilentNs = silentNs;
+    } else if (longestSilentNs > 0) {
+      log.log(
+          clock.nowNs(),
+          Level.WARN,
+          TAG,
+          "heard again after " + longestSilentNs / NS_PER_MS + " ms of silence");
+      longestSilentNs = 0;
     }
   }
 
@@ -278,6 +307,11 @@ public final class CreateChassis implements Wheelbase {
     } finally {
       queue.close();
     }
+  }
+
+  // With the guard held.
+  private boolean send(byte[] command) {
+    return Commands.areWheelSpeeds(command) ? toRobot.offerNewest(command) : toRobot.offer(command);
   }
 
   private boolean hasClosed() {

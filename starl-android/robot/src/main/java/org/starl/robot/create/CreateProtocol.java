@@ -32,7 +32,11 @@ final class CreateProtocol {
 
   /** Sends bytes to the robot. */
   interface Line {
-    /** False if the queue is full: the driver sends newer bytes later. */
+    /**
+     * Sends one command. Wheel speeds replace those that were sent last, if these still wait.
+     *
+     * @return false if the queue is full: the driver sends newer bytes later
+     */
     boolean send(byte[] bytes);
   }
 
@@ -58,6 +62,7 @@ final class CreateProtocol {
   private long endingNs;
   private long startedNs;
   private long lastFrameNs = Long.MIN_VALUE;
+  private long heardNs = Long.MIN_VALUE;
   private long lastFixNs = Long.MIN_VALUE;
   private CreateSensors sensors = CreateSensors.NONE;
   private long clearSinceNs;
@@ -110,8 +115,16 @@ final class CreateProtocol {
 
   /** Whether the open link has had no sensor frames for too long. */
   boolean isLinkDead(long atNs) {
+    long limitMs = settings.linkTimeoutMs();
     return step != Step.NO_LINK
-        && atNs - Math.max(openedNs, lastFrameNs) > settings.linkTimeoutMs() * NS_PER_MS;
+        && (lastFrameNs == Long.MIN_VALUE
+            ? atNs - openedNs > Math.max(limitMs, CreateSettings.OPEN_MS) * NS_PER_MS
+            : atNs - lastFrameNs > limitMs * NS_PER_MS);
+  }
+
+  /** For how long there have been no sensor frames, over all links; 0 before the first. */
+  long silentNs(long atNs) {
+    return heardNs == Long.MIN_VALUE ? 0 : atNs - heardNs;
   }
 
   void received(byte[] bytes, int length, long atNs) {
@@ -230,6 +243,7 @@ final class CreateProtocol {
 
   private void frame(StreamDecoder frame) {
     lastFrameNs = nowNs;
+    heardNs = nowNs;
     Bumps before = sensors.bumps();
     sensors = CreateSensors.of(frame, meter.add(frame));
     Bumps now = sensors.bumps();

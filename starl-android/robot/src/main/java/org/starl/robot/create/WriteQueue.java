@@ -3,31 +3,52 @@ package org.starl.robot.create;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /** A bounded queue of bytes between a driver, which must not wait, and the thread that writes them. */
 final class WriteQueue {
 
   private final Guard guard = new Guard();
-  private final byte[] waiting;
+  private final int capacity;
+  private final ArrayDeque<Entry> waiting = new ArrayDeque<>();
   private int length;
   private boolean isClosed;
 
+  private record Entry(byte[] bytes, boolean isReplaceable) {}
+
   WriteQueue(int capacity) {
-    waiting = new byte[capacity];
+    this.capacity = capacity;
   }
 
   /** Adds all of {@code bytes}; false if they do not fit (the line is stuck) or it is closed. */
   boolean offer(byte[] bytes) {
+    return guard.get(() -> add(new Entry(bytes, false)));
+  }
+
+  /**
+   * The same, for bytes that a stuck line must not deliver late: they replace those of the last call if
+   * these still wait as the newest.
+   */
+  boolean offerNewest(byte[] bytes) {
     return guard.get(() -> {
-      if (isClosed || length + bytes.length > waiting.length) {
-        return false;
+      Entry last = waiting.peekLast();
+      if (last != null && last.isReplaceable && !isClosed) {
+        length -= last.bytes.length;
+        waiting.removeLast();
       }
-      System.arraycopy(bytes, 0, waiting, length, bytes.length);
-      length += bytes.length;
-      guard.signal();
-      return true;
+      return add(new Entry(bytes, true));
     });
+  }
+
+  private boolean add(Entry entry) {
+    if (isClosed || length + entry.bytes.length > capacity) {
+      return false;
+    }
+    waiting.add(entry);
+    length += entry.bytes.length;
+    guard.signal();
+    return true;
   }
 
   /** Refuses further bytes; waiting bytes are still written. */
@@ -43,10 +64,9 @@ final class WriteQueue {
    * link}, so that the thread that reads from the link notices and reports the failure.
    */
   void writeTo(OutputStream output, ByteLink link) {
-    byte[] buffer = new byte[waiting.length];
     try {
-      for (int n = take(buffer); n > 0; n = take(buffer)) {
-        output.write(buffer, 0, n);
+      for (byte[] bytes = take(); bytes.length > 0; bytes = take()) {
+        output.write(bytes, 0, bytes.length);
         output.flush();
       }
     } catch (IOException e) {
@@ -68,16 +88,15 @@ final class WriteQueue {
     }
   }
 
-  /** Waits until there are bytes and moves them into {@code into}; 0 once closed and empty. */
-  private int take(byte[] into) {
+  /** Waits until there are bytes and takes those of one offer; none once closed and empty. */
+  private byte[] take() {
     return guard.get(() -> {
-      if (!guard.await(() -> length > 0 || isClosed, Long.MAX_VALUE)) {
-        return 0;
+      if (!guard.await(() -> !waiting.isEmpty() || isClosed, Long.MAX_VALUE)) {
+        return new byte[0];
       }
-      int count = length;
-      System.arraycopy(waiting, 0, into, 0, count);
-      length = 0;
-      return count;
+      Entry first = waiting.poll();
+      length -= first == null ? 0 : first.bytes.length;
+      return first == null ? new byte[0] : first.bytes;
     });
   }
 }

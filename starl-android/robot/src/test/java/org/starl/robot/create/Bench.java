@@ -48,7 +48,7 @@ final class Bench {
   }
 
   static CreateSettings settings(CreateModel model, OiMode mode, long positionTimeoutMs) {
-    return new CreateSettings(model, mode, 300, positionTimeoutMs, 100, 500, 3000, 500, 500);
+    return new CreateSettings(model, mode, 300, positionTimeoutMs, 100, 500, 3000, 200, 500, 500);
   }
 
   static Bench of(CreateModel model) {

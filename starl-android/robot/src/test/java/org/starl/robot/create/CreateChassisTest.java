@@ -96,7 +96,7 @@ class CreateChassisTest {
     long hourMs = 3_600_000;
     CreateSettings slow =
         new CreateSettings(
-            CreateModel.CREATE_2, OiMode.SAFE, 300, 500, 100, 500, 3000, hourMs, 500);
+            CreateModel.CREATE_2, OiMode.SAFE, 300, 500, 100, 500, 3000, 200, hourMs, 500);
     try (LiveRobot robot = new LiveRobot(slow, Line.SOCKET)) {
       robot.wanted = new WheelCommand(200, 0);
       robot.await("drives", () -> robot.body.leftMmPerS == 200);

@@ -276,4 +276,24 @@ class CreateDriverTest {
     assertThat(bench.body.stands()).isTrue();
     assertThat(bench.driver.hasEnded()).isTrue();
   }
+
+  @Test
+  void aLinkWhoseFramesStopIsDeadAfterItsTimeoutAndANewOneMayTakeLonger() {
+    CreateSettings settings =
+        CreateSettings.of(CreateModel.CREATE_2).withLimits(300, 500, 500, 200, 500);
+    Bench bench = new Bench(settings);
+    bench.isRobotHeard = false;
+    bench.driver.linkOpened(0);
+    bench.runMs(CreateSettings.OPEN_MS - 50);
+    assertThat(bench.driver.isLinkDead(bench.nowNs)).isFalse();
+    bench.isRobotHeard = true;
+    bench.runMs(1000);
+    assertThat(bench.driver.isLinkDead(bench.nowNs)).isFalse();
+
+    bench.isRobotHeard = false;
+    bench.runMs(450);
+    assertThat(bench.driver.isLinkDead(bench.nowNs)).isFalse();
+    bench.runMs(100);
+    assertThat(bench.driver.isLinkDead(bench.nowNs)).isTrue();
+  }
 }
