@@ -210,6 +210,11 @@ public final class Gps {
     return filter.outdated();
   }
 
+  /** Whether the newest fixes contradict the commands since the earlier ones. */
+  boolean isContradicted() {
+    return filter.isContradicted();
+  }
+
   /** From now on, assumes a body with these parameters. */
   void assume(MotionParameters parameters) {
     filter.assume(parameters.speedError(), parameters.reactionMs() * NS_PER_MS);

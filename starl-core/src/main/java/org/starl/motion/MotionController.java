@@ -182,7 +182,9 @@ public final class MotionController {
     if (run == null) {
       return;
     }
-    drive(run.step(gps.location(), chassis.bumps(), gps.lingering(), nowNs));
+    drive(
+        run.step(
+            gps.location(), gps.isContradicted(), chassis.bumps(), gps.lingering(), nowNs));
     if (motionflag.get() == MotionFlag.MOVING && run.status() != MotionFlag.MOVING) {
       reportEnd(run);
     }

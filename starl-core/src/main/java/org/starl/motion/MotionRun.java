@@ -20,6 +20,9 @@ import org.starl.random.Rng;
  */
 final class MotionRun {
 
+  /** The body does not do what it is told: it was carried, or its wheels slip or are stuck. */
+  private static final String CONTRADICTED = "fixes contradict the commands";
+
   private static final String BUMPED = "bumped into something";
 
   private final Point target;
@@ -86,11 +89,19 @@ final class MotionRun {
   /**
    * Computes the wheel command until the next step.
    *
+   * @param isContradicted whether the newest fixes contradict the commands
    * @param lingering earlier commands that may still be in effect
    */
-  WheelCommand step(Location location, Bumps bumps, LingeringSpeeds lingering, long nowNs) {
+  WheelCommand step(
+      Location location,
+      boolean isContradicted,
+      Bumps bumps,
+      LingeringSpeeds lingering,
+      long nowNs) {
     WheelCommand command =
-        status == MotionFlag.FAIL ? WheelCommand.STOP : decide(location, bumps, lingering, nowNs);
+        status == MotionFlag.FAIL
+            ? WheelCommand.STOP
+            : decide(location, isContradicted, bumps, lingering, nowNs);
     if (command.isStop()) {
       watch.excuse(nowNs - lastStepNs);
     }
@@ -100,7 +111,11 @@ final class MotionRun {
   }
 
   private WheelCommand decide(
-      Location location, Bumps bumps, LingeringSpeeds lingering, long nowNs) {
+      Location location,
+      boolean isContradicted,
+      Bumps bumps,
+      LingeringSpeeds lingering,
+      long nowNs) {
     if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
       return WheelCommand.STOP;
     }
@@ -111,14 +126,18 @@ final class MotionRun {
       return waitForFix(nowNs - startNs, "no position fix");
     }
     if (at.errorMm() > p.maxErrorMm()) {
-      return waitForFix(nowNs - lastCertainNs, "the position is too uncertain");
+      return waitForFix(
+          nowNs - lastCertainNs,
+          isContradicted ? CONTRADICTED : "the position is too uncertain");
     }
     lastCertainNs = nowNs;
     if (deadlineNs == Long.MAX_VALUE) {
       deadlineNs = startNs + p.longestMs(at.pose().distanceMm(target)) * NS_PER_MS;
     }
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
-      return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs), "no position fix");
+      return waitForFix(
+          Math.min(at.fixAgeNs(), nowNs - startNs),
+          isContradicted ? CONTRADICTED : "no position fix");
     }
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
     if (automaton.status() == MotionFlag.FAIL) {

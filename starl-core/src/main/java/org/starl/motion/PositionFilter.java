@@ -87,6 +87,11 @@ final class PositionFilter {
     return contradictions;
   }
 
+  /** Whether no fix has agreed with the estimate since the last one that contradicted it. */
+  boolean isContradicted() {
+    return rival != null;
+  }
+
   /** Number of fixes that were older than the estimate or the stored commands, or from the future. */
   long outdated() {
     return outdated;

@@ -5,7 +5,7 @@
  * <p>Motion control: (a) safety: the body is always outside the region to avoid; (b) progress:
  * {@code motionflag} becomes DONE only if the estimated position is within the goal radius of the
  * target, so the true one is within goal radius plus error bound; it becomes FAIL, with stopped
- * wheels, if the robot cannot reach the target: bump, no fix, uncertain position, no progress, too
+ * wheels, if the robot cannot reach the target: bump, no fix, fixes that contradict the commands, uncertain position, no progress, too
  * slow, or the region in the way. One of the two happens within {@link
  * org.starl.body.MotionParameters#longestMs}.
  *

@@ -84,7 +84,7 @@ class MotionRunTest {
   }
 
   @Test
-  void anUncertainPositionStopsTheWheelsAndThenFails() {
+  void aContradictionStopsTheWheelsAndIsNamedWhenTheMotionFails() {
     MotionWorld world = world();
     world.begin(TARGET, new Nowhere());
     world.runFor(1_000);
@@ -96,6 +96,30 @@ class MotionRunTest {
     assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
     world.runFor(2_000);
     assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("fixes contradict the commands");
+  }
+
+  @Test
+  void aRobotThatIsHeldElsewhereFailsAsContradictedNotAsWithoutFixes() {
+    MotionWorld world = world();
+    world.begin(TARGET, new Nowhere());
+    world.runFor(1_000);
+    // A contradiction within the greatest error of a position: only the age of the fix stops it.
+    Pose aside = new Pose(world.truth.xMm(), world.truth.yMm() + 100, 0);
+    world.fixesCome = false;
+    world.filter.fixed(new Fix(aside, world.nowNs, 1, 0), world.nowNs);
+    world.runFor(5_000);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("fixes contradict the commands");
+  }
+
+  @Test
+  void anUncertainPositionStopsTheWheelsAndThenFails() {
+    MotionWorld world = world();
+    world.fixesCome = false;
+    world.filter.fixed(new Fix(world.truth, 0, 1_000, 0), 0);
+    world.begin(TARGET, new Nowhere());
+    world.runFor(5_000);
     assertThat(world.run().failure()).isEqualTo("the position is too uncertain");
   }
 
@@ -201,7 +225,7 @@ class MotionRunTest {
               : new Location.Known(pose, 5, 0.01, nowNs, nowNs);
       Bumps bumps = rng.nextBoolean(0.1) ? Bumps.values()[rng.nextInt(4)] : Bumps.NONE;
       commands.add(
-          run.step(location, bumps, LingeringSpeeds.NONE, nowNs)
+          run.step(location, false, bumps, LingeringSpeeds.NONE, nowNs)
               + " "
               + run.status()
               + " "

@@ -163,7 +163,11 @@ final class MotionWorld {
     }
     WheelCommand next =
         run.step(
-            known == null ? new Location.Unknown() : known, bumps, filter.lingering(nowNs), nowNs);
+            known == null ? new Location.Unknown() : known,
+            filter.isContradicted(),
+            bumps,
+            filter.lingering(nowNs),
+            nowNs);
     if (!next.equals(command)) {
       command = next;
       filter.commanded(next, bumps.any(), nowNs);

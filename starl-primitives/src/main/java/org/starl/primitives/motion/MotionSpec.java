@@ -213,6 +213,7 @@ public final class MotionSpec extends LemmaMonitor {
     boolean isHeldUp = why.equals("no progress") || why.equals("too slow");
     return why.equals("bumped into something")
         || why.equals("no position fix")
+        || why.equals("fixes contradict the commands")
         || why.equals("the position is too uncertain")
         || (isHeldUp && p.collisionPolicy() != CollisionPolicy.STOP_ON_COLLISION);
   }
