@@ -80,6 +80,10 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
     List<String> lines = new ArrayList<>(plan.story().lines());
     addLines(lines, result);
     json.print(out(), json(result), lines);
+    if (!result.missing().isEmpty()) {
+      result.missing().forEach(line -> err().println("starl: " + line));
+      return ExitStatus.BAD_INPUT;
+    }
     return result.violations().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
@@ -114,8 +118,10 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
         .forEach(robot ->
             lines.add("%s's trace is incomplete: its process was killed".formatted(robot)));
     add(lines, "VIOLATED: ", result.violations());
-    add(lines, "possible, within the errors of clocks and measurements: ", result.possible());
-    if (result.violations().isEmpty() && result.possible().isEmpty()) {
+    String unsure =
+        result.missing().isEmpty() ? "within the errors of clocks and measurements" : "traces are missing";
+    add(lines, "possible, " + unsure + ": ", result.possible());
+    if (result.missing().isEmpty() && result.violations().isEmpty() && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
     }
   }
@@ -126,13 +132,14 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
 
   private static Map<String, Object> json(TraceMerge.Result result) {
     Map<String, Object> json = new LinkedHashMap<>();
-    json.put("good", result.violations().isEmpty());
+    json.put("good", result.violations().isEmpty() && result.missing().isEmpty());
     json.put("robots", result.robots().stream().map(String::valueOf).toList());
     json.put("dead", result.dead().stream().map(String::valueOf).toList());
     json.put("events", result.run().events());
     json.put("orders", result.orders());
     json.put("uncertainty_ns", result.uncertaintyNs());
     json.put("bodies_within_mm", Math.round(result.withinMm()));
+    json.put("missing", result.missing());
     json.put("violations", result.violations().stream().map(String::valueOf).toList());
     json.put("possible", result.possible().stream().map(String::valueOf).toList());
     return json;

@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.trace.MachineClock;
@@ -87,6 +89,10 @@ record RecordedTrace(
       }
       // The process was killed while it wrote this line: use the lines before it.
     }
+    if (clock == null && isMerged(events)) {
+      throw new BadInput(
+          file + ": is the output of 'starl deploy merge'; expected the traces before it");
+    }
     if (clock == null || clock.args().size() != 3) {
       throw new BadInput(file + ": does not name its clock" + EXPECTED);
     }
@@ -106,6 +112,32 @@ record RecordedTrace(
     } catch (NumberFormatException e) {
       throw new BadInput(file + ": its clock is " + clock.args() + "; expected numbers");
     }
+  }
+
+  /** A merged trace begins with a fault of the world, as {@link TraceMerge} describes. */
+  private static boolean isMerged(List<TraceEvent> events) {
+    return !events.isEmpty()
+        && events.get(0) instanceof Fault fault
+        && fault.detail().equals(Fault.REAL_TIME);
+  }
+
+  /** Whether both are of one start of one process. */
+  boolean isSameStart(RecordedTrace other) {
+    return robot.equals(other.robot)
+        && header.equals(other.header)
+        && machineNs == other.machineNs
+        && dateNs == other.dateNs;
+  }
+
+  /** Which start of its robot it is, from 1, by its file's name: {@code bot0.2.trace}; 0 if unnamed. */
+  int start() {
+    Matcher numbered =
+        Pattern.compile(Pattern.quote(robot.name()) + "(?:\\.(\\d{1,9}))?\\.trace")
+            .matcher(String.valueOf(Path.of(name).getFileName()));
+    if (!numbered.matches()) {
+      return 0;
+    }
+    return numbered.group(1) == null ? 1 : Integer.parseInt(numbered.group(1));
   }
 
   /** Whether the line that was read last is the last one, and not after the trace's end. */

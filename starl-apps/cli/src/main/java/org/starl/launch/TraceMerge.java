@@ -49,7 +49,9 @@ public final class TraceMerge {
    * @param uncertaintyNs the largest error of the clocks in the middle order
    * @param withinMm the largest distance of a body from its measured place; 0 if none was measured
    * @param lostMs for each robot with a gap in its measurements, the longest gap
-   * @param violations in all cases, as the middle order has them
+   * @param missing a line for each start of a robot whose trace is missing
+   * @param violations in all cases, as the middle order has them; none if a start is missing, because
+   *     the robot's promises in it are unknown
    * @param possible violations in some cases only
    */
   public record Result(
@@ -60,6 +62,7 @@ public final class TraceMerge {
       long uncertaintyNs,
       double withinMm,
       SortedMap<RobotId, Double> lostMs,
+      List<String> missing,
       List<Violation> violations,
       List<Violation> possible) {}
 
@@ -85,6 +88,10 @@ public final class TraceMerge {
     for (String file : files) {
       RecordedTrace trace = RecordedTrace.read(file);
       for (RecordedTrace before : traces) {
+        if (trace.isSameStart(before)) {
+          throw new BadInput(
+              file + ": the same start of " + trace.robot() + " as " + before.name() + "; give one");
+        }
         if (!isOfOneRun(trace.header(), before.header())) {
           throw new BadInput(
               file + ":1: its header differs; expected the header of " + before.name());
@@ -140,7 +147,8 @@ public final class TraceMerge {
     }
     SimResult run = complete.apply(result(middle, reports.get(0)));
     observers.forEach(observer -> observer.finished(run));
-    List<Violation> certain = certain(reports);
+    List<String> missing = missingStarts();
+    List<Violation> certain = missing.isEmpty() ? certain(reports) : List.of();
     return new Result(
         run,
         robots(traces.stream().filter(trace -> !trace.isOfWorld()).toList()),
@@ -149,8 +157,31 @@ public final class TraceMerge {
         bounds.uncertaintyNs(),
         bodies.withinMm(),
         bodies.lostMs(),
+        missing,
         certain,
         possible(reports, certain));
+  }
+
+  private List<String> missingStarts() {
+    List<String> missing = new ArrayList<>();
+    for (RecordedTrace trace : traces) {
+      int before = trace.start() - 1;
+      boolean isThere =
+          traces.stream()
+              .anyMatch(other -> other.robot().equals(trace.robot()) && other.start() == before);
+      if (before > 0 && !isThere) {
+        missing.add(
+            trace.name()
+                + ": start "
+                + trace.start()
+                + " of "
+                + trace.robot()
+                + " without its start "
+                + before
+                + ", so what it promised before is unknown; give all its traces");
+      }
+    }
+    return missing;
   }
 
   /** All events, for traces that start at these times. Actions of one instant stay together. */

@@ -23,6 +23,7 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.TraceRecorder;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -142,6 +143,49 @@ class TraceMergeTest {
       }
     }
     return file.toString();
+  }
+
+  @Test
+  void aMissingStartIsNamedAndItsViolationsAreOnlyPossible() throws IOException {
+    String first =
+        trace(A, "a.trace", "m", 0, 0, true, action(1, A, "enter"), action(2, A, "leave"));
+    String third = trace(A, "a.3.trace", "m", 2 * SECOND, 2 * SECOND, true, action(3, A, "enter"));
+    String other = trace(B, "m", 0, 0, action(2004, B, "enter"));
+
+    TraceMerge.Result result = judge(0, first, third, other);
+
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).hasSize(1);
+    assertThat(result.missing())
+        .singleElement()
+        .asString()
+        .contains("a.3.trace: start 3 of a without its start 2");
+
+    String second = trace(A, "a.2.trace", "m", SECOND, SECOND, true, action(1, A, "look"));
+    assertThat(judge(0, first, second, third, other).violations()).hasSize(1);
+  }
+
+  @Test
+  void aTraceGivenTwiceIsRefused() throws IOException {
+    String file = trace(A, "m", 0, 0, action(1, A, "enter"));
+    Path copy = Files.copy(Path.of(file), folder.resolve("copy.trace"));
+
+    assertThatThrownBy(() -> judge(0, file, copy.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessage(copy + ": the same start of a as " + file + "; give one");
+  }
+
+  @Test
+  void itsOwnOutputAmongTheInputsIsNamed() throws IOException {
+    String file = trace(A, "m", 0, 0, action(1, A, "enter"));
+    Path merged = folder.resolve("merged.trace");
+    try (TraceRecorder out = new TraceRecorder(Files.newOutputStream(merged))) {
+      TraceMerge.of(List.of(file), 0, 0).judge(plan(), List.of(out));
+    }
+
+    assertThatThrownBy(() -> judge(0, file, merged.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining(merged + ": is the output of 'starl deploy merge'");
   }
 
   private static TraceMerge.Result judge(long dateErrorNs, String... files) {
