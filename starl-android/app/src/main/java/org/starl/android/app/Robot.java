@@ -76,7 +76,9 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     this.onBug = onBug;
     this.log = log;
     links = new RecordingLinks(source);
-    trace = new ProcessTrace(mission.robot().id(), header(mission.deployment()), files.trace());
+    trace =
+        new ProcessTrace(
+            mission.robot().id(), header(mission.deployment()), files.trace(), this::traceLost);
     MachineClock.tell(trace, clock, startNs);
     deployed =
         DeployedRobot.open(
@@ -169,6 +171,15 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   public void failed(Throwable error) {
     bug = error;
     onBug.accept(error);
+  }
+
+  // From any thread.
+  private void traceLost(IOException failure) {
+    CreateChassis here = chassis;
+    if (here != null) {
+      here.emergencyStop();
+    }
+    failed(failure);
   }
 
   /** The simulator's header for the same run, without the settings that are not in the deployment. */

@@ -28,7 +28,8 @@ import org.starl.robot.file.Wheels;
  * sleep. Intents control it; bound activities read its state.
  *
  * <p>Android may end it all the same and then starts it again: the robot's program starts as another
- * incarnation, and the wheels are stopped when the link to them is open again.
+ * incarnation, and the wheels are stopped when the link to them is open again. An emergency stop holds
+ * over that until it is released.
  *
  * <p>Each start and each end begins a new attempt. The late result of an older attempt, a robot or a
  * failure, is closed and ignored.
@@ -110,6 +111,7 @@ public final class RobotService extends Service {
   @Override
   public void onCreate() {
     super.onCreate();
+    isEmergency = new Store(this).isEmergency();
     locks = new Locks(this);
     notification = new RobotNotification(this);
     network = new NetworkWatch(this);
@@ -188,10 +190,18 @@ public final class RobotService extends Service {
       here.emergencyStop();
       show("emergency stop");
     }
+    storeEmergency();
+  }
+
+  private void storeEmergency() {
+    if (!new Store(this).setEmergency(isEmergency)) {
+      Log.e(TAG, "the emergency stop cannot be stored: it ends with this process");
+    }
   }
 
   void release() {
     isEmergency = false;
+    storeEmergency();
     Robot here = robot;
     if (here != null) {
       here.release();
@@ -228,7 +238,6 @@ public final class RobotService extends Service {
     attempt.incrementAndGet();
     stopWheels();
     phase = Phase.IDLE;
-    isEmergency = false;
     leaveSoon();
   }
 
@@ -257,7 +266,6 @@ public final class RobotService extends Service {
               RobotService::log,
               bug -> robotFailed(mine, bug));
       robot = opened;
-      // In this order: an end that clears the emergency stop has begun its attempt before that.
       if (isEmergency || attempt.get() != mine) {
         opened.emergencyStop();
       }

@@ -51,6 +51,7 @@ final class Store {
 
   private static final String PREFERENCES = "robot";
   private static final String NAME = "name";
+  private static final String EMERGENCY = "emergency";
   private static final String TRACE = ".trace";
   private static final int KEPT_TRACES = 20;
 
@@ -69,6 +70,16 @@ final class Store {
 
   void setRobotName(String name) {
     preferences.edit().putString(NAME, name).apply();
+  }
+
+  /** Whether the emergency stop was pressed and not released, in this or an earlier process. */
+  boolean isEmergency() {
+    return preferences.getBoolean(EMERGENCY, false);
+  }
+
+  /** Returns when it is on the disk; false if it could not be written. */
+  boolean setEmergency(boolean isOn) {
+    return preferences.edit().putBoolean(EMERGENCY, isOn).commit();
   }
 
   /** The folder of a robot's stable storage. */

@@ -244,6 +244,32 @@ public final class RobotServiceTest {
   }
 
   @Test
+  public void anEmergencyStopHoldsOverTheDeathOfTheServiceUntilItIsReleased()
+      throws InterruptedException {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    service.emergencyStop();
+    until(() -> !car.turnsItsWheels());
+
+    // Android kills the process without a call, and then starts the service without an intent.
+    ServiceController<RobotService> killed = controller;
+    service.worker.execute(() -> {});
+    controller = Robolectric.buildService(RobotService.class).create();
+    RobotService next = controller.get();
+    killed.destroy();
+    service = next;
+    service.onStartCommand(null, 0, 1);
+    until(() -> service.phase() == Phase.RUNNING && isHeldBy(CreateHold.EMERGENCY_STOP));
+    assertThat(service.isEmergency()).isTrue();
+    until(() -> service.status().wheels().frames() > 50);
+    assertThat(car.turnsItsWheels()).isFalse();
+
+    service.release();
+    until(car::turnsItsWheels);
+    assertThat(new Store(application).isEmergency()).isFalse();
+  }
+
+  @Test
   public void withoutThePermissionNoRobotIsDriven() throws InterruptedException {
     shadowOf(application).denyPermissions(Manifest.permission.BLUETOOTH_CONNECT);
     tell(RobotService.START);
