@@ -36,6 +36,7 @@ import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.realtime.StrandUse;
+import org.starl.robot.trace.DropSummary;
 import org.starl.robot.udp.Discovery;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
@@ -95,7 +96,7 @@ public final class DeployedRobot implements AutoCloseable {
   private final Host host;
   private final RealClock clock;
   private final LogSink log;
-  private final TraceSink trace;
+  private final DropSummary trace;
   private final RealStrand strand;
   private final UdpRadio udp;
   private final LossyRadio radio;
@@ -144,8 +145,9 @@ public final class DeployedRobot implements AutoCloseable {
     this.host = host;
     clock = surroundings.clock();
     log = surroundings.log();
-    trace = surroundings.trace();
+    trace = new DropSummary(id, surroundings.trace());
     strand = opened.add(new RealStrand(id.name(), clock, this::fail));
+    strand.onLongPiece(deployment.limits().reactionMs() * Time.NS_PER_MS, this::held);
     wheels = opened.add(surroundings.wheels().open(strand, clock, this::wheelsLog, host::failed));
     InetSocketAddress address = address(entry, deployment.network());
     InetAddress local = address.getAddress().isAnyLocalAddress() ? null : address.getAddress();
@@ -282,6 +284,7 @@ public final class DeployedRobot implements AutoCloseable {
     udp.close();
     strand.close();
     body.end(clock.nowNs());
+    trace.flush(clock.nowNs());
     poses.close();
     background.close();
     stable.close();
@@ -339,6 +342,12 @@ public final class DeployedRobot implements AutoCloseable {
     if (level.compareTo(Level.WARN) >= 0) {
       act("wheels", "warns", line);
     }
+  }
+
+  private void held(long pieceNs, String by) {
+    String line = by + " held the strand for " + pieceNs / Time.NS_PER_MS + " ms";
+    log.log(clock.nowNs(), Level.WARN, "strand", line + ": commands and messages were late");
+    act("strand", "held", line);
   }
 
   private void act(String source, String action, String argument) {

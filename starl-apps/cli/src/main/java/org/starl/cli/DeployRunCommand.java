@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.starl.input.BadInput;
+import org.starl.launch.Console;
 import org.starl.launch.RobotRun;
 import org.starl.launch.WheelGuard;
 import org.starl.robot.CreateWheelbase;
@@ -56,12 +57,20 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
             limits,
             WheelGuard.links(create.port(), create.baud(), limits),
             WheelGuard.SILENT_MS);
-    RobotRun run = options.robot(deployment, entry, app, wheels, out()::println);
+    Console console = new Console(out()::println);
+    RobotRun run = options.robot(deployment, entry, app, wheels, console);
     UntilStopped stop = new UntilStopped(run::stop);
+    int status = ExitStatus.VIOLATED;
     try {
-      return run.run() == null ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+      status = run.run() == null ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+      return status;
     } finally {
+      console.close();
       stop.ended();
+      if (console.isStuck()) {
+        // The caller would wait for the output, too.
+        Runtime.getRuntime().halt(status);
+      }
     }
   }
 }

@@ -2,13 +2,13 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.starl.input.BadInput;
+import org.starl.launch.Console;
 import org.starl.launch.RobotRun;
 import org.starl.launch.WorldServer;
 import org.starl.robot.file.Deployment;
@@ -44,7 +44,7 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
               + ": no robot is simulated; expected one with 'kind: simulated' or 'simulatedAt:'");
     }
     options.rounds();
-    PrintWriter out = out();
+    Console console = new Console(out()::println);
     UntilStopped stop = new UntilStopped(() -> ends.add(""));
     try (OutputStream trace = options.trace(WORLD);
         WorldServer world =
@@ -52,29 +52,34 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
                 deployment,
                 app.plan(),
                 trace,
-                line -> out.println(WORLD + ": " + line),
+                line -> console.accept(WORLD + ": " + line),
                 error -> ends.add(String.valueOf(error)))) {
-      out.println(WORLD + ": runs");
-      String reason = runPrograms(deployment, app, world, out);
+      console.accept(WORLD + ": runs");
+      String reason = runPrograms(deployment, app, world, console);
       if (!reason.isEmpty()) {
         err().println(WORLD + ": " + reason);
       }
       return reason.isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     } finally {
+      console.close();
       stop.ended();
+      if (console.isStuck()) {
+        // The caller would wait for the output, too.
+        Runtime.getRuntime().halt(ExitStatus.VIOLATED);
+      }
     }
   }
 
   /** Runs the robots that are simulated without a Create; returns the reason of the end. */
   private String runPrograms(
-      Deployment deployment, DeployedApp app, WorldServer world, PrintWriter out)
+      Deployment deployment, DeployedApp app, WorldServer world, Console console)
       throws IOException, InterruptedException {
     List<RobotRun> robots = new ArrayList<>();
     try {
       for (RobotEntry entry : deployment.robots().values()) {
         if (entry.wheels() instanceof Wheels.Simulated) {
           RobotRun robot =
-              options.robot(deployment, entry, app, world.wheels(entry.id()), out::println);
+              options.robot(deployment, entry, app, world.wheels(entry.id()), console);
           Thread thread = new Thread(() -> run(robot, entry), entry.id() + " run");
           thread.setDaemon(true);
           thread.start();

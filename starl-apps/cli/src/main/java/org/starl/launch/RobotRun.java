@@ -80,7 +80,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     super(settings.entry().id(), settings.plans(), settings.rounds());
     this.settings = settings;
     this.console = line -> console.accept(id + ": " + line);
-    sink = new ProcessTrace(id, settings.plans().get().header(), trace);
+    sink = new ProcessTrace(id, settings.plans().get().header(), trace, this::failed);
   }
 
   /**
@@ -95,8 +95,12 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
       startRound();
       loop();
     } finally {
-      bringDown(false);
-      sink.end(clock.nowNs() - startNs);
+      try {
+        bringDown(false);
+        sink.end(clock.nowNs() - startNs);
+      } catch (IOException e) {
+        failed(e);
+      }
       over.countDown();
     }
     return failure.get();
@@ -133,7 +137,8 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
 
   @Override
   public void failed(Throwable error) {
-    end(error, error instanceof DisownedException ? error.getMessage() : error.toString());
+    boolean isForPeople = error instanceof IOException || error instanceof DisownedException;
+    end(error, isForPeople ? String.valueOf(error.getMessage()) : error.toString());
   }
 
   private void violated(Violation violation) {

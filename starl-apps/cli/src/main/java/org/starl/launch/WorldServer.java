@@ -95,7 +95,7 @@ public final class WorldServer implements AutoCloseable {
     this.deployment = deployment;
     this.console = console;
     this.onFailure = onFailure;
-    trace = new ProcessTrace(Fault.WORLD, plan.header(), out);
+    trace = new ProcessTrace(Fault.WORLD, plan.header(), out, onFailure::accept);
     MachineClock.tell(trace, clock, startNs);
     strand = new RealStrand("world", clock, onFailure);
     parts.push(strand);

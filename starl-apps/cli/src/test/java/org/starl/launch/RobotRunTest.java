@@ -4,9 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -76,6 +80,10 @@ class RobotRunTest {
   }
 
   private RobotRun run(Wheelbase.Source wheels, int rounds) {
+    return run(wheels, rounds, new ByteArrayOutputStream());
+  }
+
+  private RobotRun run(Wheelbase.Source wheels, int rounds, OutputStream trace) {
     RobotRun.Settings settings =
         new RobotRun.Settings(
             deployment,
@@ -88,7 +96,7 @@ class RobotRunTest {
     run =
         new RobotRun(
             settings,
-            new ByteArrayOutputStream(),
+            trace,
             line -> {
               happened.add(line);
               teller.accept(line);
@@ -153,6 +161,52 @@ class RobotRunTest {
     assertThat(happened).contains("bot0: wheels: emergency stop");
     assertThat(happened.indexOf("wheels stand"))
         .isBetween(0, happened.indexOf("bot0: wheels: emergency stop"));
+  }
+
+  @Test
+  void aTraceThatCannotBeWrittenStopsTheWheelsAndEndsTheRunWithOneLine() throws IOException {
+    Throwable failure =
+        run(
+                (strand, clock, log, onFailure) -> new Standing(),
+                1,
+                Files.newOutputStream(Path.of("/dev/full")))
+            .run();
+
+    assertThat(failure).hasMessageContaining("No space left");
+    assertThat(happened)
+        .filteredOn(line -> line.contains("trace cannot be written"))
+        .containsExactly(
+            "bot0: wheels stopped: the trace cannot be written: No space left on device");
+  }
+
+  @Test
+  void promisesThatCannotBeStoredStopTheWheelsAndEndTheRun() throws IOException {
+    Path storage = Files.createDirectories(folder.resolve("storage"));
+    Wheelbase.Source wheels =
+        (strand, clock, log, onFailure) -> {
+          // On the strand, so before the write of the boot number.
+          strand.post(() -> fillAfterFirstWrite(storage));
+          return new Standing();
+        };
+
+    assertThat(run(wheels, 1).run()).hasMessageContaining("No space left");
+    assertThat(happened).contains("wheels stand");
+    assertThat(happened)
+        .filteredOn(line -> line.startsWith("bot0: wheels stopped: " + storage))
+        .hasSize(1);
+  }
+
+  private static void fillAfterFirstWrite(Path storage) {
+    String[] files = storage.toFile().list();
+    while (files == null || Arrays.stream(files).noneMatch(name -> name.endsWith(".value"))) {
+      Thread.onSpinWait();
+      files = storage.toFile().list();
+    }
+    try {
+      Files.createSymbolicLink(storage.resolve("fresh.tmp"), Path.of("/dev/full"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Test

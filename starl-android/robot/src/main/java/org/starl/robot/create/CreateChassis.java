@@ -58,6 +58,7 @@ public final class CreateChassis implements Wheelbase {
   private String lastLinkFailure = "";
 
   // The watchdog only.
+  private final BatteryWatch battery = new BatteryWatch();
   private long longestSilentNs;
 
   // Strand only.
@@ -216,12 +217,29 @@ public final class CreateChassis implements Wheelbase {
       });
       logSilence(silentNs[0]);
       WriteQueue.closeQuietly(dead[0]);
-      List<CreateHold> holds = status().holds();
-      if (!holds.equals(logged)) {
-        logged = holds;
-        log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
+      CreateStatus now = status();
+      if (!now.holds().equals(logged)) {
+        logHolds(logged, now.holds());
+        logged = now.holds();
+      }
+      String ofBattery = battery.update(now.sensors());
+      if (ofBattery != null) {
+        log.log(clock.nowNs(), Level.WARN, TAG, ofBattery);
       }
     }
+  }
+
+  private void logHolds(List<CreateHold> before, List<CreateHold> holds) {
+    boolean isLate =
+        holds.contains(CreateHold.STALE_COMMAND) && !before.contains(CreateHold.STALE_COMMAND);
+    if (isLate) {
+      log.log(
+          clock.nowNs(),
+          Level.WARN,
+          TAG,
+          "no command for " + settings.commandTimeoutMs() + " ms: wheels stopped");
+    }
+    log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
   }
 
   /** Logs the beginning and the end of each silence, because no command is certain to act in it. */

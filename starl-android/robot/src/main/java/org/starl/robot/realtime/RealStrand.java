@@ -44,6 +44,10 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   private volatile @Nullable RealApp app;
   private volatile long pieceNs;
 
+  // Set once; then the strand only.
+  private volatile long longNs = Long.MAX_VALUE;
+  private volatile LongPieces onLongPiece = (ns, by) -> {};
+
   /**
    * A strand that runs from now on.
    *
@@ -57,6 +61,28 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     this.pieceNs = clock.nowNs();
     this.thread = Daemons.of(name + " strand", this::loop);
     thread.start();
+  }
+
+  /** Receives long pieces. */
+  @FunctionalInterface
+  public interface LongPieces {
+
+    /**
+     * A piece has ended.
+     *
+     * @param pieceNs its length
+     * @param by its origin, as in {@link StrandUse}
+     */
+    void ended(long pieceNs, String by);
+  }
+
+  /**
+   * Reports pieces over {@code limitNs}, on the strand; each must be over twice as long as the one
+   * that was reported before, so there are few.
+   */
+  public void onLongPiece(long limitNs, LongPieces receiver) {
+    onLongPiece = receiver;
+    longNs = limitNs;
   }
 
   @Override
@@ -174,6 +200,10 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   void account(long startNs, String by) {
     long pieceNs = clock.nowNs() - startNs;
     withLock(() -> tally.add(pieceNs, by));
+    if (pieceNs > longNs) {
+      longNs = 2 * pieceNs;
+      onLongPiece.ended(pieceNs, by);
+    }
   }
 
   private void withLock(Runnable work) {

@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.trace.TraceEvent;
@@ -14,17 +16,34 @@ import org.starl.trace.TraceWriter;
 
 /**
  * Writes a robot's trace to its parent process or into a file. Each event is flushed when {@link
- * #record} returns. It ignores a parent that is gone: the child notices that at the end of its input.
- * From any thread.
+ * #record} returns. From any thread.
  */
 public final class ProcessTrace implements TraceSink {
 
   private final RobotId self;
   private final TraceWriter writer;
+  private final Consumer<IOException> onFailure;
+  private boolean hasFailed;
 
-  /** @param out takes the trace */
+  /**
+   * Ignores a parent that is gone: the child notices that at the end of its input.
+   *
+   * @param out takes the trace
+   */
   public ProcessTrace(RobotId self, TraceHeader header, OutputStream out) {
+    this(self, header, out, failure -> {});
+  }
+
+  /**
+   * The same with a receiver of failures.
+   *
+   * @param onFailure called once, on the thread that records, when the trace cannot be written;
+   *     nothing more is written then
+   */
+  public ProcessTrace(
+      RobotId self, TraceHeader header, OutputStream out, Consumer<IOException> onFailure) {
     this.self = self;
+    this.onFailure = onFailure;
     writer = new TraceWriter(out, header);
   }
 
@@ -34,9 +53,20 @@ public final class ProcessTrace implements TraceSink {
   }
 
   @Override
-  public synchronized void record(TraceEvent event) {
+  public void record(TraceEvent event) {
+    IOException failure = write(event);
+    if (failure != null) {
+      onFailure.accept(new IOException("the trace cannot be written: " + failure.getMessage()));
+    }
+  }
+
+  /** The failure, if this event is the first one that cannot be written. */
+  private synchronized @Nullable IOException write(TraceEvent event) {
     writer.record(event);
     writer.flush();
+    IOException failure = hasFailed ? null : writer.failure();
+    hasFailed |= failure != null;
+    return failure;
   }
 
   /** Records an event of the process, which merged traces leave out. */

@@ -125,7 +125,7 @@ public final class FileStable implements StableStorage, AutoCloseable {
         strand.post(flushed);
       } catch (IOException e) {
         hasFailed = true;
-        onFailure.accept(e);
+        onFailure.accept(new IOException(directory + ": cannot be written: " + e, e));
       }
     });
   }

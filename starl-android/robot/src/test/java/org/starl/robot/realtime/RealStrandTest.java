@@ -63,6 +63,22 @@ class RealStrandTest {
   }
 
   @Test
+  void aPieceOverTheLimitIsReportedAndThenOnlyOneTwiceAsLong() throws Exception {
+    SteppedClock clock = new SteppedClock();
+    CountDownLatch done = new CountDownLatch(1);
+    List<String> told = new CopyOnWriteArrayList<>();
+    RealStrand strand = new RealStrand("robot0", clock, errors::add);
+    strand.onLongPiece(200, (ns, by) -> told.add(ns + " by " + by));
+    for (long ns : new long[] {150, 300, 500, 700}) {
+      strand.post(() -> clock.nowNs += ns);
+    }
+    strand.post(done::countDown);
+    assertThat(done.await(60, TimeUnit.SECONDS)).isTrue();
+    strand.close();
+    assertThat(told).containsExactly("300 by a message or an event", "700 by a message or an event");
+  }
+
+  @Test
   void durationsOfPiecesAreReportedWithin25Percent() {
     StrandTally tally = new StrandTally();
     for (int i = 1; i <= 1000; i++) {

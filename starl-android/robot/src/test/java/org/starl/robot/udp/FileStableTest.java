@@ -115,6 +115,33 @@ class FileStableTest extends StableContract {
   }
 
   @Test
+  void aFullDiskIsReportedWithItsFolder() throws IOException {
+    CountDownLatch failed = new CountDownLatch(1);
+    List<Throwable> failures = new CopyOnWriteArrayList<>();
+    try (RealGround ground = new RealGround("robot0")) {
+      FileStable opened =
+          open(
+              ground,
+              e -> {
+                failures.add(e);
+                failed.countDown();
+              });
+      Path own = directory.resolve("robot0");
+      Files.createSymbolicLink(own.resolve("fresh.tmp"), Path.of("/dev/full"));
+      List<String> log = new CopyOnWriteArrayList<>();
+      opened.put("a", new byte[] {1}, () -> log.add("a flushed"));
+      ground.runUntil(failed);
+      opened.close();
+      assertThat(failures)
+          .singleElement()
+          .asString()
+          .contains(own + ": cannot be written")
+          .contains("No space left");
+      assertThat(log).isEmpty();
+    }
+  }
+
+  @Test
   void closingFlushesPendingWrites() {
     try (RealGround ground = new RealGround("robot0")) {
       FileStable opened = open(ground, ground.errors()::add);

@@ -1,0 +1,79 @@
+package org.starl.robot.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Dropped;
+import org.starl.trace.TraceSink;
+
+/** A real robot's trace under a flood. */
+class DropSummaryTest {
+
+  private static final RobotId BOT0 = new RobotId("bot0");
+  private static final long MS = 1_000_000;
+
+  private final List<TraceEvent> recorded = new ArrayList<>();
+  private final DropSummary trace = new DropSummary(BOT0, sink());
+
+  private TraceSink sink() {
+    return new TraceSink() {
+      @Override
+      public boolean isOn() {
+        return true;
+      }
+
+      @Override
+      public void record(TraceEvent event) {
+        recorded.add(event);
+      }
+    };
+  }
+
+  private List<Action> counts() {
+    return recorded.stream().filter(Action.class::isInstance).map(Action.class::cast).toList();
+  }
+
+  @Test
+  void aFloodLeavesItsFirstDatagramAndOneCountASecond() {
+    int flood = 200_000;
+    for (int i = 0; i < flood; i++) {
+      trace.record(new Dropped(i * 40_000_000_000L / flood, BOT0, "bot1", "a forged seal"));
+    }
+    trace.flush(40_000 * MS);
+
+    assertThat(recorded).hasSizeLessThan(45).first().isInstanceOf(Dropped.class);
+    assertThat(counts().stream().mapToLong(count -> Long.parseLong(count.args().get(1))).sum())
+        .isEqualTo(flood - 1);
+    assertThat(counts()).allMatch(count -> count.args().get(0).equals("a forged seal"));
+  }
+
+  @Test
+  void aFloodOfInventedSendersIsBoundedToo() {
+    for (int i = 0; i < 100_000; i++) {
+      trace.record(new Dropped(i * 10_000L, BOT0, "bot" + i, "a forged seal"));
+    }
+    assertThat(recorded).hasSizeLessThanOrEqualTo(DropSummary.MAX_SENDERS + 1);
+  }
+
+  @Test
+  void otherEventsPassInOrderAndCarryTheCounts() {
+    Action go = new Action(5 * MS, BOT0, "app", "go", List.of());
+    Action late = new Action(2000 * MS, BOT0, "app", "late", List.of());
+    Dropped first = new Dropped(0, BOT0, "?", "no message");
+    trace.record(first);
+    trace.record(new Dropped(1, BOT0, "?", "no message"));
+    trace.record(go);
+    trace.record(late);
+    assertThat(recorded)
+        .containsExactly(
+            first,
+            go,
+            late,
+            new Action(2000 * MS, BOT0, "network", "dropped", List.of("no message", "1")));
+  }
+}
