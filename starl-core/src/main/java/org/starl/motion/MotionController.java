@@ -182,9 +182,7 @@ public final class MotionController {
     if (run == null) {
       return;
     }
-    drive(
-        run.step(
-            gps.location(), gps.isContradicted(), chassis.bumps(), gps.lingering(), nowNs));
+    drive(run.step(gps.location(), gps.isContradicted(), chassis.bumps(), gps.lingering(), nowNs));
     if (motionflag.get() == MotionFlag.MOVING && run.status() != MotionFlag.MOVING) {
       reportEnd(run);
     }

@@ -127,8 +127,7 @@ final class MotionRun {
     }
     if (at.errorMm() > p.maxErrorMm()) {
       return waitForFix(
-          nowNs - lastCertainNs,
-          isContradicted ? CONTRADICTED : "the position is too uncertain");
+          nowNs - lastCertainNs, isContradicted ? CONTRADICTED : "the position is too uncertain");
     }
     lastCertainNs = nowNs;
     if (deadlineNs == Long.MAX_VALUE) {

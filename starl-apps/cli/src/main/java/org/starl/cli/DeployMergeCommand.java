@@ -119,9 +119,13 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
             lines.add("%s's trace is incomplete: its process was killed".formatted(robot)));
     add(lines, "VIOLATED: ", result.violations());
     String unsure =
-        result.missing().isEmpty() ? "within the errors of clocks and measurements" : "traces are missing";
+        result.missing().isEmpty()
+            ? "within the errors of clocks and measurements"
+            : "traces are missing";
     add(lines, "possible, " + unsure + ": ", result.possible());
-    if (result.missing().isEmpty() && result.violations().isEmpty() && result.possible().isEmpty()) {
+    if (result.missing().isEmpty()
+        && result.violations().isEmpty()
+        && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
     }
   }

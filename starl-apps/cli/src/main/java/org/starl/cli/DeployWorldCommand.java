@@ -78,8 +78,7 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
     try {
       for (RobotEntry entry : deployment.robots().values()) {
         if (entry.wheels() instanceof Wheels.Simulated) {
-          RobotRun robot =
-              options.robot(deployment, entry, app, world.wheels(entry.id()), console);
+          RobotRun robot = options.robot(deployment, entry, app, world.wheels(entry.id()), console);
           Thread thread = new Thread(() -> run(robot, entry), entry.id() + " run");
           thread.setDaemon(true);
           thread.start();

@@ -90,7 +90,12 @@ public final class TraceMerge {
       for (RecordedTrace before : traces) {
         if (trace.isSameStart(before)) {
           throw new BadInput(
-              file + ": the same start of " + trace.robot() + " as " + before.name() + "; give one");
+              file
+                  + ": the same start of "
+                  + trace.robot()
+                  + " as "
+                  + before.name()
+                  + "; give one");
         }
         if (!isOfOneRun(trace.header(), before.header())) {
           throw new BadInput(

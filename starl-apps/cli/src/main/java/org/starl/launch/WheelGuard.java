@@ -92,8 +92,7 @@ public final class WheelGuard {
   /** Links to a Create through a guard; each link has a guard of its own. */
   public static ByteLink.Source links(Port port, int baud, Limits limits) {
     String address = port.toString();
-    List<String> args =
-        List.of(address, Integer.toString(baud), Long.toString(validMs(limits)));
+    List<String> args = List.of(address, Integer.toString(baud), Long.toString(validMs(limits)));
     List<String> command = JavaProcess.command(HEAP_MB, WheelGuard.class.getName(), args);
     return () -> {
       Process process = new ProcessBuilder(command).start();

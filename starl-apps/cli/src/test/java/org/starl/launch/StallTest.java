@@ -130,7 +130,8 @@ class StallTest {
       Wheels.Create create = new Wheels.Create("create2", port, 115_200, null);
       ByteLink.Source guarded = WheelGuard.links(port, 115_200, LIMITS);
       wheels =
-          CreateWheelbase.of("bot0", create, LIMITS, () -> held(guarded.open()), WheelGuard.SILENT_MS)
+          CreateWheelbase.of(
+                  "bot0", create, LIMITS, () -> held(guarded.open()), WheelGuard.SILENT_MS)
               .open(
                   strand,
                   clock,
@@ -186,7 +187,10 @@ class StallTest {
       long fromNs = clock.nowNs();
       await("stands: " + cause, () -> speed == 0);
       System.out.printf(
-          Locale.ROOT, "%s: wheels stand after %d ms%n", cause, (clock.nowNs() - fromNs) / 1_000_000);
+          Locale.ROOT,
+          "%s: wheels stand after %d ms%n",
+          cause,
+          (clock.nowNs() - fromNs) / 1_000_000);
     }
 
     void await(String what, BooleanSupplier condition) {

@@ -171,7 +171,8 @@ class WheelGuardTest {
 
   @Test
   void aPortThatCannotBeOpenedIsNamed() throws Exception {
-    ByteLink program = WheelGuard.links(new Wheels.Device("/dev/no-such-port"), 115_200, LIMITS).open();
+    ByteLink program =
+        WheelGuard.links(new Wheels.Device("/dev/no-such-port"), 115_200, LIMITS).open();
 
     assertThatThrownBy(() -> program.input().read())
         .isInstanceOf(IOException.class)

@@ -75,7 +75,8 @@ class RealStrandTest {
     strand.post(done::countDown);
     assertThat(done.await(60, TimeUnit.SECONDS)).isTrue();
     strand.close();
-    assertThat(told).containsExactly("300 by a message or an event", "700 by a message or an event");
+    assertThat(told)
+        .containsExactly("300 by a message or an event", "700 by a message or an event");
   }
 
   @Test
