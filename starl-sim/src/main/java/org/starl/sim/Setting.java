@@ -87,6 +87,13 @@ public final class Setting<T> {
   public static final Setting<Double> SPEED_ERROR =
       probability("speedError", "largest relative error of a wheel speed, drawn per command");
 
+  /** In a trace's header only if it was given: traces without it are as before. */
+  public static final Setting<Duration> REACTION =
+      duration(
+          "reaction",
+          "robots allow for this time until a wheel command is in effect; in a deployment its"
+              + " reactionMs");
+
   // Positioning, clocks and storage.
   public static final Setting<Duration> POSITION_PERIOD =
       own(

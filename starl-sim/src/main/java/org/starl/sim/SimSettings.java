@@ -94,11 +94,16 @@ public final class SimSettings {
 
   /**
    * Every key with its value as text, which {@code set} reads back: the simulator's keys in the
-   * order of {@link Setting#all}, then other keys that were set.
+   * order of {@link Setting#all}, {@link Setting#REACTION} only if it was set, then other keys that
+   * were set.
    */
   public Map<String, String> asText() {
     Map<String, String> text = new LinkedHashMap<>();
-    Setting.all().forEach(setting -> text.put(setting.key(), setting.text(get(setting))));
+    for (Setting<?> setting : Setting.all()) {
+      if (setting != Setting.REACTION || has(setting)) {
+        text.put(setting.key(), setting.text(get(setting)));
+      }
+    }
     given().forEach((setting, value) -> text.put(setting.key(), value));
     return text;
   }
@@ -169,6 +174,7 @@ public final class SimSettings {
         .robotRadiusMm(robotRadiusMm())
         .contactMarkMm(get(Setting.CONTACT_MARK))
         .speedError(speedError())
+        .reactionMs(get(Setting.REACTION).toMillis())
         .robotType(type)
         .collisionPolicy(get(Setting.COLLISION_POLICY))
         .build();
@@ -320,6 +326,10 @@ public final class SimSettings {
 
     public Builder speedError(double fraction) {
       return set(Setting.SPEED_ERROR, fraction);
+    }
+
+    public Builder reaction(Duration time) {
+      return set(Setting.REACTION, time);
     }
 
     public Builder positionPeriod(Duration period) {

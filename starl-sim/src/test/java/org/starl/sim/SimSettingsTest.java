@@ -109,7 +109,12 @@ final class SimSettingsTest {
       assertThat(setting.meaning()).isNotBlank();
       SimSettings.builder().set(setting.key(), setting.defaultText());
     }
-    assertThat(SimSettings.defaults().asText().keySet()).isEqualTo(keys);
+    SimSettings withReaction = SimSettings.builder().reaction(Duration.ZERO).build();
+    assertThat(withReaction.asText().keySet()).isEqualTo(keys);
+    keys.remove(Setting.REACTION.key());
+    assertThat(SimSettings.defaults().asText().keySet())
+        .as("traces without it are as before")
+        .isEqualTo(keys);
   }
 
   @Test

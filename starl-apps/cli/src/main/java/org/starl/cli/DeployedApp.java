@@ -1,12 +1,15 @@
 package org.starl.cli;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.starl.apps.Demos;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
 import org.starl.sim.SimulationPlan;
 
 /** The app of a deployment, with its parameters. */
@@ -24,9 +27,13 @@ final class DeployedApp {
    * @throws BadInput if the app or a parameter is unknown, or a value is invalid
    */
   static DeployedApp of(Deployment deployment, Demos demos) {
+    Map<String, String> parameters = new LinkedHashMap<>(deployment.parameters());
+    if (deployment.limits().reactionMs() > 0) {
+      // The app's maps and monitors allow for it too, here and when the traces are merged.
+      parameters.putIfAbsent(Setting.REACTION.key(), deployment.limits().reactionMs() + "ms");
+    }
     ScenarioFile file =
-        new ScenarioFile(
-            deployment.file(), deployment.app(), deployment.parameters(), deployment.lines());
+        new ScenarioFile(deployment.file(), deployment.app(), parameters, deployment.lines());
     return new DeployedApp(deployment, file.request(demos).build());
   }
 

@@ -61,11 +61,14 @@ class SearchTest {
     assertThat(scene.house().roomAt(scene.things().get(0).at())).isEqualTo(6);
   }
 
-  @Test
-  void everyGeneratedHouseCanBeSearchedCompletely() {
-    for (long seed = 1; seed <= 8; seed++) {
+  @ParameterizedTest
+  @CsvSource({"0, 8", "200, 4", "1000, 4"})
+  void everyGeneratedHouseCanBeSearchedCompletely(long reactionMs, long seeds) {
+    // In houses of more than 12 rooms tubes have longer parts, and are wider.
+    MotionParameters body = MotionParameters.builder().reactionMs(reactionMs).build();
+    for (long seed = 1; seed <= seeds; seed++) {
       HousePlan plan = GeneratedHouse.of((int) (3 * seed), 4, new Rng(seed));
-      House house = House.of(plan, 600, Drive.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
+      House house = House.of(plan, 600, Drive.clearanceMm(body, plan.bounds()));
       assertThat(house.rooms()).hasSize((int) (3 * seed)).allMatch(Room::isEnterable);
       Room room = house.room(house.rooms().size() - 1);
       assertThat(Sweep.of(house, room, room.door()).hidden().isEmpty())
@@ -87,6 +90,13 @@ class SearchTest {
     Map<String, String> empty = Map.of("rooms", "3", "object", "none");
     assertThat(Searches.answer(Searches.plan(seed, 3, empty, Map.of("messageLoss", loss))))
         .isEqualTo("nothing there");
+  }
+
+  @Test
+  void robotsWithTheDefaultLimitsOfADeploymentSearchTheWholeHouse() {
+    Map<String, String> empty = Map.of("rooms", "2", "object", "none");
+    Map<String, String> limits = Map.of("reaction", "200ms", "speedError", "0.1");
+    assertThat(Searches.answer(Searches.plan(7, 4, empty, limits))).isEqualTo("nothing there");
   }
 
   @ParameterizedTest

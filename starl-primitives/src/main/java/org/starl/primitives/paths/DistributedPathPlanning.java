@@ -196,6 +196,29 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return Tracking.tubeRadiusMm(motion, settings);
   }
 
+  /**
+   * The same motion, but so slow that the robot drives at most {@code stepMm} until its next command
+   * is in effect: a tube is wider by that distance.
+   */
+  public static MotionParameters slowed(MotionParameters motion, double stepMm) {
+    double most = stepMm / Tracking.stepS(motion);
+    return motion.toBuilder()
+        .linSpeedMaxMmPerS(Math.min(motion.linSpeedMaxMmPerS(), most))
+        .linSpeedMinMmPerS(Math.min(motion.linSpeedMinMmPerS(), most))
+        .arcSpeedMaxMmPerS(Math.min(motion.arcSpeedMaxMmPerS(), most))
+        .build();
+  }
+
+  /**
+   * The radius for a map that all robots share: if they have a reaction time, an upper bound for
+   * robots that drive {@link #slowed}, whatever their speed errors.
+   */
+  public static int radiusMm(MotionParameters motion, TubeSettings settings, double stepMm) {
+    return motion.reactionMs() == 0
+        ? Tracking.tubeRadiusMm(motion, settings)
+        : Tracking.tubeRadiusMm(motion, settings, stepMm);
+  }
+
   @Override
   public String source() {
     return source;

@@ -31,19 +31,27 @@ final class Tracking {
    * tan(a))}.
    */
   static int tubeRadiusMm(MotionParameters p, TubeSettings settings) {
+    return tubeRadiusMm(p, settings, p.linSpeedMaxMmPerS() * stepS(p));
+  }
+
+  /** The same for a robot that drives at most {@code stepMm} in one control step. */
+  static int tubeRadiusMm(MotionParameters p, TubeSettings settings, double stepMm) {
     double offRad =
         p.smallTurnAngleRad() + p.turnSpeedMinRadPerS() * p.automatonPeriodMs() / MS_PER_S;
     double strayMm =
         settings.maxLegMm()
             * StrictMath.sin(offRad)
             * StrictMath.exp(-offRad / StrictMath.tan(offRad));
-    double aheadS = (1 + p.speedError()) * (p.automatonPeriodMs() + 2 * p.reactionMs()) / MS_PER_S;
-    double stepMm = p.linSpeedMaxMmPerS() * aheadS;
     double sumMm =
         p.robotRadiusMm() + settings.positionErrorMm() + p.goalRadiusMm() + strayMm + stepMm;
     // The wall consists of chords, which lie inside the circle.
     double chordFactor = StrictMath.cos(StrictMath.PI / (4 * QUADRANT_SEGMENTS));
     return (int) StrictMath.ceil((sumMm + ROUNDING_MM) / chordFactor);
+  }
+
+  /** The longest effect of one control step, in seconds at the commanded speed. */
+  static double stepS(MotionParameters p) {
+    return (1 + p.speedError()) * (p.automatonPeriodMs() + 2 * p.reactionMs()) / MS_PER_S;
   }
 
   /** Motion parameters for driving along a tube: straight to each point, without arcs. */

@@ -24,6 +24,9 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
 
   private static final double SPARE_MM = 30;
 
+  /** Slower painters with narrower tubes can work nearer to each other. */
+  private static final double STEP_MM = 80;
+
   public Painting {
     strokes = List.copyOf(strokes);
     homes = List.copyOf(homes);
@@ -65,19 +68,21 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
 
   /** Motion parameters of a painter with this body: exact, but slower. */
   public static MotionParameters motion(MotionParameters body) {
-    return body.toBuilder()
-        .goalRadiusMm(8)
-        .smallTurnAngleRad(Angles.fromDegrees(1))
-        .turnSpeedMinRadPerS(Angles.fromDegrees(12))
-        .linSpeedMinMmPerS(100)
-        .slowFwdRadiusMm(150)
-        .enableArcing(false)
-        .build();
+    return DistributedPathPlanning.slowed(
+        body.toBuilder()
+            .goalRadiusMm(8)
+            .smallTurnAngleRad(Angles.fromDegrees(1))
+            .turnSpeedMinRadPerS(Angles.fromDegrees(12))
+            .linSpeedMinMmPerS(100)
+            .slowFwdRadiusMm(150)
+            .enableArcing(false)
+            .build(),
+        STEP_MM);
   }
 
   /** Half the width of a painter's tube. */
   public static int radiusMm(MotionParameters body) {
-    return DistributedPathPlanning.radiusMm(motion(body), TUBES);
+    return DistributedPathPlanning.radiusMm(motion(body), TUBES, STEP_MM);
   }
 
   /** Maximum distance of a body in its tube from the line that it follows. */
