@@ -50,7 +50,8 @@ public final class GlobalVarHolder {
             platform.id(), platform.deployment(), boot, StorageEpoch.of(platform.stable()));
     comms = new Comms(platform, boot);
     gps = new Gps(platform, variables);
-    plat = new Plat(new MotionController(platform, gps, log, trace, variables), platform);
+    plat =
+        new Plat(new MotionController(platform, gps, log, trace, variables), platform, variables);
   }
 
   /** Adds a variable to the gvh. The returned cell is the only way to write it. */

@@ -1,16 +1,18 @@
 package org.starl;
 
 import java.util.function.Supplier;
+import org.starl.gvh.Variables;
 import org.starl.motion.MotionController;
 import org.starl.platform.Background;
 import org.starl.platform.Clock;
 import org.starl.platform.Entropy;
+import org.starl.platform.ObjectSensor;
 import org.starl.platform.Platform;
 import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
 
-/** {@code gvh.plat}: motion control, and the ports that primitives use. */
+/** {@code gvh.plat}: motion control, and the ports that primitives and apps use. */
 public final class Plat {
 
   /** Motion control (paper, section 3.2): {@code gvh.plat.moat.doMove(p)}. */
@@ -21,15 +23,22 @@ public final class Plat {
   public final Strand strand;
   public final StableStorage stable;
   public final Entropy entropy;
+
+  /** The robot's sensor for objects that are no robots. */
+  public final ObjectSensor objects;
+
+  public final LightControl light;
   private final Background background;
 
-  Plat(MotionController moat, Platform platform) {
+  Plat(MotionController moat, Platform platform, Variables variables) {
     this.moat = moat;
     this.clock = platform.clock();
     this.timers = platform.timers();
     this.strand = platform.strand();
     this.stable = platform.stable();
     this.entropy = platform.entropy();
+    this.objects = platform.objects();
+    this.light = new LightControl(platform.light(), variables);
     this.background = platform.background();
   }
 

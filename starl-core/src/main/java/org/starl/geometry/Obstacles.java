@@ -44,6 +44,12 @@ public record Obstacles(List<Obstacle> all) {
     return all.isEmpty();
   }
 
+  /** Whether a side of an obstacle cuts or touches the straight line between two points. */
+  public boolean hide(Point one, Point other) {
+    Segment line = new Segment(one, other);
+    return all.stream().anyMatch(body -> body.sides().stream().anyMatch(line::crosses));
+  }
+
   /** Distance to the nearest obstacle; infinite if there is none. */
   public double distanceMm(Point point) {
     double best = Double.POSITIVE_INFINITY;

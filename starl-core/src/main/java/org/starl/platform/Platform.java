@@ -30,6 +30,8 @@ public record Platform(
     Radio radio,
     Positioning positioning,
     Chassis chassis,
+    ObjectSensor objects,
+    Light light,
     StableStorage stable,
     Entropy entropy,
     Background background,

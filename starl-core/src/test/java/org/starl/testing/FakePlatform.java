@@ -15,6 +15,8 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Chassis;
 import org.starl.platform.DeploymentKey;
+import org.starl.platform.Light;
+import org.starl.platform.ObjectSensor;
 import org.starl.platform.Platform;
 import org.starl.platform.Positioning;
 import org.starl.platform.Radio;
@@ -69,6 +71,8 @@ public final class FakePlatform {
         new FakeRadio(),
         receiver -> fixReceiver = receiver,
         new FakeChassis(),
+        ObjectSensor.NONE,
+        Light.SIMULATED,
         new FakeStable(),
         name -> new Rng(42).fork(id.name()).fork(name),
         this::compute,

@@ -31,6 +31,7 @@ import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Body;
+import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
@@ -481,6 +482,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   List<ItemPosition> waypoints() {
     return plan.waypoints();
+  }
+
+  @Nullable FloorObjects objects() {
+    return plan.objects();
   }
 
   Obstacles knownObstacles() {

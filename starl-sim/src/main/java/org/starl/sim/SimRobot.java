@@ -11,6 +11,7 @@ import org.starl.geometry.Pose;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
 import org.starl.motion.MotionController;
+import org.starl.platform.Light;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
@@ -23,6 +24,7 @@ import org.starl.sim.kernel.SimBackground;
 import org.starl.sim.kernel.SimStrand;
 import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
+import org.starl.sim.world.SimObjects;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
@@ -100,6 +102,8 @@ final class SimRobot implements TraceSink {
             engine.network().attach(spec.id(), strand, impaired == null ? null : impaired::pass),
             positioning,
             chassis,
+            SimObjects.of(engine.objects(), engine.world(), () -> body),
+            Light.SIMULATED,
             stable,
             name -> prefetched(rng.fork(name)),
             new SimBackground(kernel, strand, settings.computeTimeNs()),

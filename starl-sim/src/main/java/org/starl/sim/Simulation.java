@@ -27,6 +27,7 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
@@ -98,6 +99,7 @@ public final class Simulation {
     private @Nullable Long behaviourSeed;
     private CarrierKind carriers = CarrierKind.best();
     private Obstacles obstacles = Obstacles.NONE;
+    private @Nullable FloorObjects objects;
     private List<ItemPosition> waypoints = List.of();
     private @Nullable Director director;
     private @Nullable StepListener stepListener;
@@ -170,6 +172,18 @@ public final class Simulation {
     /** The obstacles so far; those of the obstacle file are added by {@link #build}. */
     public Obstacles obstacles() {
       return obstacles;
+    }
+
+    /**
+     * Gives every robot an object sensor, {@code gvh.plat.objects}. So it also declares that the app
+     * needs one: {@code starl deploy check} asks for sensors of that range on robots.
+     *
+     * @param rangeMm of the sensor, above 0
+     * @param objects with different names; may be none
+     */
+    public Builder objects(double rangeMm, List<ItemPosition> objects) {
+      this.objects = new FloorObjects(objects, rangeMm);
+      return this;
     }
 
     /**
@@ -295,6 +309,7 @@ public final class Simulation {
               all,
               carriers,
               floor,
+              objects,
               waypoints,
               key(),
               start,

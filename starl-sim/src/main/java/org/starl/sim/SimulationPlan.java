@@ -12,6 +12,7 @@ import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.world.FloorObjects;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
 
@@ -23,6 +24,7 @@ import org.starl.trace.TraceHeader;
  * @param header of the trace: name, seeds, settings, robots
  * @param carriers thread type of blocking apps
  * @param obstacles of the world, including hidden ones
+ * @param objects on the floor, with the robots' sensors for them; null if they have none
  * @param waypoints named places on the floor, known to every robot
  * @param key seals datagrams; may be null
  * @param robots initial robots
@@ -42,6 +44,7 @@ public record SimulationPlan(
     SimSettings settings,
     CarrierKind carriers,
     Obstacles obstacles,
+    @Nullable FloorObjects objects,
     List<ItemPosition> waypoints,
     @Nullable DeploymentKey key,
     List<RobotSpec> robots,

@@ -8,8 +8,10 @@ import java.util.ArrayDeque;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -21,8 +23,11 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.motion.Location;
+import org.starl.platform.Light;
 import org.starl.platform.LogSink;
 import org.starl.platform.LogSink.Level;
+import org.starl.platform.ObjectSensor;
 import org.starl.platform.Platform;
 import org.starl.random.Rng;
 import org.starl.robot.create.Wheelbase;
@@ -78,9 +83,15 @@ public final class DeployedRobot implements AutoCloseable {
    * @param clock read by several threads
    * @param log from any thread
    * @param trace from any thread
+   * @param light called on the strand; null for the drive's light
    */
   public record Surroundings(
-      Path storage, Wheelbase.Source wheels, RealClock clock, LogSink log, TraceSink trace) {}
+      Path storage,
+      Wheelbase.Source wheels,
+      RealClock clock,
+      LogSink log,
+      TraceSink trace,
+      @Nullable Light light) {}
 
   /** Receives the robot's end. */
   public interface Host {
@@ -149,6 +160,7 @@ public final class DeployedRobot implements AutoCloseable {
     strand = opened.add(new RealStrand(id.name(), clock, this::fail));
     strand.onLongPiece(deployment.limits().reactionMs() * Time.NS_PER_MS, this::held);
     wheels = opened.add(surroundings.wheels().open(strand, clock, this::wheelsLog, host::failed));
+    Light light = surroundings.light() == null ? wheels : surroundings.light();
     InetSocketAddress address = address(entry, deployment.network());
     InetAddress local = address.getAddress().isAnyLocalAddress() ? null : address.getAddress();
     udp = opened.add(UdpRadio.open(id, strand, address, this::fail));
@@ -208,6 +220,8 @@ public final class DeployedRobot implements AutoCloseable {
             radio,
             body,
             wheels,
+            objects(deployment, entry, program.knownObstacles(), motion.robotRadiusMm()),
+            light,
             stable,
             rng::fork,
             background,
@@ -312,6 +326,27 @@ public final class DeployedRobot implements AutoCloseable {
         network.beaconEveryMs(),
         network.suspectAfterMs(),
         network.broadcasts() ? network.port() : 0);
+  }
+
+  private ObjectSensor objects(
+      Deployment deployment, RobotEntry entry, Obstacles obstacles, double radiusMm) {
+    if (entry.objects() == null) {
+      return ObjectSensor.NONE;
+    }
+    return switch (entry.objects()) {
+      case POSITIONS -> {
+        Set<String> robots = new TreeSet<>();
+        deployment.robots().values().forEach(robot -> robots.add(robot.rigidBody()));
+        yield new TaggedObjects(poses::newest, robots, this::location, obstacles, clock);
+      }
+      case BUMPER -> new BumperObjects(wheels, radiusMm, this::location);
+    };
+  }
+
+  /** The program's estimate. On the strand. */
+  private Location location() {
+    GlobalVarHolder gvh = runner.gvh();
+    return gvh == null ? new Location.Unknown() : gvh.gps.location();
   }
 
   // Below the strand: the wheels' watchdog must not wait for it.

@@ -14,7 +14,8 @@ import org.starl.robot.file.Wheels;
 class RobotsPositionsTest {
 
   private static RobotEntry robot(String name, String rigidBody) {
-    return new RobotEntry(new RobotId(name), 1, null, new Wheels.Simulated(), rigidBody, List.of());
+    return new RobotEntry(
+        new RobotId(name), 1, null, new Wheels.Simulated(), rigidBody, List.of(), null);
   }
 
   @Test

@@ -53,6 +53,7 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
       DeploymentFile.keys(deployment, deployment.robots().get(deployment.robots().firstKey()));
     }
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
+    problems.addAll(DeploymentCheck.ofPorts(deployment, plan.objects()));
     problems.addAll(DeploymentCheck.ofMotion(deployment, plan.settings().motionParameters(0)));
     Map<String, Object> result = new LinkedHashMap<>();
     result.put("file", file);

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.starl.apps.Demos;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.launch.DeploymentCheck;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.sim.RobotSpec;
@@ -63,5 +64,16 @@ final class DeployedApp {
       }
     }
     return plan;
+  }
+
+  /**
+   * Refuses robots without the ports that the app needs.
+   *
+   * @throws BadInput with the first problem
+   */
+  void requirePorts() {
+    for (String problem : DeploymentCheck.ofPorts(deployment, plan().objects())) {
+      throw new BadInput(problem);
+    }
   }
 }

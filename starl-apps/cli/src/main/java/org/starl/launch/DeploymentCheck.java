@@ -18,10 +18,12 @@ import org.starl.robot.RealMotion;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
+import org.starl.robot.file.ObjectSource;
 import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.sim.world.FloorObjects;
 
 /**
  * Checks a deployment without running it: whether hosts have addresses; on the machine of one
@@ -69,6 +71,31 @@ public final class DeploymentCheck {
     DeploymentCheck check = new DeploymentCheck(deployment);
     check.checkMotion(motion);
     return List.copyOf(check.problems);
+  }
+
+  /**
+   * Checks whether each robot has the ports that the app needs.
+   *
+   * @param needed the simulated robots' sensors for objects; null if the app needs none
+   */
+  public static List<String> ofPorts(Deployment deployment, @Nullable FloorObjects needed) {
+    DeploymentCheck check = new DeploymentCheck(deployment);
+    if (needed != null) {
+      deployment.robots().values().forEach(robot -> check.checkObjects(robot, needed));
+    }
+    return List.copyOf(check.problems);
+  }
+
+  private void checkObjects(RobotEntry robot, FloorObjects needed) {
+    if (robot.objects() != ObjectSource.POSITIONS) {
+      problem(
+          at(robot, "objects"),
+          robot.objects() == null ? "" : "bumper",
+          deployment.app()
+              + " needs an object sensor with a range of "
+              + Math.round(needed.rangeMm())
+              + " mm; expected positions, which shows tagged bodies in the position feed");
+    }
   }
 
   private void checkMotion(MotionParameters motion) {

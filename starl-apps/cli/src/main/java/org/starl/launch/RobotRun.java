@@ -174,7 +174,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             settings.keys(),
             program,
             new DeployedRobot.Surroundings(
-                settings.storage(), settings.wheels(), clock, this::log, trace),
+                settings.storage(), settings.wheels(), clock, this::log, trace, null),
             this);
     robot = opened;
     if (isStopped()) {

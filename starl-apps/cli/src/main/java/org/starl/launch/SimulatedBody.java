@@ -31,7 +31,16 @@ class SimulatedBody {
 
   /** Whether the body would touch no other there. */
   final boolean isFree(Pose place) {
-    return !collides || world.isFree(place, radiusMm);
+    return isFree(place, radiusMm);
+  }
+
+  /** The same for a disc of another radius. */
+  final boolean isFree(Pose place, double ofRadiusMm) {
+    return !collides || world.isFree(place, ofRadiusMm);
+  }
+
+  final double radiusMm() {
+    return radiusMm;
   }
 
   /**

@@ -22,6 +22,7 @@ import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
+import org.starl.platform.Light;
 import org.starl.platform.LogSink.Level;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
@@ -42,8 +43,10 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.world.Body;
 import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.SimChassis;
+import org.starl.sim.world.SimObjects;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
 import org.starl.time.Time;
@@ -155,6 +158,8 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
             radio,
             positioning,
             chassis,
+            SimObjects.of(plan.objects(), world, this::bodyOrNull),
+            Light.SIMULATED,
             stable,
             rng::fork,
             background,
@@ -338,6 +343,11 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   public Pose pose() {
     clock.nowNs();
     return body.onFloor().pose();
+  }
+
+  private @Nullable Body bodyOrNull() {
+    clock.nowNs();
+    return body.isOnFloor() ? body.onFloor() : null;
   }
 
   private void scaleWheels(double factor) {

@@ -1,11 +1,15 @@
 package org.starl.launch;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Supplier;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.platform.Strand;
 import org.starl.robot.create.CreateBody;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
@@ -25,6 +29,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   // Written on the world's strand, read by Creates and programs.
   private volatile Bumps bumps = Bumps.NONE;
+  private volatile Senses near = Senses.NOTHING;
 
   // Set by the program's thread, called on the world's strand.
   private volatile Runnable onBump = () -> {};
@@ -78,7 +83,8 @@ final class WorldBody extends SimulatedBody implements CreateBody {
   public Senses senses(long atNs) {
     Bumps now = bumps;
     return Senses.bumps(
-        now == Bumps.LEFT || now == Bumps.BOTH, now == Bumps.RIGHT || now == Bumps.BOTH);
+            now == Bumps.LEFT || now == Bumps.BOTH, now == Bumps.RIGHT || now == Bumps.BOTH)
+        .and(near);
   }
 
   @Override
@@ -86,12 +92,36 @@ final class WorldBody extends SimulatedBody implements CreateBody {
     seen();
     super.lift();
     bumps = Bumps.NONE;
+    near = Senses.NOTHING;
+  }
+
+  /** Which sensors of the light bumper see a wall or another body. */
+  private Senses near(Pose at) {
+    List<Sense> seen = new ArrayList<>();
+    double probeMm = Wheelbase.NEAR_MM / 2 - 1;
+    for (int i = 0; i < LIGHT_BUMPER.size(); i++) {
+      double headingRad = at.headingRad() + StrictMath.PI * (5 - 2 * i) / 12;
+      double reachMm = radiusMm() + Wheelbase.NEAR_MM / 2;
+      Point middle =
+          at.at()
+              .plus(
+                  new Point(
+                      reachMm * StrictMath.cos(headingRad), reachMm * StrictMath.sin(headingRad)));
+      if (!isFree(Pose.of(middle, 0), probeMm)) {
+        seen.add(LIGHT_BUMPER.get(i));
+        if (i == LIGHT_BUMPER.size() - 1) {
+          seen.add(Sense.WALL);
+        }
+      }
+    }
+    return Senses.of(seen.toArray(new Sense[0]));
   }
 
   /** The body as cameras see it: tracked only on the floor. */
   PoseSource.Body seen() {
     if (isOnFloor()) {
       lastPose = onFloor().pose();
+      near = near(lastPose);
     }
     return new PoseSource.Body(rigidBody, lastPose, isOnFloor(), 0);
   }

@@ -10,11 +10,14 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.ItemPosition;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
@@ -41,6 +44,7 @@ import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessTrace;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 import org.starl.trace.TraceEvent.Fault;
@@ -66,6 +70,7 @@ public final class WorldServer implements AutoCloseable {
   private final RealStrand strand;
   private final double apartMm;
   private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
+  private final List<PoseSource.Body> objects;
   private final Deque<AutoCloseable> parts = new ArrayDeque<>();
   private final Timer update;
   private boolean isClosed;
@@ -107,6 +112,7 @@ public final class WorldServer implements AutoCloseable {
             new LateTrace(trace, startNs, event -> {}),
             plan.settings().worldLimits(),
             plan.obstacles());
+    objects = tagged(plan.objects());
     update = strand.timer(this::update);
     try {
       for (RobotEntry entry : deployment.simulated()) {
@@ -140,6 +146,14 @@ public final class WorldServer implements AutoCloseable {
         world,
         strand,
         new SimChassis(strand, rng, plan.settings().speedError()));
+  }
+
+  /** The objects on the floor, as cameras see them: tagged like robots. */
+  private static List<PoseSource.Body> tagged(@Nullable FloorObjects floor) {
+    List<ItemPosition> objects = floor == null ? List.of() : floor.objects();
+    return objects.stream()
+        .map(object -> new PoseSource.Body(object.name(), object.pose(), true, 0))
+        .toList();
   }
 
   /** The wheels of a robot that is simulated without a Create: its program runs in this process. */
@@ -187,7 +201,10 @@ public final class WorldServer implements AutoCloseable {
           return isPlaced;
         });
     long nowNs = strand.pieceClock().nowNs();
-    seen = new PoseSource.Snapshot(nowNs, bodies.values().stream().map(WorldBody::seen).toList());
+    List<PoseSource.Body> all = new ArrayList<>();
+    bodies.values().forEach(body -> all.add(body.seen()));
+    all.addAll(objects);
+    seen = new PoseSource.Snapshot(nowNs, all);
     update.set(nowNs + CAMERA_PERIOD_NS);
   }
 

@@ -10,12 +10,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.starl.apps.Demos;
+import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.launch.DeploymentFile;
+import org.starl.robot.file.Deployment;
+import org.starl.sim.SimulationPlan;
 
 /**
  * {@code starl deploy check} and {@code starl keygen}: one line for every error, and no key shown.
@@ -128,6 +135,50 @@ class DeployCheckTest {
 
     String json = simulated.replace("{source: natnet, server: 127.0.0.1}", "{source: json}");
     assertRefused(check(json), "robots.bot1: is simulated", "positions.source natnet");
+  }
+
+  private static final String SEARCH =
+      GOOD.replace("intersection", "search").replace("scenario: figure7", "rooms: 2");
+
+  @Test
+  void robotsWithoutTheSensorThatTheAppNeedsAreRefused() throws IOException {
+    Cli none = check(SEARCH);
+    assertThat(none.status()).isEqualTo(2);
+    assertThat(none.err())
+        .hasSize(4)
+        .first(InstanceOfAssertFactories.STRING)
+        .contains(":6: robots.bot0.objects: ''", "search needs an object sensor", "600 mm");
+
+    String bumpers = SEARCH.replace("{chassis", "{objects: positions, chassis");
+    assertRefused(
+        check(bumpers.replace("  bot0:\n", "  bot0:\n    objects: bumper\n")),
+        "robots.bot0.objects: 'bumper'",
+        "expected positions");
+    assertRefused(
+        Cli.run("deploy", "run", deployment(SEARCH).toString(), "--robot", "bot0"),
+        "robots.bot0.objects: ''");
+  }
+
+  @Test
+  void robotsThatSenseTaggedObjectsMaySearch() throws IOException {
+    String tagged =
+        SEARCH
+            .replace("{chassis", "{objects: positions, chassis")
+            .replace("  bot0:\n", "  bot0:\n    objects: positions\n");
+    assertThat(check(tagged).status()).isZero();
+  }
+
+  @Test
+  void theAppAllowsForTheDeploymentsReactionTime() throws IOException {
+    check(GOOD);
+    Deployment deployment =
+        DeploymentFile.read(
+            deployment(GOOD.replace("key: my.key", "key: my.key\nlimits: {reactionMs: 150}"))
+                .toString());
+    SimulationPlan plan =
+        DeployedApp.of(deployment, new Demos(List.of(new IntersectionDemo()))).plan();
+    assertThat(plan.settings().motionParameters(0).reactionMs()).isEqualTo(150);
+    assertThat(plan.header().settings()).as("so that a merge knows it").containsKey("reaction");
   }
 
   @Test

@@ -159,7 +159,17 @@ class DeploymentSchemaTest {
         "world",
         "h:4000",
         "robots",
-        map("bot0", map("address", "192.168.1.10", "rigidBody", "car", "chassis", chassis(kind))),
+        map(
+            "bot0",
+            map(
+                "address",
+                "192.168.1.10",
+                "rigidBody",
+                "car",
+                "chassis",
+                chassis(kind),
+                "objects",
+                "positions")),
         "limits",
         map(
             "speedMmPerS",

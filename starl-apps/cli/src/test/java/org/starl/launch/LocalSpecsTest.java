@@ -152,7 +152,8 @@ class LocalSpecsTest {
             new HostPort("127.0.0.1", 0),
             new Wheels.Create("create2", new Wheels.Device("none"), 115_200, null),
             "bot0",
-            List.of());
+            List.of(),
+            null);
     return new Deployment(
         "my.yaml",
         "doors",

@@ -128,15 +128,17 @@ public final class SearchDemo implements Demo {
     House house = scene.house();
     Obstacles walls = house.plan().walls();
     SearchStory story = new SearchStory();
-    TrueSensors sensors = new TrueSensors(house, scene.things());
     Simulation.Builder simulation =
-        Simulation.builder().settings(settings).obstacles(walls).director(sensors).observer(story);
+        Simulation.builder()
+            .settings(settings)
+            .obstacles(walls)
+            .objects(house.rangeMm(), scene.things())
+            .observer(story);
     scene
         .starts()
         .forEach((robot, start) ->
             simulation.robot(
-                new RobotSpec(
-                    robot, start, true, gvh -> new SearchApp(gvh, XID, house, sensors.of(robot)))));
+                new RobotSpec(robot, start, true, gvh -> new SearchApp(gvh, XID, house))));
     watch(simulation, house, scene.things(), settings);
     return new Plan(simulation, story, new SearchLayer(house, scene.things()), walls);
   }

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.LightControl;
 import org.starl.apps.Input;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
@@ -106,11 +107,40 @@ class LightPaintTest {
     }
   }
 
+  @Test
+  void theLightShowsTheInkOfTheStrokeAndWhiteForBlack(@TempDir Path folder) throws IOException {
+    String lines =
+        "WAY,0,0,255,0-A_4\nWAY,900,0,255,0-B_4\nWAY,0,900,0,1-A_4\nWAY,900,900,0,1-B_4\n";
+    Path file = Files.writeString(folder.resolve("lines.wpt"), lines);
+    Plan plan = plan(1, 1, Map.of("drawing", file.toString()), Map.of());
+    List<String> colours = new ArrayList<>();
+    plan.simulation()
+        .observer(
+            new SimObserver() {
+              @Override
+              public void observed(TraceEvent event) {
+                if (event instanceof TraceEvent.Variable variable
+                    && variable.source().equals(LightControl.SOURCE)) {
+                  colours.add(variable.value());
+                }
+              }
+            });
+    assertThat(plan.simulation().build().run().spec().violations()).isEmpty();
+    assertThat(colours).containsExactlyInAnyOrder("off", "#0000ff", "off", "#ffffff", "off");
+  }
+
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0.2", "3, 0.2", "6, 0.1"})
   void anyNumberOfPaintersFinishesEvenWithLoss(int robots, String loss, @TempDir Path folder)
       throws IOException {
     assertAllPainted(run(robots, robots, small(folder), Map.of("messageLoss", loss)), STROKES);
+  }
+
+  @Test
+  void paintersWithTheDefaultLimitsOfADeploymentPaintEverything(@TempDir Path folder)
+      throws IOException {
+    Map<String, String> limits = Map.of("reaction", "200ms", "speedError", "0.1");
+    assertAllPainted(run(7, 4, small(folder), limits), STROKES);
   }
 
   @ParameterizedTest

@@ -92,7 +92,8 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
                 this::openWheels,
                 clock,
                 this::logAndTrace,
-                new LateTrace(trace, startNs, event -> {})),
+                new LateTrace(trace, startNs, event -> {}),
+                null),
             this);
     look = deployed.strand().timer(this::look);
   }

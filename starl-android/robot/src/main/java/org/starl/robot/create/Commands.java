@@ -39,6 +39,18 @@ final class Commands {
     return bytes(command);
   }
 
+  /**
+   * The power button's light, which shines from green over yellow to red: its colour is the part of
+   * red in red and green, its intensity that of the strongest colour.
+   */
+  static byte[] powerLight(int rgb) {
+    int red = rgb >> 16 & 0xFF;
+    int green = rgb >> 8 & 0xFF;
+    int intensity = Math.max(rgb & 0xFF, Math.max(red, green));
+    int colour = red == 0 ? 0 : 255 * red / (red + green);
+    return bytes(Opcodes.LEDS, 0, colour, intensity);
+  }
+
   static byte[] pauseStream() {
     return bytes(Opcodes.PAUSE_RESUME, 0);
   }

@@ -4,10 +4,21 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 
 /** The body of a {@link SimulatedCreate}, in a simulated world or in a test. One thread at a time. */
 public interface CreateBody {
+
+  /** A Create 2's light bumper, from left to right. */
+  List<Sense> LIGHT_BUMPER =
+      List.of(
+          Sense.LIGHT_LEFT,
+          Sense.LIGHT_FRONT_LEFT,
+          Sense.LIGHT_CENTRE_LEFT,
+          Sense.LIGHT_CENTRE_RIGHT,
+          Sense.LIGHT_FRONT_RIGHT,
+          Sense.LIGHT_RIGHT);
 
   /** From {@code atNs} on, the wheels' rims move at these speeds in mm/s. */
   void drive(double leftMmPerS, double rightMmPerS, long atNs);
@@ -29,6 +40,12 @@ public interface CreateBody {
     CLIFF_RIGHT,
     WALL,
     VIRTUAL_WALL,
+    LIGHT_LEFT,
+    LIGHT_FRONT_LEFT,
+    LIGHT_CENTRE_LEFT,
+    LIGHT_CENTRE_RIGHT,
+    LIGHT_FRONT_RIGHT,
+    LIGHT_RIGHT,
     /** A charger with power is plugged in. */
     CHARGER
   }
@@ -64,6 +81,13 @@ public interface CreateBody {
         active.add(Sense.BUMP_RIGHT);
       }
       return new Senses(active, Battery.FULL);
+    }
+
+    /** These and the other's sensors are on; the battery is this one's. */
+    public Senses and(Senses other) {
+      Set<Sense> both = new LinkedHashSet<>(active);
+      both.addAll(other.active);
+      return new Senses(both, battery);
     }
 
     /** Only the wheel drops are on: the robot is lifted. */

@@ -125,6 +125,17 @@ public final class CreateChassis implements Wheelbase {
     receiver = newReceiver;
   }
 
+  /** {@inheritDoc} The light is that of the power button. */
+  @Override
+  public void show(int rgb) {
+    update(() -> protocol.light(rgb));
+  }
+
+  @Override
+  public List<Double> nearRad() {
+    return status().sensors().nearRad();
+  }
+
   @Override
   public void fixed(Fix fix) {
     update(() -> protocol.fixed(fix.timeNs(), clock.nowNs()));

@@ -30,6 +30,12 @@ final class CreateProtocol {
   /** A robot that streams nothing for this time is started again. */
   static final long RESTART_NS = 1000 * NS_PER_MS;
 
+  /** Period of the repeated light: a robot that enters a mode forgets it. */
+  static final long LIGHT_NS = 500 * NS_PER_MS;
+
+  /** The robot's lights are its own until the program sets one. */
+  private static final int LIGHT_UNSET = -1;
+
   /** Sends bytes to the robot. */
   interface Line {
     /**
@@ -78,6 +84,8 @@ final class CreateProtocol {
   private int sentLeft;
   private long sentNs = Long.MIN_VALUE;
   private long modeSentNs = Long.MIN_VALUE;
+  private int lightRgb = LIGHT_UNSET;
+  private long lightSentNs = Long.MIN_VALUE;
   private long nowNs;
 
   private long starts;
@@ -154,6 +162,12 @@ final class CreateProtocol {
     }
   }
 
+  /** The program's light; see {@link Commands#powerLight}. */
+  void light(int rgb) {
+    lightRgb = rgb;
+    lightSentNs = Long.MIN_VALUE;
+  }
+
   /** Whether the strand must be informed about bumps. */
   boolean mustInform() {
     return isBumpPending || pendingBumps != reportedBumps;
@@ -183,12 +197,16 @@ final class CreateProtocol {
       nextStep();
     } else {
       turnWheels();
+      shine();
     }
   }
 
   /** Commands the robot to stop and to be passive, again and again until it confirms that. */
   void end(long atNs) {
     nowNs = atNs;
+    if (lightRgb != LIGHT_UNSET) {
+      line.send(Commands.powerLight(0));
+    }
     if (step != Step.NO_LINK) {
       step = Step.ENDING;
       dueNs = atNs;
@@ -335,6 +353,13 @@ final class CreateProtocol {
         || sentNs == Long.MIN_VALUE
         || nowNs - sentNs >= HEARTBEAT_NS) {
       sendWheels(rightMmPerS, leftMmPerS);
+    }
+  }
+
+  private void shine() {
+    boolean isDue = lightSentNs == Long.MIN_VALUE || nowNs - lightSentNs >= LIGHT_NS;
+    if (lightRgb != LIGHT_UNSET && isDue && line.send(Commands.powerLight(lightRgb))) {
+      lightSentNs = nowNs;
     }
   }
 

@@ -23,7 +23,8 @@ package org.starl.robot.create;
  * 39, 40 drive          2, 2   speed and radius last commanded
  * 41, 42 drive direct   2, 2   right and left speed last commanded
  * 43, 44 encoders       2      left, right; counts that wrap around (Create 2)
- * 45-58                        light bumper, infrared, motor currents, stasis (Create 2)
+ * 45 light bumper       1      bits 0 left, front left, centre left, centre right, front right, 5 right
+ * 46-58                        its six signals, infrared, motor currents, stasis (Create 2)
  * </pre>
  */
 final class Packets {
@@ -63,6 +64,7 @@ final class Packets {
   static final int LEFT_VELOCITY = 42;
   static final int LEFT_ENCODER = 43;
   static final int RIGHT_ENCODER = 44;
+  static final int LIGHT_BUMPER = 45;
 
   /** Bytes of packets 7 to 58, a digit each. */
   private static final String BYTES =

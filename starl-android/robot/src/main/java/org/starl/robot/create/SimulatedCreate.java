@@ -302,6 +302,7 @@ public final class SimulatedCreate {
       case Packets.CLIFF_FRONT_RIGHT -> bit(senses.has(Sense.CLIFF_FRONT_RIGHT));
       case Packets.CLIFF_RIGHT -> bit(senses.has(Sense.CLIFF_RIGHT));
       case Packets.VIRTUAL_WALL -> bit(senses.has(Sense.VIRTUAL_WALL));
+      case Packets.LIGHT_BUMPER -> lightBumper();
       case Packets.INFRARED -> model == CreateModel.CREATE_1 ? 255 : 0;
       case Packets.VOLTAGE -> senses.battery().mv();
       case Packets.CURRENT -> senses.battery().ma();
@@ -324,6 +325,14 @@ public final class SimulatedCreate {
         | bit(senses.has(Sense.DROP_RIGHT)) << 2
         | bit(senses.has(Sense.DROP_LEFT)) << 3
         | bit(senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1) << 4;
+  }
+
+  private int lightBumper() {
+    int bits = 0;
+    for (int i = 0; i < CreateBody.LIGHT_BUMPER.size(); i++) {
+      bits |= bit(senses.has(CreateBody.LIGHT_BUMPER.get(i))) << i;
+    }
+    return bits;
   }
 
   private static int bit(boolean isSet) {

@@ -1,10 +1,12 @@
 package org.starl.robot.create;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.function.Consumer;
 import org.starl.geometry.Fix;
 import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
+import org.starl.platform.Light;
 import org.starl.platform.LogSink;
 import org.starl.platform.Strand;
 
@@ -12,7 +14,10 @@ import org.starl.platform.Strand;
  * Wheels with their safety functions below the program. The methods of {@link Chassis} belong to the
  * strand; all others may be called from any thread.
  */
-public interface Wheelbase extends Chassis, AutoCloseable {
+public interface Wheelbase extends Chassis, Light, AutoCloseable {
+
+  /** A proximity sensor reports objects up to about this far beyond the body; not measured. */
+  double NEAR_MM = 100;
 
   /** Opens the wheels of one robot. */
   @FunctionalInterface
@@ -27,6 +32,18 @@ public interface Wheelbase extends Chassis, AutoCloseable {
     Wheelbase open(Strand strand, Clock clock, LogSink log, Consumer<Throwable> onFailure)
         throws IOException;
   }
+
+  /**
+   * The bearings from the driving direction, counter-clockwise, of the proximity sensors that see an
+   * object or a wall now; none unless overridden. Strand only.
+   */
+  default List<Double> nearRad() {
+    return List.of();
+  }
+
+  /** {@inheritDoc} A drive without a light ignores it. */
+  @Override
+  default void show(int rgb) {}
 
   /** Takes each fix of this robot; without fixes the wheels stop. */
   void fixed(Fix fix);

@@ -201,10 +201,18 @@ public final class DeploymentFormat {
                   kinds(CREATE, List.of(MODEL, PORT, BAUD, SIMULATED_AT), SIMULATED, List.of())),
               "the robot's drive")
           .needed();
+  static final Field<String> OBJECTS =
+      Field.choice(
+          "objects",
+          "the robot's sensor for objects that are no robots: positions for tagged bodies in the"
+              + " position feed, which must see them, or bumper for what is at the Create's bumper;"
+              + " without it, apps that need one are refused",
+          "positions",
+          "bumper");
   static final Lines ROBOT =
       new Lines(
           "lines such as 'address: 192.168.1.10'",
-          List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, CHASSIS));
+          List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, CHASSIS, OBJECTS));
   static final Field<Void> ROBOTS =
       Field.mapping(
               "robots",

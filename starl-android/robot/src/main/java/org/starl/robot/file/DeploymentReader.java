@@ -2,9 +2,11 @@ package org.starl.robot.file;
 
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.DocumentReader;
@@ -154,13 +156,19 @@ public final class DeploymentReader {
               address == null ? null : HostPort.parse(address, network.port()),
               wheels(robot),
               rigidBody == null ? name : rigidBody,
-              publicKeys == null ? List.of() : publicKeys));
+              publicKeys == null ? List.of() : publicKeys,
+              objects(robot)));
       robot.end();
     }
     if (robots.isEmpty()) {
       throw top.wrong(DeploymentFormat.ROBOTS.key(), "", "at least one robot");
     }
     return robots;
+  }
+
+  private static @Nullable ObjectSource objects(Section robot) {
+    String source = robot.getOrNull(DeploymentFormat.OBJECTS);
+    return source == null ? null : ObjectSource.valueOf(source.toUpperCase(Locale.ROOT));
   }
 
   private static Wheels wheels(Section robot) {

@@ -12,6 +12,7 @@ import org.starl.robot.udp.PublicRobotKey;
  * @param address of its radio; null if the robot is found by its beacons
  * @param rigidBody its name in the measuring system
  * @param publicKeys its own keys, the newest first; none if robots have no keys of their own
+ * @param objects its sensor for objects that are no robots; null for none
  */
 public record RobotEntry(
     RobotId id,
@@ -19,7 +20,8 @@ public record RobotEntry(
     @Nullable HostPort address,
     Wheels wheels,
     String rigidBody,
-    List<PublicRobotKey> publicKeys) {
+    List<PublicRobotKey> publicKeys,
+    @Nullable ObjectSource objects) {
 
   public RobotEntry {
     publicKeys = List.copyOf(publicKeys);

@@ -46,6 +46,69 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
+  void thePowerButtonShowsTheProgramsColourFromGreenToRed(CreateModel model) {
+    Bench bench = Bench.ready(model);
+    bench.driver.light(0xFF0000);
+    bench.runMs(50);
+    assertThat(bench.robot.lights()).containsExactly(0, 255, 255);
+    bench.driver.light(0x008000);
+    bench.runMs(50);
+    assertThat(bench.robot.lights()).containsExactly(0, 0, 128);
+    bench.driver.light(0x0000FF);
+    bench.runMs(50);
+    assertThat(bench.robot.lights()).as("blue: green, as bright").containsExactly(0, 0, 255);
+    bench.driver.light(0x404000);
+    bench.runMs(50);
+    assertThat(bench.robot.lights()).containsExactly(0, 127, 64);
+    bench.driver.light(0);
+    bench.runMs(50);
+    assertThat(bench.robot.lights()).containsExactly(0, 0, 0);
+  }
+
+  @Test
+  void theLightReturnsWhenTheRobotWasRestartedAndGoesOutAtTheEnd() {
+    Bench bench = Bench.ready(CreateModel.CREATE_2);
+    bench.driver.light(0xFFFFFF);
+    bench.runMs(50);
+    bench.body.senses = Senses.lifted();
+    bench.runMs(100);
+    bench.body.senses = Senses.NOTHING;
+    bench.runMs(1700);
+    assertThat(bench.robot.mode()).isEqualTo(OiMode.SAFE);
+    assertThat(bench.robot.lights()).as("entering a mode clears it").containsExactly(0, 127, 255);
+
+    bench.driver.end(bench.nowNs);
+    bench.runMs(100);
+    assertThat(bench.robot.lights()).containsExactly(0, 0, 0);
+  }
+
+  @Test
+  void aProgramWithoutALightLeavesTheLightsToTheRobot() {
+    Bench bench = Bench.ready(CreateModel.CREATE_2);
+    byte[] command = {(byte) Opcodes.LEDS, 0, 1, 2};
+    bench.robot.receive(command, command.length, bench.nowNs);
+    bench.runMs(2000);
+    assertThat(bench.robot.lights()).containsExactly(0, 1, 2);
+  }
+
+  @Test
+  void proximitySensorsHaveBearingsFromLeftToRight() {
+    Bench second = Bench.ready(CreateModel.CREATE_2);
+    second.body.senses = Senses.of(Sense.LIGHT_LEFT, Sense.LIGHT_CENTRE_RIGHT);
+    second.runMs(50);
+    assertThat(second.driver.status().sensors().nearRad())
+        .containsExactly(StrictMath.PI * 5 / 12, -StrictMath.PI / 12);
+
+    Bench first = Bench.ready(CreateModel.CREATE_1);
+    first.body.senses = Senses.of(Sense.LIGHT_LEFT, Sense.WALL);
+    first.runMs(50);
+    assertThat(first.driver.status().sensors().nearRad())
+        .as("a Create 1 has no light bumper")
+        .containsExactly(-StrictMath.PI * 5 / 12);
+  }
+
+  @ParameterizedTest
+  @EnumSource
   void aBumpStopsTheWheelsBeforeTheStrandIsInformed(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.isStrandBusy = true;

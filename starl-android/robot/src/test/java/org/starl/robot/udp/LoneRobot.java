@@ -24,6 +24,8 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Chassis;
 import org.starl.platform.DeploymentKey;
+import org.starl.platform.Light;
+import org.starl.platform.ObjectSensor;
 import org.starl.platform.Platform;
 import org.starl.platform.Radio;
 import org.starl.platform.StableStorage;
@@ -134,6 +136,8 @@ final class LoneRobot {
         radio,
         receiver -> {},
         new NoChassis(),
+        ObjectSensor.NONE,
+        Light.SIMULATED,
         new PromptStable(strand),
         name -> new Rng(1).fork(name),
         (task, done) -> task.run(),

@@ -20,6 +20,14 @@ public record Light(int stroke, @Nullable Ink ink) {
     return ink != null;
   }
 
+  /** The colour to show: white for black ink, which no light has; 0 while it is off. */
+  int rgb() {
+    if (ink == null) {
+      return 0;
+    }
+    return ink.rgb() == 0 ? Ink.MAX_RGB : ink.rgb();
+  }
+
   /** {@code off}, or {@code 7 #ff8800 25}: number, colour, width in mm. */
   @Override
   public String toString() {

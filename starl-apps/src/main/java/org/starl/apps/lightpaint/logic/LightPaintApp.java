@@ -170,13 +170,20 @@ public final class LightPaintApp extends LogicThread {
   /** Switches the light, on exactly while the painter moves in its tube, and records progress. */
   private void shine() {
     if (paths.tubeflag().get() == TubeFlag.MOVING) {
-      light.set(Light.of(work.stroke()));
+      switchLight(Light.of(work.stroke()));
     }
     if (light.get().isOn()) {
       work.paintedTo(gvh.gps.pose().at());
     }
     if (!paths.isUnderWay()) {
-      light.set(Light.OFF);
+      switchLight(Light.OFF);
+    }
+  }
+
+  private void switchLight(Light now) {
+    if (!now.equals(light.get())) {
+      light.set(now);
+      gvh.plat.light.show(now.rgb());
     }
   }
 

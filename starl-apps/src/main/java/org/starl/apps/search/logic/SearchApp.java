@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
+import org.starl.platform.Sighting;
 
 /**
  * A robot that searches a house with others (paper, section 5.4). The robots elect a leader; the
@@ -33,7 +33,6 @@ public final class SearchApp extends LogicThread {
   private static final long PARK_AFTER_NS = 3_000_000_000L;
 
   private final House house;
-  private final Sensing sensing;
   private final Team team;
   private final Drive drive;
   private final Parking parking;
@@ -44,12 +43,12 @@ public final class SearchApp extends LogicThread {
 
   /**
    * @param xid the name of the search: robots with another one take part in another search
-   * @param house the same on every robot
+   * @param house the same on every robot; its range is that of every robot's object sensor
    */
-  public SearchApp(GlobalVarHolder gvh, String xid, House house, Sensing sensing) {
+  public SearchApp(GlobalVarHolder gvh, String xid, House house) {
     super(gvh);
+    gvh.plat.objects.require(house.rangeMm());
     this.house = house;
-    this.sensing = sensing;
     location = gvh.variable(SearchTrace.SOURCE, SearchTrace.LOCATION, Location.ELECT);
     roomName = gvh.variable(SearchTrace.SOURCE, SearchTrace.ROOM, "");
     team = new Team(gvh, xid, house);
@@ -101,15 +100,10 @@ public final class SearchApp extends LogicThread {
    */
   private void look() {
     if (gvh.gps.hasFix()) {
-      for (ItemPosition thing : sensing.sensed()) {
+      for (Sighting thing : gvh.plat.objects.sensed()) {
         if (!team.hasAnswer()) {
           Point at = thing.at();
-          gvh.trace.action(
-              SearchTrace.SOURCE,
-              SearchTrace.FOUND,
-              thing.name(),
-              Math.round(at.xMm()),
-              Math.round(at.yMm()));
+          gvh.trace.action(SearchTrace.SOURCE, SearchTrace.FOUND, found(thing));
           team.conclude(Answer.found(thing.name(), at, gvh.id.name()));
         }
       }
@@ -118,6 +112,15 @@ public final class SearchApp extends LogicThread {
       search.look();
       team.known().saw(search.room().index(), search.seen());
     }
+  }
+
+  /** Name and place; if the place has an error, also the bound of its distance from the robot's. */
+  private Object[] found(Sighting thing) {
+    long x = Math.round(thing.at().xMm());
+    long y = Math.round(thing.at().yMm());
+    return thing.errorMm() == 0
+        ? new Object[] {thing.name(), x, y}
+        : new Object[] {thing.name(), x, y, (long) Math.ceil(thing.errorMm() + gvh.gps.errorMm())};
   }
 
   private void takeRoomOrPark() {

@@ -4,7 +4,7 @@
  *
  * <p>{@link org.starl.apps.search.logic.SearchApp} is the robot. Its {@link
  * org.starl.apps.search.logic.House} is its map: rooms, and where it may stand; {@link
- * org.starl.apps.search.logic.Sensing} is its sensor. Election, SetAgreement, Broadcast, Suspicion
+ * org.starl.platform.ObjectSensor} is its sensor. Election, SetAgreement, Broadcast, Suspicion
  * and DistributedPathPlanning do the work.
  *
  * <p>Distances in mm. Strand only, unless a class says that it is immutable.

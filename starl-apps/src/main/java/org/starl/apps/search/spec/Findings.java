@@ -2,6 +2,7 @@ package org.starl.apps.search.spec;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
@@ -75,17 +76,26 @@ final class Findings extends InstanceMonitor<Findings> {
     RobotId robot = action.robot();
     List<String> args = action.args();
     Point told = new Point(Double.parseDouble(args.get(1)), Double.parseDouble(args.get(2)));
+    // A real sensor and a real position have errors.
+    double offMm = ROUNDING_MM + (args.size() > 3 ? Double.parseDouble(args.get(3)) : 0);
     Point at = view.robots().contains(robot) ? view.at(robot, action.timeNs()) : null;
     for (ItemPosition thing : things) {
       if (thing.name().equals(args.get(0))
-          && thing.at().distanceMm(told) <= ROUNDING_MM
+          && thing.at().distanceMm(told) <= offMm
           && at != null
-          && at.distanceMm(thing.at()) <= house.rangeMm() + ROUNDING_MM
-          && house.sight().sees(at, thing.at())) {
+          && at.distanceMm(thing.at()) <= house.rangeMm() + offMm
+          && maySee(at, thing.at(), args.size() > 3 ? offMm : 0)) {
         return;
       }
     }
     violated(FOUND, action, "announces " + args + ", and is at " + at, report);
+  }
+
+  /** Whether one point within {@code offMm} of {@code at} along each axis sees {@code thing}. */
+  private boolean maySee(Point at, Point thing, double offMm) {
+    return Stream.of(
+            new Point(0, 0), new Point(1, 1), new Point(1, -1), new Point(-1, 1), new Point(-1, -1))
+        .anyMatch(corner -> house.sight().sees(at.plus(corner.times(offMm)), thing));
   }
 
   private void checkNothing(Action action, Report report) {
