@@ -5,7 +5,6 @@ import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
-import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Painting;
@@ -28,7 +27,6 @@ public final class LightPaintLayer implements Layer {
   private static final String TUBES = "tubes/lightpaint";
   private static final double MIN_WIDTH_MM = 24;
   private static final int TUBE_ALPHA = 40;
-  private static final int GLOW_ALPHA = 110;
   private static final String DRAWING = "drawing";
   private static final String PAINTED = "painted";
   private static final String REACH_TUBES = "tubes";
@@ -91,15 +89,6 @@ public final class LightPaintLayer implements Layer {
       floor.setColor(look.theme().visible(new Color(pass.ink().rgb())));
       floor.setStroke(look.line(Math.max(MIN_WIDTH_MM, pass.ink().widthMm())));
       floor.draw(line(pass.points()));
-    }
-    for (RobotId robot : scene.robots()) {
-      Ink ink = light(robot, scene).ink();
-      if (ink != null && scene.pose(robot).isPresent()) {
-        Color colour = look.theme().visible(new Color(ink.rgb()));
-        floor.setColor(Theme.faded(colour, GLOW_ALPHA));
-        floor.setStroke(look.line(3 * scene.radiusMm(robot)));
-        floor.draw(line(List.of(scene.pose(robot).get().at())));
-      }
     }
   }
 

@@ -11,6 +11,8 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import org.starl.LightControl;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -29,6 +31,9 @@ public final class Painter {
   private static final int MANY = 250;
 
   private static final double LARGE_PX = 40;
+  private static final double LIGHT_RADII = 1.5;
+  private static final int LIGHT_ALPHA = 110;
+  private static final Pattern COLOUR = Pattern.compile("#[0-9a-f]{6}");
   private static final double SPECK_PX = 1.5;
   private static final long BUMP_SHOWN_NS = 10 * Time.NS_PER_S;
 
@@ -41,7 +46,7 @@ public final class Painter {
 
   /** A section of a picture, from back to front. */
   public enum Section {
-    /** The app's drawing under the bodies. */
+    /** The app's drawing under the bodies, and the robots' lights. */
     FLOOR,
     OBSTACLES,
     TRAILS,
@@ -106,8 +111,10 @@ public final class Painter {
       Look look,
       List<Flight> messages) {
     switch (section) {
-      case FLOOR ->
-          app(page, viewport, look, floor -> layer.paintFloor(floor, scene, look.at(viewport)));
+      case FLOOR -> {
+        app(page, viewport, look, floor -> layer.paintFloor(floor, scene, look.at(viewport)));
+        lights(page, scene, viewport, look);
+      }
       case OBSTACLES -> obstacles.paint(page, scene, viewport, look.at(viewport));
       case TRAILS -> {
         if (look.shows(Part.TRAILS) && layer.showsTrails()) {
@@ -170,6 +177,24 @@ public final class Painter {
   public static void cross(Graphics2D page, double x, double y, double arm) {
     page.draw(new Line2D.Double(x - arm, y - arm, x + arm, y + arm));
     page.draw(new Line2D.Double(x - arm, y + arm, x + arm, y - arm));
+  }
+
+  /** Paints a disc of its colour around each robot whose light is on. */
+  private static void lights(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    if (!look.shows(Part.ROBOTS)) {
+      return;
+    }
+    Theme theme = look.theme();
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      String colour = scene.variable(robot, LightControl.SOURCE, LightControl.COLOUR);
+      if (viewport.shows(pose.at(), LIGHT_RADII * radiusMm) && COLOUR.matcher(colour).matches()) {
+        double radiusPx = LIGHT_RADII * radiusMm * viewport.pxPerMm();
+        double x = viewport.xPx(pose.at()) - radiusPx;
+        double y = viewport.yPx(pose.at()) - radiusPx;
+        page.setColor(Theme.faded(theme.visible(Color.decode(colour)), LIGHT_ALPHA));
+        page.fill(new Ellipse2D.Double(x, y, 2 * radiusPx, 2 * radiusPx));
+      }
+    });
   }
 
   /** Paints the bodies, and marks crashed ones. */
