@@ -1,12 +1,19 @@
 #!/bin/bash
 # Four robots in four network namespaces, each on a simulated Create behind a pseudo terminal, positions
-# from a NatNet server, a tenth of all messages lost: the paper's four cars cross again and again.
+# from a NatNet server, a tenth of all messages lost. App, parameters, seed and limits are those of a
+# deployment file beside this script: the paper's four cars, which cross again and again, unless named.
 #
 #   scenarios/deployment/four.sh [ROUNDS] [KILL]     5 rounds each; bot2 is killed after KILL seconds
+#   scenarios/deployment/four.sh search              or lightpaint: one round, to its end
 #
 # Needs root for the namespaces; without it everything runs over the loopback interface.
 set -u
-rounds=${1:-5}
+name=crossing
+rounds=5
+case ${1:-} in
+  [a-z]*) name=$1; rounds=1; shift ;;
+esac
+rounds=${1:-$rounds}
 kill_after=${2:-}
 here=$(cd "$(dirname "$0")" && pwd)
 starl=${STARL:-$here/../../starl}
@@ -49,10 +56,12 @@ fi
 # The deployment: without namespaces each robot has a port of its own on 127.0.0.1.
 address() { if [ -n "$spaces" ]; then echo "10.47.0.$1"; else echo "127.0.0.1:$((4746 + $1))"; fi; }
 host() { if [ -n "$spaces" ]; then echo 10.47.0.1; else echo 127.0.0.1; fi; }
+file=$here/$name.yaml
+[ -f "$file" ] || { echo "$file: no such deployment; expected crossing, search or lightpaint"; exit 2; }
+objects=$(sed -n 's/^ *\(objects: [a-z]*\)$/, \1/p' "$file" | sort -u)
 {
-  echo "app: intersection"
-  echo "parameters: {scenario: figure7, debris: 0, speedError: 0.05}"
-  echo "seed: 7"
+  # Wheels that are not exact, so that positions differ from the odometry.
+  sed -n '/^app:/,/^seed:/p' "$file" | sed 's/^parameters:$/&\n  speedError: 0.05/'
   echo "network: {loss: 0.1, broadcasts: $([ -n "$spaces" ] && echo yes || echo no)}"
   echo "positions: {source: natnet, server: $(host), version: 4.1, up: y}"
   echo "world: $(host):4745"
@@ -60,12 +69,13 @@ host() { if [ -n "$spaces" ]; then echo 10.47.0.1; else echo 127.0.0.1; fi; }
   number=2
   for robot in $robots; do
     key=$($starl keygen --robot $robot "$work/$robot.key" 2>/dev/null | sed 's/^ *//') || exit 1
-    # Where there are namespaces, nobody is told where the others are: their beacons say it.
-    [ -n "$spaces" ] || echo "  $robot: {$key, address: \"$(address $number)\", chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
-    [ -z "$spaces" ] || echo "  $robot: {$key, chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}}"
+    # In namespaces robots find each other by their beacons.
+    [ -n "$spaces" ] || echo "  $robot: {$key, address: \"$(address $number)\", chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}$objects}"
+    [ -z "$spaces" ] || echo "  $robot: {$key, chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}$objects}"
     number=$((number + 1))
   done
-} >"$work/crossing.yaml"
+  sed -n '/^limits:/,$p' "$file"
+} >"$work/$name.yaml"
 
 in_space() {
   local space=$1
@@ -73,15 +83,15 @@ in_space() {
   if [ -n "$spaces" ]; then exec ip netns exec "$net-$space" "$@"; else exec "$@"; fi
 }
 
-$starl deploy check "$work/crossing.yaml" || exit 1
-(in_space world $starl deploy world "$work/crossing.yaml" --folder "$work") >"$work/world.log" 2>&1 &
+$starl deploy check "$work/$name.yaml" || exit 1
+(in_space world $starl deploy world "$work/$name.yaml" --folder "$work") >"$work/world.log" 2>&1 &
 pids+=($!)
 until grep -qs 'runs' "$work/world.log"; do
   kill -0 "${pids[0]}" || { cat "$work/world.log"; exit 1; }
   sleep 0.2
 done
 for robot in $robots; do
-  (in_space "$robot" $starl deploy run "$work/crossing.yaml" --robot "$robot" --folder "$work" --rounds "$rounds") >"$work/$robot.log" 2>&1 &
+  (in_space "$robot" $starl deploy run "$work/$name.yaml" --robot "$robot" --folder "$work" --rounds "$rounds") >"$work/$robot.log" 2>&1 &
   pids+=($!)
 done
 echo "4 robots run, each in its process; traces and logs are in $work"
@@ -97,11 +107,11 @@ while :; do
     kill -9 "${pids[3]}"
     echo "killed bot2's process ${pids[3]} $((SECONDS - began)) s after the begin"
   fi
-  # Whoever waits for what a dead one may hold waits for ever: 40 s show what there is to see.
+  # A robot that waits for a section of a dead one waits for ever: 40 s show what there is to see.
   [ -n "$killed" ] && [ $((SECONDS - killed)) -ge 40 ] && break
-  [ $((SECONDS - began)) -ge $((60 * rounds + 120)) ] && { echo "not through in time"; break; }
+  [ $((SECONDS - began)) -ge $((60 * rounds + 540)) ] && { echo "not through in time"; break; }
 done
-echo "$(cat "$work"/bot?.log | grep -c 'end of round') crossings in $((SECONDS - began)) s"
+echo "$(cat "$work"/bot?.log | grep -c 'end of round') runs of the app ended, in $((SECONDS - began)) s"
 [ -z "$killed" ] || grep -h 'fences bot2' "$work"/bot?.log
 for pid in "${pids[@]:1}" "${pids[0]}"; do kill "$pid" 2>/dev/null; wait "$pid" 2>/dev/null; done
 pids=()
