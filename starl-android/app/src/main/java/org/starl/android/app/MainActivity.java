@@ -66,6 +66,9 @@ public final class MainActivity extends Activity {
   @Override
   protected void onStop() {
     handler.removeCallbacks(refresh);
+    if (service != null) {
+      service.onLight(rgb -> {});
+    }
     unbindService(connection);
     service = null;
     super.onStop();
@@ -276,6 +279,11 @@ public final class MainActivity extends Activity {
     @Override
     public void onServiceConnected(ComponentName name, IBinder binder) {
       service = ((RobotService.Access) binder).service();
+      service.onLight(rgb -> {
+        if (screen != null) {
+          screen.showLight(rgb);
+        }
+      });
     }
 
     @Override

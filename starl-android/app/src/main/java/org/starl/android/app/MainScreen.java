@@ -22,6 +22,8 @@ final class MainScreen {
 
   private final Context context;
   private final LinearLayout root;
+  private final ScrollView scroll;
+  private final View light;
   private final TextView identity;
   private final TextView notice;
   private final TextView status;
@@ -53,10 +55,17 @@ final class MainScreen {
     column.addView(stop);
     column.addView(release);
     column.addView(button("Save traces", orders::saveTraces));
-    ScrollView scroll = new ScrollView(context);
+    scroll = new ScrollView(context);
     scroll.addView(column);
+    light = new View(context);
+    light.setVisibility(View.GONE);
+    light.setKeepScreenOn(true);
+    light.setOnClickListener(view -> showLines());
     root = column();
-    root.addView(scroll, new LinearLayout.LayoutParams(ViewGroup.LayoutParams.MATCH_PARENT, 0, 1));
+    LinearLayout.LayoutParams rest =
+        new LinearLayout.LayoutParams(ViewGroup.LayoutParams.MATCH_PARENT, 0, 1);
+    root.addView(scroll, rest);
+    root.addView(light, rest);
     root.addView(
         emergencyStop,
         new LinearLayout.LayoutParams(ViewGroup.LayoutParams.MATCH_PARENT, pixels(STOP_HEIGHT_DP)));
@@ -81,6 +90,33 @@ final class MainScreen {
 
   void showStatus(List<String> lines) {
     status.setText(String.join("\n", lines));
+  }
+
+  /**
+   * Shows the app's light instead of lines and buttons, in the whole window but the emergency stop,
+   * which is dark meanwhile; black while the light is off. A touch shows the lines again, until the
+   * light changes.
+   *
+   * @param rgb 24 bits, or {@link Robot#NO_LIGHT}
+   */
+  void showLight(int rgb) {
+    if (rgb == Robot.NO_LIGHT) {
+      showLines();
+      return;
+    }
+    int colour = Color.rgb(rgb >> 16 & 0xFF, rgb >> 8 & 0xFF, rgb & 0xFF);
+    light.setBackgroundColor(colour);
+    root.setBackgroundColor(colour);
+    emergencyStop.setBackgroundColor(Color.BLACK);
+    light.setVisibility(View.VISIBLE);
+    scroll.setVisibility(View.GONE);
+  }
+
+  private void showLines() {
+    light.setVisibility(View.GONE);
+    scroll.setVisibility(View.VISIBLE);
+    root.setBackgroundColor(Color.TRANSPARENT);
+    emergencyStop.setBackgroundColor(RED);
   }
 
   /** Shows the buttons that apply now; the emergency stop always does. */

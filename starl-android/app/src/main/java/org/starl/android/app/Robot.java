@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.Version;
@@ -43,6 +44,9 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private static final long LOOK_EVERY_NS = 200 * Time.NS_PER_MS;
   private static final String LOCATION = "location";
 
+  /** Instead of a colour: the app has not used the light yet. */
+  static final int NO_LIGHT = -1;
+
   /**
    * A robot's persistent files.
    *
@@ -69,6 +73,10 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private volatile @Nullable Location location;
   private volatile @Nullable Throwable bug;
 
+  // The strand sets the first, then reads the second; onLight does it in the other order.
+  private volatile int lightRgb = NO_LIGHT;
+  private volatile IntConsumer onLight = rgb -> {};
+
   private Robot(
       Mission mission, ByteLink.Source source, Files files, LogSink log, Consumer<Throwable> onBug)
       throws IOException {
@@ -93,7 +101,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
                 clock,
                 this::logAndTrace,
                 new LateTrace(trace, startNs, event -> {}),
-                null),
+                this::showLight),
             this);
     look = deployed.strand().timer(this::look);
   }
@@ -133,6 +141,15 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   /** Ends the emergency stop: the app may drive again. */
   void release() {
     deployed.release();
+  }
+
+  /**
+   * Sets the one receiver of the app's light, which is the phone's screen: the current colour now, and
+   * each further one on the strand; {@link #NO_LIGHT}, or 24 bits, of which 0 is off.
+   */
+  void onLight(IntConsumer receiver) {
+    onLight = receiver;
+    receiver.accept(lightRgb);
   }
 
   RobotStatus status() {
@@ -211,6 +228,12 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
         CreateWheelbase.of(name, create, limits, links).open(strand, clock, log, onFailure);
     chassis = (CreateChassis) opened;
     return opened;
+  }
+
+  // On the strand.
+  private void showLight(int rgb) {
+    lightRgb = rgb;
+    onLight.accept(rgb);
   }
 
   private CreateChassis wheels() {

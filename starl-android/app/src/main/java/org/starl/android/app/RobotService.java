@@ -16,6 +16,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.platform.LogSink;
@@ -93,6 +94,8 @@ public final class RobotService extends Service {
   private Phase phase = Phase.IDLE;
   private String problem = "";
   private int lastStartId;
+  private int lightRgb = Robot.NO_LIGHT;
+  private IntConsumer onLight = rgb -> {};
 
   // Counted by the main thread, which each time makes the worker close the earlier robot.
   private final AtomicInteger attempt = new AtomicInteger();
@@ -172,6 +175,18 @@ public final class RobotService extends Service {
 
   NetworkWatch.State networkState() {
     return network == null ? NetworkWatch.State.NONE : network.state();
+  }
+
+  /** Sets the one receiver of the app's light, as {@link Robot#onLight}; on the main thread. */
+  void onLight(IntConsumer receiver) {
+    onLight = receiver;
+    receiver.accept(lightRgb);
+  }
+
+  /** Shows the light of a robot; that of an earlier one is out. On the main thread. */
+  void showLight(int ofAttempt, int rgb) {
+    lightRgb = ofAttempt == attempt.get() ? rgb : Robot.NO_LIGHT;
+    onLight.accept(lightRgb);
   }
 
   boolean isEmergency() {
@@ -266,6 +281,7 @@ public final class RobotService extends Service {
               RobotService::log,
               bug -> robotFailed(mine, bug));
       robot = opened;
+      opened.onLight(rgb -> main.post(() -> showLight(mine, rgb)));
       if (isEmergency || attempt.get() != mine) {
         opened.emergencyStop();
       }
@@ -303,7 +319,12 @@ public final class RobotService extends Service {
   // From any thread: its wheels are already stopped.
   private void robotFailed(int mine, Throwable bug) {
     Log.e(TAG, "the robot cannot go on", bug);
-    onMain(mine, () -> show("cannot go on: " + bug));
+    onMain(
+        mine,
+        () -> {
+          show("cannot go on: " + bug);
+          showLight(mine, Robot.NO_LIGHT);
+        });
   }
 
   // There will be no robot.
@@ -337,6 +358,7 @@ public final class RobotService extends Service {
   }
 
   private void leave() {
+    showLight(attempt.get(), Robot.NO_LIGHT);
     stopForeground(STOP_FOREGROUND_REMOVE);
     releaseLocks();
     // Has no effect if another command is on its way to this service.

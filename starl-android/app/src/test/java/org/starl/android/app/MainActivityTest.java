@@ -8,6 +8,8 @@ import android.app.Activity;
 import android.app.Application;
 import android.content.ComponentName;
 import android.content.Intent;
+import android.graphics.Color;
+import android.graphics.drawable.ColorDrawable;
 import android.net.Uri;
 import android.os.Looper;
 import android.view.View;
@@ -182,5 +184,35 @@ public final class MainActivityTest {
     shadowOf(Looper.getMainLooper()).idleFor(Duration.ofSeconds(1));
     button("Release the emergency stop").performClick();
     assertThat(service.get().isEmergency()).isFalse();
+  }
+
+  private boolean isShown(String words) {
+    return texts().stream()
+        .anyMatch(text -> text.getText().toString().contains(words) && text.isShown());
+  }
+
+  private int colour() {
+    ViewGroup root =
+        (ViewGroup) ((ViewGroup) activity.get().findViewById(android.R.id.content)).getChildAt(0);
+    return ((ColorDrawable) root.getBackground()).getColor();
+  }
+
+  @Test
+  public void theAppsLightFillsTheWindowButTheEmergencyStop() {
+    service.get().showLight(0, 0xFF8800);
+    assertThat(colour()).isEqualTo(Color.rgb(0xFF, 0x88, 0));
+    assertThat(isShown("Load deployment")).isFalse();
+    assertThat(isShown("EMERGENCY STOP")).isTrue();
+    service.get().showLight(0, 0);
+    assertThat(colour()).as("off").isEqualTo(Color.BLACK);
+    service.get().showLight(0, Robot.NO_LIGHT);
+    assertThat(isShown("Load deployment")).isTrue();
+  }
+
+  @Test
+  public void theLightOfAnEarlierRobotIsOut() {
+    service.get().showLight(0, 0xFF8800);
+    service.get().showLight(-1, 0xFFFFFF);
+    assertThat(isShown("Load deployment")).isTrue();
   }
 }
