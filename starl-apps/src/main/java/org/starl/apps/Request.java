@@ -24,6 +24,26 @@ public record Request(long seed, OptionalInt robots, SortedMap<String, String> p
   }
 
   /**
+   * Refuses a value of a parameter that only the simulator has.
+   *
+   * @throws BadInput unless it is the default
+   */
+  public void refuseOnRobots(Parameter parameter) {
+    String value = parameter(parameter.key());
+    if (!value.equals(parameter.defaultValue())) {
+      throw new BadInput(
+          parameter.key()
+              + "="
+              + BadInput.quote(value)
+              + ": expected "
+              + (parameter.defaultValue().isEmpty()
+                  ? "none"
+                  : BadInput.quote(parameter.defaultValue()))
+              + " on robots without the simulator");
+    }
+  }
+
+  /**
    * Parses the value of a parameter.
    *
    * @param parser throws {@link BadInput} if it cannot use the text

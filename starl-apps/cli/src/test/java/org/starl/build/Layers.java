@@ -18,6 +18,7 @@ import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /** Which packages may import which, each law with a class that breaks it. */
 final class Layers {
@@ -55,6 +56,13 @@ final class Layers {
 
   private static final String[] DESKTOP = {"java.awt..", "javax.swing..", "javax.imageio.."};
   private static final String LOGIC = "org.starl.apps..logic..";
+  private static final String SPEC = "org.starl.apps..spec..";
+  private static final String ON_ROBOTS = "org.starl.apps..robot..";
+
+  /** What an app's factory is made of. */
+  private static final Pattern FACTORY =
+      Pattern.compile("org\\.starl\\.apps\\.(AppFactory|Parameter|Request|RobotProgram)");
+
   private static final String PRIMITIVES = "org.starl.primitives..";
   private static final String SIM = "org.starl.sim..";
   private static final String INPUT = "org.starl.input..";
@@ -67,6 +75,13 @@ final class Layers {
   };
 
   private static final DescribedPredicate<JavaClass> CORE = resideInAnyPackage(IN_CORE).as("core");
+
+  private static final DescribedPredicate<JavaClass> ON_A_PHONE =
+      resideInAnyPackage(SPEC, ON_ROBOTS)
+          .or(
+              DescribedPredicate.describe(
+                  "factories", type -> FACTORY.matcher(type.getName()).matches()))
+          .as("factories, specifications and robots' side of apps");
 
   /** What a phone has, and nothing that needs a library. */
   private static final DescribedPredicate<JavaClass> PLAIN_JAVA =
@@ -133,10 +148,20 @@ final class Layers {
                       PLAIN_JAVA.or(CORE).or(resideInAnyPackage(PRIMITIVES, LOGIC))),
               org.starl.apps.fixture.logic.LogicImportsSimulator.class),
           new Law(
+              "an app on robots runs without the simulator",
+              classes()
+                  .that(ON_A_PHONE)
+                  .should()
+                  .onlyDependOnClassesThat(
+                      PLAIN_JAVA
+                          .or(CORE)
+                          .or(resideInAnyPackage(PRIMITIVES, INPUT, LOGIC))
+                          .or(ON_A_PHONE)),
+              org.starl.apps.fixture.robot.FactoryImportsSimulator.class),
+          new Law(
               "an app's logic runs on Android 8",
               noClasses()
-                  .that()
-                  .resideInAPackage(LOGIC)
+                  .that(resideInAPackage(LOGIC).or(ON_A_PHONE))
                   .should()
                   .accessTargetWhere(AndroidGaps.ACCESS),
               org.starl.apps.fixture.logic.LogicUsesNewJava.class),

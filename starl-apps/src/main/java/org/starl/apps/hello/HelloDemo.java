@@ -3,7 +3,7 @@ package org.starl.apps.hello;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
-import org.starl.apps.hello.logic.Hello;
+import org.starl.apps.hello.robot.HelloFactory;
 import org.starl.apps.hello.view.HelloLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.primitives.motion.MotionSpec;
@@ -14,9 +14,11 @@ import org.starl.sim.fault.Envelope;
 /** {@code starl run hello}. */
 public final class HelloDemo implements Demo {
 
+  private static final HelloFactory FACTORY = new HelloFactory();
+
   @Override
   public String name() {
-    return "hello";
+    return FACTORY.name();
   }
 
   @Override
@@ -35,7 +37,7 @@ public final class HelloDemo implements Demo {
     Simulation.Builder simulation =
         Simulation.builder()
             .settings(settings)
-            .robots(request.robots().orElse(settings.robots()), Hello::new)
+            .robots(request.robots().orElse(settings.robots()), FACTORY.program(request).app())
             .monitor(() -> new MotionSpec(settings.motionParameters(0)))
             .observer(story);
     return new Plan(simulation, story, new HelloLayer(), Obstacles.NONE);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Route;
+import org.starl.apps.intersection.robot.Car;
 import org.starl.random.Rng;
 import org.starl.time.Time;
 

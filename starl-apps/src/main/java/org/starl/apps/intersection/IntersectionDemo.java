@@ -1,5 +1,11 @@
 package org.starl.apps.intersection;
 
+import static org.starl.apps.intersection.robot.IntersectionFactory.ARRIVALS;
+import static org.starl.apps.intersection.robot.IntersectionFactory.DRAWN;
+import static org.starl.apps.intersection.robot.IntersectionFactory.FIGURE7;
+import static org.starl.apps.intersection.robot.IntersectionFactory.FILES;
+import static org.starl.apps.intersection.robot.IntersectionFactory.SCENARIO;
+
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -11,11 +17,12 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
+import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.Floor;
+import org.starl.apps.intersection.robot.IntersectionFactory;
 import org.starl.geometry.Obstacles;
 import org.starl.input.BadInput;
-import org.starl.input.Form;
 import org.starl.input.Quantities;
-import org.starl.input.Quantity;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
@@ -25,42 +32,23 @@ import org.starl.time.Time;
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {
 
-  private static final int MAX_DEBRIS = 8;
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
   private static final Duration TIME_FOR_ALL = Duration.ofHours(24);
   private static final long MAX_ARRIVALS_NS = 1000 * 3600 * Time.NS_PER_S;
 
-  private static final Parameter SCENARIO =
-      new Parameter("scenario", "drawn", "one of the scenarios above");
+  private static final IntersectionFactory FACTORY = new IntersectionFactory();
   private static final List<Scenario> SCENARIOS =
       List.of(
-          new Scenario("drawn", "1 to 12 cars on any of the twelve routes, from the seed"),
-          new Scenario("figure7", "the paper's four cars, with 100 ms mean delay"),
+          new Scenario(DRAWN, "1 to 12 cars on any of the twelve routes, from the seed"),
+          new Scenario(FIGURE7, "the paper's four cars, with 100 ms mean delay"),
           new Scenario(
               "open", "cars arrive at random until the time of --for, or --robots; see arrivals"),
           new Scenario("legacy", "the original StarL's files; needs files=FOLDER"));
 
-  private static final Parameter DEBRIS =
-      new Parameter(
-          "debris",
-          "1",
-          "pieces of debris on the crossing, 0 to 8, from the seed: hidden from all cars, removed"
-              + " after 5 to 30 s",
-          Form.whole(0, MAX_DEBRIS));
-  private static final Parameter ARRIVALS =
-      new Parameter(
-          "arrivals",
-          "",
-          "mean rate of cars that arrive (scenario=open: 20/min); implies scenario=open",
-          Form.above0(Quantity.RATE));
-  private static final Parameter FILES =
-      new Parameter(
-          "files", "", "folder of start.wpt, dest.wpt and obstacles.wpt, for scenario=legacy");
-
   @Override
   public String name() {
-    return "intersection";
+    return FACTORY.name();
   }
 
   @Override
@@ -75,7 +63,7 @@ public final class IntersectionDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, ARRIVALS, DEBRIS, FILES);
+    return FACTORY.parameters();
   }
 
   @Override
@@ -98,7 +86,7 @@ public final class IntersectionDemo implements Demo {
   public SimSettings.Builder defaultSettings(Request request) {
     SimSettings.Builder settings = SimSettings.builder();
     settings.set(Setting.FLOOR_HEIGHT, settings.build().get(Setting.FLOOR_WIDTH));
-    if (request.parameter(SCENARIO.key()).equals("figure7")) {
+    if (request.parameter(SCENARIO.key()).equals(FIGURE7)) {
       settings.set(Setting.MESSAGE_DELAY.key(), "uniform(80ms,120ms)");
     }
     if (request.robots().isPresent() && scenario(request).equals(OPEN)) {
@@ -116,9 +104,9 @@ public final class IntersectionDemo implements Demo {
     List<Car> cars = List.of();
     switch (scenario) {
       case OPEN -> checkOpen(request, settings);
-      case "drawn" ->
-          cars = Car.drawn(prefix, request.robots().orElse(settings.robots()), rng.fork("cars"));
-      case "figure7" -> cars = Car.figure7(prefix);
+      case DRAWN, FIGURE7 ->
+          cars =
+              IntersectionFactory.cars(request, prefix, request.robots().orElse(settings.robots()));
       case "legacy" -> {
         LegacyFiles files = LegacyFiles.read(request.parameter(FILES.key()));
         cars = files.cars();
@@ -133,8 +121,8 @@ public final class IntersectionDemo implements Demo {
     if (!isOpen && given != cars.size()) {
       throw new BadInput("robots: " + given + ": expected " + cars.size() + " for " + scenario);
     }
-    long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
-    Obstacles floor = Floor.withDebris(obstacles, (int) pieces, rng.fork("debris"));
+    int pieces = IntersectionFactory.debris(request);
+    Obstacles floor = Floor.withDebris(obstacles, pieces, rng.fork("debris"));
     IntersectionPlan plan = new IntersectionPlan(floor, settings);
     return isOpen
         ? plan.open(

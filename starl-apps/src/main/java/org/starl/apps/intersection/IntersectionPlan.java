@@ -1,5 +1,7 @@
 package org.starl.apps.intersection;
 
+import static org.starl.apps.intersection.robot.IntersectionFactory.XID;
+
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -12,6 +14,8 @@ import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.RoadsideUnit;
 import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
+import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.body.MotionParameters;
@@ -32,7 +36,6 @@ import org.starl.time.Time;
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
 record IntersectionPlan(Obstacles floor, SimSettings settings) {
 
-  private static final String XID = "crossing";
   private static final String UNIT = "roadside";
 
   // On an open road: one car in each place, four that cross, four that leave.

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.apps.intersection.robot.Car;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;

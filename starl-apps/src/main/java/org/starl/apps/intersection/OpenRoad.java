@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.apps.intersection.robot.Car;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.sim.RobotSpec;

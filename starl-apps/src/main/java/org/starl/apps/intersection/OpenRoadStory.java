@@ -13,6 +13,7 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.apps.intersection.robot.Car;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;

@@ -14,6 +14,7 @@ import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.apps.intersection.robot.Car;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;

@@ -1,12 +1,8 @@
 package org.starl.apps.lightpaint;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Objects;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.input.BadInput;
@@ -18,17 +14,6 @@ final class DrawingFiles {
   private static final String EXPECTED = "expected a drawing, NAME.svg or NAME.wpt";
 
   private DrawingFiles() {}
-
-  /** The default drawing. */
-  static List<Line> house(double flatnessMm) {
-    String name = "house.svg";
-    try (InputStream in = DrawingFiles.class.getResourceAsStream(name)) {
-      byte[] bytes = Objects.requireNonNull(in, name).readAllBytes();
-      return SvgDrawing.read(name, bytes, 1, flatnessMm);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
 
   /**
    * The lines of a drawing, in mm.

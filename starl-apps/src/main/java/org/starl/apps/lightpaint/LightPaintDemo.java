@@ -1,5 +1,9 @@
 package org.starl.apps.lightpaint;
 
+import static org.starl.apps.lightpaint.robot.LightPaintFactory.DRAWING;
+import static org.starl.apps.lightpaint.robot.LightPaintFactory.SCALE;
+import static org.starl.apps.lightpaint.robot.LightPaintFactory.STARTS;
+
 import java.io.File;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -14,11 +18,11 @@ import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
-import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.RobotProgram;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
-import org.starl.apps.lightpaint.logic.Strokes;
+import org.starl.apps.lightpaint.robot.LightPaintFactory;
 import org.starl.apps.lightpaint.spec.PaintSpec;
 import org.starl.apps.lightpaint.view.LightPaintLayer;
 import org.starl.body.MotionParameters;
@@ -27,8 +31,6 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
-import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -42,9 +44,6 @@ import org.starl.time.Time;
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {
 
-  private static final int MAX_PAINTERS = 1000;
-  private static final int MAX_STROKES = 300;
-
   /** Without faults and position noise: the goal radius, and the distance driven in a period. */
   private static final double TOLERANCE_MM = 25;
 
@@ -56,22 +55,11 @@ public final class LightPaintDemo implements Demo {
 
   private static final String ORIGINAL_OF_STARTS = "benchmark.svg";
 
-  private static final Parameter DRAWING =
-      new Parameter("drawing", "", "file NAME.svg or NAME.wpt to paint (default: a house)");
-  private static final Parameter STARTS =
-      new Parameter(
-          "starts", "", "file NAME.wpt with the painters' starts (default: beside the drawing)");
-  private static final Parameter SCALE =
-      new Parameter("scale", "5mm", "millimetres per unit (pixel) of an SVG drawing");
-  private static final Parameter FLATNESS =
-      new Parameter(
-          "flatness", "5mm", "maximum distance of a curve from the straight lines that replace it");
-  private static final Parameter STROKE =
-      new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
+  private static final LightPaintFactory FACTORY = new LightPaintFactory();
 
   @Override
   public String name() {
-    return "lightpaint";
+    return FACTORY.name();
   }
 
   @Override
@@ -82,7 +70,7 @@ public final class LightPaintDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(DRAWING, STARTS, SCALE, FLATNESS, STROKE);
+    return FACTORY.parameters();
   }
 
   @Override
@@ -115,48 +103,36 @@ public final class LightPaintDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int painters = request.robots().orElse(settings.robots());
-    if (painters < 1 || painters > MAX_PAINTERS) {
-      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS);
-    }
+    LightPaintFactory.checkPainters(painters);
     MotionParameters body = settings.motionParameters(0);
-    List<Stroke> strokes = strokes(request);
+    List<Stroke> strokes = LightPaintFactory.strokes(request, drawing(request));
     double radiusMm = Painting.radiusMm(body);
     String file = request.parameter(STARTS.key());
     List<Point> starts = file.isEmpty() ? List.of() : readStarts(Path.of(file), painters, radiusMm);
     Painting painting = Painting.of(strokes, starts, painters, radiusMm);
+    RobotProgram program = LightPaintFactory.program(painting);
     LightPaintStory story = new LightPaintStory(painting);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
     for (int i = 0; i < painters; i++) {
       RobotId name = new RobotId(settings.robotName() + i);
       Point home = painting.homes().get(i);
       Pose start = Pose.of(starts.isEmpty() ? home : starts.get(i), 0);
-      simulation.robot(
-          new RobotSpec(name, start, true, gvh -> new LightPaintApp(gvh, painting, home)));
+      simulation.robot(new RobotSpec(name, start, true, program.app()));
     }
     double toleranceMm = toleranceMm(settings, body);
     long boundNs = BOUND_NS + strokes.size() * BOUND_PER_STROKE_NS;
     simulation.monitor(() -> new PaintSpec(strokes, toleranceMm, boundNs));
-    simulation.monitor(AgreementSpec::new);
+    program.monitors().forEach(simulation::monitor);
     simulation.monitor(() -> new TubesSpec(boundNs));
     return new Plan(simulation, story, new LightPaintLayer(painting), Obstacles.NONE);
   }
 
-  private static List<Stroke> strokes(Request request) {
-    double flatnessMm = mm(request, FLATNESS, 1, 100);
-    double scaleMm = mm(request, SCALE, 0.001, 10_000);
-    double longestMm = mm(request, STROKE, 100, 10_000);
+  private static List<Line> drawing(Request request) {
+    double scaleMm = LightPaintFactory.mm(request, SCALE, 0.001, 10_000);
     String file = request.parameter(DRAWING.key());
-    List<Line> lines =
-        file.isEmpty()
-            ? DrawingFiles.house(flatnessMm)
-            : DrawingFiles.read(Path.of(file), scaleMm, flatnessMm);
-    List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm, longestMm);
-    if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
-      throw new BadInput(
-          "drawing=%s: %d strokes: expected 1 to %d; change scale or stroke"
-              .formatted(BadInput.quote(file), strokes.size(), MAX_STROKES));
-    }
-    return strokes;
+    return file.isEmpty()
+        ? LightPaintFactory.house(request)
+        : DrawingFiles.read(Path.of(file), scaleMm, LightPaintFactory.flatnessMm(request));
   }
 
   private static double toleranceMm(SimSettings settings, MotionParameters body) {
@@ -164,19 +140,6 @@ public final class LightPaintDemo implements Demo {
         !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
     double nearMm = TOLERANCE_MM + settings.positionNoise().boundMm();
     return hasFaults ? Math.max(nearMm, Painting.trackMm(body)) : nearMm;
-  }
-
-  private static double mm(Request request, Parameter parameter, double least, double most) {
-    return request.parse(
-        parameter,
-        text -> {
-          double mm = Quantities.distanceMm(text);
-          if (mm < least || mm > most) {
-            throw new BadInput(
-                BadInput.quote(text) + ": expected " + least + "mm to " + most + "mm");
-          }
-          return mm;
-        });
   }
 
   /**

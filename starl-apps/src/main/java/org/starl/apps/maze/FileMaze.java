@@ -8,6 +8,8 @@ import java.util.stream.IntStream;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTask;
+import org.starl.apps.maze.robot.Layout;
+import org.starl.apps.maze.robot.Places;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;

@@ -1,23 +1,29 @@
 package org.starl.apps.maze;
 
+import static org.starl.apps.maze.robot.MazeFactory.CELL;
+import static org.starl.apps.maze.robot.MazeFactory.DRAWN;
+import static org.starl.apps.maze.robot.MazeFactory.FILES;
+import static org.starl.apps.maze.robot.MazeFactory.MAP;
+import static org.starl.apps.maze.robot.MazeFactory.SCENARIO;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Function;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
 import org.starl.apps.Scenario;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.MazeApp;
 import org.starl.apps.maze.logic.MazeTask;
+import org.starl.apps.maze.robot.Layout;
+import org.starl.apps.maze.robot.MazeFactory;
 import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.apps.maze.view.MazeLayer;
 import org.starl.geometry.Obstacles;
@@ -27,7 +33,6 @@ import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
-import org.starl.primitives.mutex.MutexSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -41,9 +46,7 @@ import org.starl.time.Time;
 /** The paper's section 5.4: {@code starl run maze}. */
 public final class MazeDemo implements Demo {
 
-  private static final int MOST_ROBOTS = 8;
   private static final int MOST_BOXES = 64;
-  private static final double HIDDEN_PART = 0.4;
   private static final double LEAST_CELL_MM = 480;
   private static final double CELL_SPARE_MM = 20;
   private static final double MOST_CELL_MM = 10_000;
@@ -51,30 +54,13 @@ public final class MazeDemo implements Demo {
   // Bound for one robot that drives alone and bumps along every wall.
   private static final long TURN_NS = 1_800 * Time.NS_PER_S;
 
-  private static final Parameter SCENARIO =
-      new Parameter("scenario", "drawn", "one of the scenarios above");
+  private static final MazeFactory FACTORY = new MazeFactory();
+
   private static final List<Scenario> SCENARIOS =
       List.of(
-          new Scenario("drawn", "a maze from the seed, some walls hidden, one cell walled in"),
+          new Scenario(DRAWN, "a maze from the seed, some walls hidden, one cell walled in"),
           new Scenario("files", "the original StarL's files; needs files=FOLDER"),
           new Scenario("map", "a grid map of the path-finding benchmarks; needs map=FILE"));
-  private static final Parameter FILES =
-      new Parameter(
-          "files",
-          "",
-          "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies scenario=files");
-  private static final Parameter MAP =
-      new Parameter("map", "", "a grid map (.map); implies scenario=map");
-  private static final Parameter CELL =
-      new Parameter("cell", "500mm", "side of a cell of the map, 500mm to 10m");
-  private static final Parameter HIDDEN =
-      new Parameter(
-          "hidden",
-          "",
-          "drawn: part of the walls that is hidden, 0 to 1 (default: 0.4); map: number of hidden"
-              + " boxes on the robots' shortest ways, 0 to 64 (default: one per robot)");
-  private static final Parameter COLLISION =
-      new Parameter("collision", "back", "what a robot does after a bump: stop, back or discover");
 
   private static final List<String> MAPS =
       List.of(
@@ -88,7 +74,7 @@ public final class MazeDemo implements Demo {
 
   @Override
   public String name() {
-    return "maze";
+    return FACTORY.name();
   }
 
   @Override
@@ -104,7 +90,7 @@ public final class MazeDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, FILES, MAP, CELL, HIDDEN, COLLISION);
+    return FACTORY.parameters();
   }
 
   @Override
@@ -150,11 +136,10 @@ public final class MazeDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1 || robots > MOST_ROBOTS) {
-      throw new BadInput("robots: " + robots + ": expected 1 to " + MOST_ROBOTS + " in a maze");
-    }
+    MazeFactory.checkRobots(robots);
     Layout layout = layout(request, settings, robots);
-    CollisionMode mode = mode(request);
+    CollisionMode mode = MazeFactory.mode(request);
+    RobotProgram program = MazeFactory.program(layout, mode);
     Obstacles obstacles = layout.obstacles();
     double bodyMm = settings.robotRadiusMm();
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(obstacles);
@@ -166,13 +151,13 @@ public final class MazeDemo implements Demo {
       MazeTask task = layout.task(i, bodyMm, mode);
       tasks.put(id, task);
       goals += task.goals().size();
-      simulation.robot(new RobotSpec(id, start, true, gvh -> new MazeApp(gvh, task)));
+      simulation.robot(new RobotSpec(id, start, true, program.app()));
     }
     MazeStory story = new MazeStory(goals);
     simulation
         .observer(story)
-        .monitor(() -> new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS))
-        .monitor(MutexSpec::new);
+        .monitor(() -> new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS));
+    program.monitors().forEach(simulation::monitor);
     return new Plan(simulation, story, new MazeLayer(tasks), obstacles);
   }
 
@@ -185,14 +170,14 @@ public final class MazeDemo implements Demo {
     }
     String implied = hasFiles ? "files" : hasMap ? "map" : SCENARIO.defaultValue();
     if (!scenario.equals(implied) && !scenario.equals(SCENARIO.defaultValue())) {
-      String hint = NearMatches.hint(scenario, List.of("drawn", "files", "map"));
+      String hint = NearMatches.hint(scenario, List.of(DRAWN, "files", "map"));
       throw bad(SCENARIO, scenario, "drawn, files with files=FOLDER, or map with map=FILE" + hint);
     }
     return implied;
   }
 
   private static Layout layout(Request request, SimSettings settings, int robots) {
-    Rng rng = new Rng(request.seed()).fork("maze");
+    Rng rng = MazeFactory.rng(request);
     double bodyMm = settings.robotRadiusMm();
     return switch (scenario(request)) {
       case "files" -> {
@@ -203,25 +188,13 @@ public final class MazeDemo implements Demo {
       }
       case "map" -> {
         GridMap map = GridMaps.read(Path.of(request.parameter(MAP.key())));
-        int boxes = hidden(request, robots, text -> (int) Quantities.whole(text, 0, MOST_BOXES));
-        yield Places.onMap(map, cellMm(request, bodyMm), robots, boxes, rng);
+        int boxes =
+            MazeFactory.hidden(
+                request, robots, text -> (int) Quantities.whole(text, 0, MOST_BOXES));
+        yield MapMaze.of(map, cellMm(request, bodyMm), robots, boxes, rng);
       }
-      default -> DrawnMaze.draw(robots, hidden(request, HIDDEN_PART, Quantities::probability), rng);
+      default -> MazeFactory.drawn(request, robots);
     };
-  }
-
-  private static <T> T hidden(Request request, T usual, Function<String, T> parser) {
-    return request.parse(HIDDEN, text -> text.isEmpty() ? usual : parser.apply(text));
-  }
-
-  private static CollisionMode mode(Request request) {
-    String text = request.parameter(COLLISION.key());
-    for (CollisionMode mode : CollisionMode.values()) {
-      if (mode.name().toLowerCase(Locale.ROOT).equals(text)) {
-        return mode;
-      }
-    }
-    throw bad(COLLISION, text, "stop, back or discover");
   }
 
   private static double cellMm(Request request, double bodyMm) {

@@ -12,9 +12,9 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.race.logic.Drive;
-import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.Scoreboard;
+import org.starl.apps.race.robot.RaceFactory;
 import org.starl.apps.race.spec.RaceProgress;
 import org.starl.apps.race.spec.RaceSafety;
 import org.starl.apps.race.view.RaceLayer;
@@ -22,11 +22,8 @@ import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
-import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
-import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -35,27 +32,14 @@ import org.starl.sim.fault.Envelope;
 /** The paper's Race App (section 5.4): {@code starl run race}. */
 public final class RaceDemo implements Demo {
 
-  private static final String XID = "race";
-  private static final int MAX_ROBOTS = 1000;
-  private static final int MAX_DRAWN = 100;
-
-  /** More robots than this get a larger floor. */
-  private static final int ROBOTS_ON_DEFAULT_FLOOR = 12;
+  private static final RaceFactory FACTORY = new RaceFactory();
 
   /** A robot with a larger position error need not deliver a geocast. */
   private static final double POSITION_ERROR_MM = 50;
 
-  private static final Parameter POINTS =
-      new Parameter(
-          "points",
-          "",
-          "a .wpt file: its WAY lines are the points, in order; empty: drawn from the seed");
-  private static final Parameter DRAWN =
-      new Parameter("drawn", "5", "number of points drawn from the seed, 1 to 100");
-
   @Override
   public String name() {
-    return "race";
+    return FACTORY.name();
   }
 
   @Override
@@ -65,7 +49,7 @@ public final class RaceDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(POINTS, DRAWN);
+    return FACTORY.parameters();
   }
 
   @Override
@@ -80,7 +64,7 @@ public final class RaceDemo implements Demo {
     return new Input(
         String.valueOf(file.getFileName()),
         file,
-        new TreeMap<>(Map.of(POINTS.key(), file.toString())),
+        new TreeMap<>(Map.of(RaceFactory.POINTS.key(), file.toString())),
         original);
   }
 
@@ -92,8 +76,7 @@ public final class RaceDemo implements Demo {
   @Override
   public SimSettings.Builder defaultSettings(Request request) {
     SimSettings defaults = SimSettings.defaults();
-    double more =
-        StrictMath.sqrt(Math.max(1, request.robots().orElse(1) / (double) ROBOTS_ON_DEFAULT_FLOOR));
+    double more = RaceFactory.floorScale(request);
     return SimSettings.builder()
         .set(Setting.FLOOR_WIDTH, Math.ceil(more * defaults.get(Setting.FLOOR_WIDTH)))
         .set(Setting.FLOOR_HEIGHT, Math.ceil(more * defaults.get(Setting.FLOOR_HEIGHT)));
@@ -102,15 +85,13 @@ public final class RaceDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1 || robots > MAX_ROBOTS) {
-      throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS + " in a race");
-    }
+    RaceFactory.checkRobots(robots);
     List<RacePoint> points = points(request, settings);
     RaceStory story = new RaceStory(points);
     Simulation.Builder simulation =
         Simulation.builder()
             .settings(settings)
-            .robots(robots, gvh -> new RaceApp(gvh, XID, points))
+            .robots(robots, RaceFactory.program(points).app())
             .observer(story);
     watch(simulation, points, settings);
     return new Plan(simulation, story, new RaceLayer(points), Obstacles.NONE);
@@ -141,11 +122,11 @@ public final class RaceDemo implements Demo {
   }
 
   private List<RacePoint> points(Request request, SimSettings settings) {
-    String file = request.parameter(POINTS.key());
+    String file = request.parameter(RaceFactory.POINTS.key());
     if (!file.isEmpty()) {
       return RacePoints.read(file);
     }
-    long count = request.parse(DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
-    return RacePoints.drawn((int) count, settings, new Rng(request.seed()).fork(name()));
+    return RaceFactory.drawn(
+        request, settings.get(Setting.FLOOR_WIDTH), settings.get(Setting.FLOOR_HEIGHT));
   }
 }

@@ -1,5 +1,12 @@
 package org.starl.apps.search;
 
+import static org.starl.apps.search.robot.SearchFactory.DRAWN;
+import static org.starl.apps.search.robot.SearchFactory.FILES;
+import static org.starl.apps.search.robot.SearchFactory.GENERATED;
+import static org.starl.apps.search.robot.SearchFactory.NONE;
+import static org.starl.apps.search.robot.SearchFactory.OBJECT;
+import static org.starl.apps.search.robot.SearchFactory.SCENARIO;
+
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -17,8 +24,8 @@ import org.starl.apps.Request;
 import org.starl.apps.Scenario;
 import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
-import org.starl.apps.search.logic.HousePlan;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.robot.GeneratedHouse;
+import org.starl.apps.search.robot.SearchFactory;
 import org.starl.apps.search.spec.SearchSpec;
 import org.starl.apps.search.view.SearchLayer;
 import org.starl.body.MotionParameters;
@@ -28,12 +35,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.paths.TubesSpec;
-import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -42,47 +47,23 @@ import org.starl.sim.fault.Envelope;
 /** The paper's Distributed Search (section 5.4): {@code starl run search}. */
 public final class SearchDemo implements Demo {
 
-  private static final String XID = "house";
-  private static final String GENERATED = "generated";
   private static final String FILES_SCENARIO = "files";
-  private static final String NONE = "none";
-  private static final String DRAWN = "drawn";
-  private static final int MAX_ROBOTS = 1000;
   private static final Pattern PLACE = Pattern.compile("(-?[0-9]{1,6}),(-?[0-9]{1,6})");
   private static final double UP_RAD = StrictMath.PI / 2;
 
   /** Of three runs of the original StarL. */
   private static final String ORIGINAL = "found in 3 of 3";
 
-  /** As far as the original's sensor. */
-  private static final double RANGE_MM = 600;
-
   private static final List<Scenario> SCENARIOS =
       List.of(
           new Scenario(GENERATED, "a house drawn from the seed; see rooms"),
           new Scenario(FILES_SCENARIO, "the original StarL's files; implied by files=FOLDER"));
 
-  private static final Parameter SCENARIO =
-      new Parameter("scenario", GENERATED, "one of the scenarios above");
-  private static final Parameter ROOMS =
-      new Parameter(
-          "rooms", "6", "number of rooms of a generated house, 1 to " + GeneratedHouse.MAX_ROOMS);
-  private static final Parameter OBJECT =
-      new Parameter(
-          "object",
-          DRAWN,
-          "the thing to find: drawn (the files' things; in a generated house, at a place from the"
-              + " seed), none, or x,y in mm");
-  private static final Parameter FILES =
-      new Parameter(
-          "files",
-          "",
-          "folder of obstacles.wpt (walls), dest.wpt (doors), start.wpt (robots) and"
-              + " senseObjects.wpt (things to find)");
+  private static final SearchFactory FACTORY = new SearchFactory();
 
   @Override
   public String name() {
-    return "search";
+    return FACTORY.name();
   }
 
   @Override
@@ -97,7 +78,7 @@ public final class SearchDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, ROOMS, OBJECT, FILES);
+    return FACTORY.parameters();
   }
 
   @Override
@@ -138,7 +119,7 @@ public final class SearchDemo implements Demo {
         .starts()
         .forEach((robot, start) ->
             simulation.robot(
-                new RobotSpec(robot, start, true, gvh -> new SearchApp(gvh, XID, house))));
+                new RobotSpec(robot, start, true, SearchFactory.app(house))));
     watch(simulation, house, scene.things(), settings);
     return new Plan(simulation, story, new SearchLayer(house, scene.things()), walls);
   }
@@ -174,7 +155,8 @@ public final class SearchDemo implements Demo {
   }
 
   private static SearchScene ofFiles(String files, Request request, SimSettings settings) {
-    SearchScene scene = HouseFiles.read(Path.of(files), RANGE_MM, settings.motionParameters(0));
+    SearchScene scene =
+        HouseFiles.read(Path.of(files), SearchFactory.RANGE_MM, settings.motionParameters(0));
     int robots = scene.starts().size();
     if (request.robots().orElse(robots) != robots) {
       throw new BadInput(
@@ -185,20 +167,12 @@ public final class SearchDemo implements Demo {
 
   private SearchScene generated(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1 || robots > MAX_ROBOTS) {
-      throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS);
-    }
-    int rooms =
-        request.parse(ROOMS, text -> (int) Quantities.whole(text, 1, GeneratedHouse.MAX_ROOMS));
-    Rng rng = new Rng(request.seed()).fork(name());
-    HousePlan plan = GeneratedHouse.of(rooms, robots, rng.fork("house"));
-    MotionParameters body = settings.motionParameters(0);
-    House house = House.of(plan, RANGE_MM, Drive.clearanceMm(body, plan.bounds()));
+    House house = SearchFactory.house(request, robots, settings.motionParameters(0));
     Map<RobotId, Pose> starts = new LinkedHashMap<>();
-    for (Point start : plan.starts()) {
+    for (Point start : house.plan().starts()) {
       starts.put(new RobotId(settings.robotName() + starts.size()), Pose.of(start, UP_RAD));
     }
-    Point place = GeneratedHouse.somewhere(house, rng.fork("object"));
+    Point place = GeneratedHouse.somewhere(house, SearchFactory.rng(request).fork("object"));
     return new SearchScene(house, starts, List.of(object(place)));
   }
 

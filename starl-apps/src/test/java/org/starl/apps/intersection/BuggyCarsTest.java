@@ -6,6 +6,8 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Plan;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.apps.intersection.robot.Floor;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;

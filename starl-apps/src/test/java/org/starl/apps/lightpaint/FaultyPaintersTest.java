@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.lightpaint.logic.FaultyPainter;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
+import org.starl.apps.lightpaint.robot.HouseDrawing;
 import org.starl.apps.lightpaint.spec.PaintSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
@@ -17,7 +18,7 @@ import org.starl.sim.Simulation;
 class FaultyPaintersTest {
 
   private static SimResult run(FaultyPainter.Bug bug) {
-    List<Stroke> strokes = Strokes.of(DrawingFiles.house(5), 10, 1200);
+    List<Stroke> strokes = Strokes.of(HouseDrawing.lines(5), 10, 1200);
     return Simulation.builder()
         .seed(1)
         .endNs(400_000_000_000L)

@@ -13,6 +13,8 @@ import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.MazeTask;
 import org.starl.apps.maze.logic.MazeTrace;
+import org.starl.apps.maze.robot.DrawnMaze;
+import org.starl.apps.maze.robot.Layout;
 import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;

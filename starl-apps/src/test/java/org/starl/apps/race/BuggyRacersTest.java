@@ -7,7 +7,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.race.logic.BuggyRacer;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.robot.RaceFactory;
 import org.starl.random.Rng;
+import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -28,7 +30,12 @@ class BuggyRacersTest {
             // So far that a robot that hears nothing does not arrive before it should know.
             .set("floorWidth", bug == BuggyRacer.Bug.ANNOUNCES_NOTHING ? "30m" : "5m")
             .build();
-    List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));
+    List<RacePoint> points =
+        RaceFactory.drawn(
+            4,
+            settings.get(Setting.FLOOR_WIDTH),
+            settings.get(Setting.FLOOR_HEIGHT),
+            new Rng(seed).fork("race"));
     Simulation.Builder simulation =
         Simulation.builder()
             .seed(seed)

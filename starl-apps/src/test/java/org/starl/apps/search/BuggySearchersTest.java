@@ -10,6 +10,7 @@ import org.starl.apps.search.logic.BuggySearcher;
 import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
+import org.starl.apps.search.robot.GeneratedHouse;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;

@@ -23,6 +23,7 @@ import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.Room;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.apps.search.logic.Sweep;
+import org.starl.apps.search.robot.GeneratedHouse;
 import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;

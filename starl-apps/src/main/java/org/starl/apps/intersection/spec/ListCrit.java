@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent.Action;
  * {@code od_mutex}. A program sees the grant, or the refusal, at its next step. Between the two it is
  * still in MUTEX_WAIT, so there its latest request counts, granted or not.
  */
-final class ListCrit extends LemmaMonitor {
+public final class ListCrit extends LemmaMonitor {
 
   private static final String LEMMA = "Inv_list_crit";
 
@@ -45,7 +45,7 @@ final class ListCrit extends LemmaMonitor {
   }
 
   /** Of the mutex {@code xid}. */
-  ListCrit(String xid) {
+  public ListCrit(String xid) {
     mutex = MutexTrace.source(xid);
     lemma(
         LEMMA,

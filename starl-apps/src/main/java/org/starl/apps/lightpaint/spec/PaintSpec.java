@@ -183,7 +183,9 @@ public final class PaintSpec implements Monitor {
   }
 
   private List<Pass> passes(int stroke) {
-    return trail.passes().stream().filter(pass -> pass.stroke() == stroke).toList();
+    return trail.passes().stream()
+        .filter(pass -> pass.stroke() == stroke)
+        .collect(Collectors.toList());
   }
 
   /**

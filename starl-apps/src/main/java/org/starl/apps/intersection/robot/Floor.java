@@ -1,17 +1,17 @@
-package org.starl.apps.intersection;
+package org.starl.apps.intersection.robot;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.random.Rng;
 
 /** Objects at an intersection: kerbs, which cars know; debris, which they do not; roadside units. */
-final class Floor {
+public final class Floor {
 
   // Distances from the middle in zone widths. Lanes have kerbs between the first two.
   private static final double KERB_FROM = 1;
@@ -25,12 +25,12 @@ final class Floor {
   private Floor() {}
 
   /** Where the roadside units of an open road stand: at three of the four corners. */
-  static List<Point> roadsideUnits() {
+  public static List<Point> roadsideUnits() {
     return List.of(Crossing.at(-UNIT, UNIT), Crossing.at(UNIT, UNIT), Crossing.at(UNIT, -UNIT));
   }
 
   /** Both sides and the middle line of each arm, as in the original StarL's intersection. */
-  static Obstacles kerbs() {
+  public static Obstacles kerbs() {
     List<Obstacle> kerbs = new ArrayList<>();
     for (int side = -1; side <= 1; side++) {
       for (int sign : new int[] {-1, 1}) {
@@ -47,14 +47,12 @@ final class Floor {
    * Adds {@code pieces} hidden squares of 60 mm in the middle of critical zones. Each is removed after 5
    * to 30 s.
    */
-  static Obstacles withDebris(Obstacles obstacles, int pieces, Rng rng) {
+  public static Obstacles withDebris(Obstacles obstacles, int pieces, Rng rng) {
     Obstacles all = obstacles;
     for (int i = 0; i < pieces; i++) {
       Point at = Crossing.centre(Zone.values()[rng.nextInt(Zone.values().length)]);
       List<Point> corners =
-          Stream.of(new Point(-1, -1), new Point(1, -1), new Point(1, 1), new Point(-1, 1))
-              .map(corner -> at.plus(corner.times(DEBRIS_HALF_MM)))
-              .toList();
+          Rectangle.around(at, 2 * DEBRIS_HALF_MM, 2 * DEBRIS_HALF_MM).outline().vertices();
       long lifetimeMs = rng.nextLong(MIN_DEBRIS_MS, MAX_DEBRIS_MS);
       all = all.plus(new Obstacle(corners, true, true, lifetimeMs));
     }

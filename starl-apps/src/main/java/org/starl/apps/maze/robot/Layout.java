@@ -1,4 +1,4 @@
-package org.starl.apps.maze;
+package org.starl.apps.maze.robot;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -19,16 +19,16 @@ import org.starl.primitives.paths.Capsule;
  * @param floor all bodies stay in it
  * @param obstacles hidden ones included
  */
-record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
+public record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
 
   // How far from its place a robot may stand, besides the goal's tolerance.
   private static final double OFF_MM = 10;
 
   /** One robot: its start, and its goals in turn. */
-  record Robot(Pose start, List<Goal> goals) {}
+  public record Robot(Pose start, List<Goal> goals) {}
 
   /** The task of robot {@code index}. */
-  MazeTask task(int index, double bodyMm, CollisionMode mode) {
+  public MazeTask task(int index, double bodyMm, CollisionMode mode) {
     Robot robot = robots.get(index);
     List<Capsule> others = new ArrayList<>();
     for (int i = 0; i < robots.size(); i++) {

@@ -1,4 +1,4 @@
-package org.starl.apps.maze;
+package org.starl.apps.maze.robot;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -13,7 +13,7 @@ import org.starl.random.Rng;
  * A maze drawn from the seed: random walks join the cells to a tree, then some walls are removed so
  * that there are several ways, and one cell is walled in.
  */
-final class DrawnMaze {
+public final class DrawnMaze {
 
   private static final int COLUMNS = 8;
 
@@ -38,7 +38,7 @@ final class DrawnMaze {
    * @param hidden the part of the walls that is on no map
    * @throws org.starl.input.BadInput if there is no room for so many robots
    */
-  static Layout draw(int robots, double hidden, Rng rng) {
+  public static Layout draw(int robots, double hidden, Rng rng) {
     Rng walls = rng.fork("walls");
     Rng draw = rng.fork("places");
     int most = 0;

@@ -1,7 +1,8 @@
-package org.starl.apps.search;
+package org.starl.apps.search.robot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.Room;
@@ -17,9 +18,9 @@ import org.starl.random.Rng;
  * sides of each corridor. Rooms differ in width and depth; in some a wall or a pillar stands.
  * Robots start at the hall's lower end.
  */
-final class GeneratedHouse {
+public final class GeneratedHouse {
 
-  static final int MAX_ROOMS = 24;
+  public static final int MAX_ROOMS = 24;
 
   private static final int WALL_MM = 100;
   private static final int HALL_MM = 1_600;
@@ -61,14 +62,15 @@ final class GeneratedHouse {
    * @param rooms from 1 to {@link #MAX_ROOMS}
    * @param robots how many starts it has
    */
-  static HousePlan of(int rooms, int robots, Rng rng) {
+  public static HousePlan of(int rooms, int robots, Rng rng) {
     return new GeneratedHouse(rng).plan(rooms, robots);
   }
 
   /** A place in one of the rooms that a robot can see. */
-  static Point somewhere(House house, Rng rng) {
+  public static Point somewhere(House house, Rng rng) {
     Room room = house.room(rng.nextInt(house.rooms().size()));
-    List<Integer> cells = new ArrayList<>(room.cells().stream().boxed().toList());
+    List<Integer> cells =
+        room.cells().stream().boxed().collect(Collectors.toCollection(ArrayList::new));
     int cell;
     do {
       cell = cells.remove(rng.nextInt(cells.size()));

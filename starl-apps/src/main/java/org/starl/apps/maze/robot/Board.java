@@ -1,4 +1,4 @@
-package org.starl.apps.maze;
+package org.starl.apps.maze.robot;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
@@ -19,7 +20,7 @@ import org.starl.geometry.Rectangle;
  * @param free the cells without an obstacle
  * @param links of each cell, in any order
  */
-record Board(int columns, int rows, double cellMm, BitSet free, List<List<Integer>> links) {
+public record Board(int columns, int rows, double cellMm, BitSet free, List<List<Integer>> links) {
 
   /** A board without links. */
   Board(int columns, int rows, double cellMm, IntPredicate isFree) {
@@ -31,7 +32,7 @@ record Board(int columns, int rows, double cellMm, BitSet free, List<List<Intege
   }
 
   /** A board on which all free neighbours are linked. */
-  static Board open(int columns, int rows, double cellMm, IntPredicate isFree) {
+  public static Board open(int columns, int rows, double cellMm, IntPredicate isFree) {
     Board board = new Board(columns, rows, cellMm, isFree);
     board.free.stream()
         .forEach(cell ->
@@ -45,11 +46,11 @@ record Board(int columns, int rows, double cellMm, BitSet free, List<List<Intege
     return columns * rows;
   }
 
-  Rectangle floor() {
+  public Rectangle floor() {
     return new Rectangle(0, 0, columns * cellMm, rows * cellMm);
   }
 
-  Point middle(int cell) {
+  public Point middle(int cell) {
     int row = cell / columns;
     return new Point((cell % columns + 0.5) * cellMm, (row + 0.5) * cellMm);
   }
@@ -60,7 +61,7 @@ record Board(int columns, int rows, double cellMm, BitSet free, List<List<Intege
         .filter(next -> next >= 0 && next < cells())
         .filter(next -> next % columns == cell % columns || next / columns == cell / columns)
         .boxed()
-        .toList();
+        .collect(Collectors.toList());
   }
 
   boolean isLinked(int cell, int neighbour) {

@@ -1,4 +1,4 @@
-package org.starl.apps.maze;
+package org.starl.apps.maze.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,28 +1,23 @@
-package org.starl.apps.maze;
+package org.starl.apps.maze.robot;
 
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
-import java.util.function.IntPredicate;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.maze.logic.Goal;
-import org.starl.geometry.Obstacle;
-import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.geometry.Rectangle;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
-import org.starl.sim.world.GridMap;
 
 /**
  * Draws a start and a goal for each robot, in the middle of cells. About three of four goals can be
  * reached; the others are cut off, if the board has such places. A goal that can be reached can be
  * reached past the starts and goals of all other robots.
  */
-final class Places {
+public final class Places {
 
-  private static final int FEWEST_STEPS_ON_A_MAP = 6;
   private static final int MOST_STEPS = 60;
   private static final double TOLERANCE_MM = 20;
   private static final double CUT_OFF = 0.25;
@@ -47,33 +42,10 @@ final class Places {
   /**
    * @param fewestSteps to a goal that can be reached
    */
-  Places(Board board, int fewestSteps, Rng rng) {
+  public Places(Board board, int fewestSteps, Rng rng) {
     this.board = board;
     this.fewestSteps = fewestSteps;
     this.rng = rng;
-  }
-
-  /**
-   * A grid map with drawn robots, and with hidden boxes on their ways.
-   *
-   * @param boxes number of hidden boxes of one cell each, fewer if there is no room
-   */
-  static Layout onMap(GridMap map, double cellMm, int robots, int boxes, Rng rng) {
-    int columns = map.columns();
-    IntPredicate isFree = cell -> map.isFree(cell % columns, cell / columns);
-    Board board = Board.open(columns, map.rows(), cellMm, isFree);
-    Places places = new Places(board, FEWEST_STEPS_ON_A_MAP, rng.fork("places"));
-    int found = places.draw(robots);
-    if (found < robots) {
-      throw noRoom(robots, found);
-    }
-    List<Obstacle> obstacles = new ArrayList<>(map.walls(cellMm).all());
-    for (int cell : places.hideBoxes(boxes)) {
-      List<Point> corners =
-          Rectangle.around(board.middle(cell), cellMm, cellMm).outline().vertices();
-      obstacles.add(new Obstacle(corners, true, true, Obstacle.FOREVER));
-    }
-    return new Layout(board.floor(), new Obstacles(obstacles), places.robots());
   }
 
   /**
@@ -81,12 +53,12 @@ final class Places {
    *
    * @return the number of robots that found room
    */
-  int draw(int robots) {
+  public int draw(int robots) {
     while (pairs.size() < robots && drawOne()) {}
     return pairs.size();
   }
 
-  static BadInput noRoom(int robots, int found) {
+  public static BadInput noRoom(int robots, int found) {
     return new BadInput("robots: " + robots + ": expected at most " + found + " in this maze");
   }
 
@@ -124,7 +96,7 @@ final class Places {
                 ? steps[cell] < 0 && board.middle(start).distanceMm(board.middle(cell)) <= nearMm
                 : steps[cell] >= fewestSteps && steps[cell] <= MOST_STEPS)
         .boxed()
-        .toList();
+        .collect(Collectors.toList());
   }
 
   /** The boxes, and the starts and goals of all robots but one. */
@@ -154,14 +126,14 @@ final class Places {
    *
    * @return the cells
    */
-  List<Integer> hideBoxes(int count) {
+  public List<Integer> hideBoxes(int count) {
     if (count > 0) {
       toClose.forEach(goal -> tryToHide(board.links().get(goal)));
     }
     for (int i = 0; i < count; i++) {
       hideBox(pairs.get(i % pairs.size()));
     }
-    return boxes.stream().boxed().toList();
+    return boxes.stream().boxed().collect(Collectors.toList());
   }
 
   private void hideBox(Pair pair) {
@@ -185,7 +157,7 @@ final class Places {
     return true;
   }
 
-  List<Layout.Robot> robots() {
+  public List<Layout.Robot> robots() {
     List<Layout.Robot> robots = new ArrayList<>();
     for (Pair pair : pairs) {
       Point at = board.middle(pair.start());

@@ -1,4 +1,4 @@
-package org.starl.apps.intersection;
+package org.starl.apps.intersection.robot;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,23 +18,25 @@ import org.starl.time.Time;
  * @param start pose at which it comes onto the floor
  * @param readyNs not before this time
  */
-record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
+public record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
 
   private static final int MAX_CARS = 12;
   private static final long LATEST_START_MS = 3_000;
 
   /** A car that starts in the place of {@code rank} on the arm of its route. */
-  static Car on(Route route, int rank, String name, long readyNs) {
+  public static Car on(Route route, int rank, String name, long readyNs) {
     Pose start = Crossing.placePose(route.from(), rank);
     Trip trip = Crossing.trip(route, rank);
     return new Car(new RobotId(name), route.arrival(), start, trip, readyNs);
   }
 
   /** The cars of Figure 7, all ready from the start. */
-  static List<Car> figure7(String prefix) {
-    return Route.FIGURE7.stream()
-        .map(route -> on(route, 0, prefix + Route.FIGURE7.indexOf(route), 0))
-        .toList();
+  public static List<Car> figure7(String prefix) {
+    List<Car> cars = new ArrayList<>();
+    for (Route route : Route.FIGURE7) {
+      cars.add(on(route, 0, prefix + cars.size(), 0));
+    }
+    return cars;
   }
 
   /**
@@ -42,7 +44,7 @@ record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
    *
    * @throws BadInput if there are too many, or none
    */
-  static List<Car> drawn(String prefix, int count, Rng rng) {
+  public static List<Car> drawn(String prefix, int count, Rng rng) {
     if (count < 1 || count > MAX_CARS) {
       throw new BadInput(
           "robots: "

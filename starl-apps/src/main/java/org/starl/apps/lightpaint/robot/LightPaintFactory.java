@@ -1,0 +1,122 @@
+package org.starl.apps.lightpaint.robot;
+
+import java.util.List;
+import org.starl.apps.AppFactory;
+import org.starl.apps.Parameter;
+import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
+import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.Line;
+import org.starl.apps.lightpaint.logic.Painting;
+import org.starl.apps.lightpaint.logic.Stroke;
+import org.starl.apps.lightpaint.logic.Strokes;
+import org.starl.body.MotionParameters;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
+import org.starl.primitives.agreement.AgreementSpec;
+
+/** The paper's light painting, of the default drawing. */
+public final class LightPaintFactory implements AppFactory {
+
+  public static final Parameter DRAWING =
+      new Parameter("drawing", "", "file NAME.svg or NAME.wpt to paint (default: a house)");
+  public static final Parameter STARTS =
+      new Parameter(
+          "starts", "", "file NAME.wpt with the painters' starts (default: beside the drawing)");
+  public static final Parameter SCALE =
+      new Parameter("scale", "5mm", "millimetres per unit (pixel) of an SVG drawing");
+  public static final Parameter FLATNESS =
+      new Parameter(
+          "flatness", "5mm", "maximum distance of a curve from the straight lines that replace it");
+  public static final Parameter STROKE =
+      new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
+
+  private static final int MAX_PAINTERS = 1000;
+  private static final int MAX_STROKES = 300;
+
+  @Override
+  public String name() {
+    return "lightpaint";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(DRAWING, STARTS, SCALE, FLATNESS, STROKE);
+  }
+
+  @Override
+  public RobotProgram program(Request request) {
+    request.refuseOnRobots(DRAWING);
+    request.refuseOnRobots(STARTS);
+    int painters = request.robots().orElse(1);
+    checkPainters(painters);
+    List<Stroke> strokes = strokes(request, house(request));
+    double radiusMm = Painting.radiusMm(MotionParameters.DEFAULT);
+    return program(Painting.of(strokes, List.of(), painters, radiusMm));
+  }
+
+  /** The program of the painters of this painting. */
+  public static RobotProgram program(Painting painting) {
+    return RobotProgram.of(
+            gvh -> new LightPaintApp(gvh, painting, painting.homes().get(RobotProgram.number(gvh))))
+        .withMonitor(AgreementSpec::new);
+  }
+
+  /**
+   * @throws BadInput if a painting has not so many painters
+   */
+  public static void checkPainters(int painters) {
+    if (painters < 1 || painters > MAX_PAINTERS) {
+      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS);
+    }
+  }
+
+  /** The default drawing, with the flatness of a request. */
+  public static List<Line> house(Request request) {
+    return HouseDrawing.lines(flatnessMm(request));
+  }
+
+  /** The value of {@link #FLATNESS}. */
+  public static double flatnessMm(Request request) {
+    return mm(request, FLATNESS, 1, 100);
+  }
+
+  /**
+   * The strokes of a drawing.
+   *
+   * @throws BadInput if there are none, or too many
+   */
+  public static List<Stroke> strokes(Request request, List<Line> lines) {
+    double longestMm = mm(request, STROKE, 100, 10_000);
+    List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm(request), longestMm);
+    if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
+      throw new BadInput(
+          "drawing="
+              + BadInput.quote(request.parameter(DRAWING.key()))
+              + ": "
+              + strokes.size()
+              + " strokes: expected 1 to "
+              + MAX_STROKES
+              + "; change scale or stroke");
+    }
+    return strokes;
+  }
+
+  /**
+   * A distance.
+   *
+   * @throws BadInput if it is not from {@code least} to {@code most}, in mm
+   */
+  public static double mm(Request request, Parameter parameter, double least, double most) {
+    return request.parse(
+        parameter,
+        text -> {
+          double mm = Quantities.distanceMm(text);
+          if (mm < least || mm > most) {
+            throw new BadInput(
+                BadInput.quote(text) + ": expected " + least + "mm to " + most + "mm");
+          }
+          return mm;
+        });
+  }
+}
