@@ -3,7 +3,6 @@ package org.starl.launch;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
@@ -15,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
 import org.starl.robot.DisownedException;
+import org.starl.robot.LocalSpecs;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
@@ -161,12 +161,17 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             plan.obstacles().known(),
             plan.waypoints(),
             plan.settings().motionParameters(plan.robots().indexOf(spec), plan.robots().size()));
-    List<SimObserver> observers = new ArrayList<>(plan.observers());
-    observers.add(new LocalSpecs(plan, startNs, this::violated));
+    List<SimObserver> observers = plan.observers();
     observers.forEach(observer -> observer.started(plan.header()));
+    LocalSpecs specs = new LocalSpecs(plan.monitors(), startNs, this::violated);
     LateTrace trace =
         new LateTrace(
-            sink, startNs, event -> observers.forEach(observer -> observer.observed(event)));
+            sink,
+            startNs,
+            event -> {
+              observers.forEach(observer -> observer.observed(event));
+              specs.observed(event);
+            });
     DeployedRobot opened =
         DeployedRobot.open(
             settings.deployment(),

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.id.RobotId;
-import org.starl.launch.LocalSpecs;
+import org.starl.robot.LocalSpecs;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
@@ -30,7 +30,7 @@ class OwnLemmasTest {
   }
 
   private static LocalSpecs watch(Demo demo, List<Violation> violations) {
-    return new LocalSpecs(plan(demo).simulation().build().plan(), 0, violations::add);
+    return new LocalSpecs(plan(demo).simulation().build().plan().monitors(), 0, violations::add);
   }
 
   private static Plan plan(Demo demo) {

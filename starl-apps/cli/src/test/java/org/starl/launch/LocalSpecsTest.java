@@ -22,6 +22,7 @@ import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.robot.LocalSpecs;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
@@ -202,7 +203,7 @@ class LocalSpecsTest {
   @Test
   void lemmasOnOtherRobotsOrBodiesAreNotChecked() {
     List<Violation> violations = new ArrayList<>();
-    LocalSpecs specs = new LocalSpecs(plan(), 1000, violations::add);
+    LocalSpecs specs = new LocalSpecs(plan().monitors(), 1000, violations::add);
 
     specs.observed(new Joined(1100, BOT, new Pose(0, 0, 0), 165));
     specs.observed(new Action(1200, BOT, "door", "enter", List.of()));

@@ -1,11 +1,11 @@
-package org.starl.launch;
+package org.starl.robot;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.starl.id.RobotId;
-import org.starl.sim.SimObserver;
-import org.starl.sim.SimulationPlan;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport.Violation;
@@ -20,7 +20,7 @@ import org.starl.trace.TraceEvent.Moved;
  * one robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors get no measured
  * positions: an error of measurement must not stop a robot. Strand only.
  */
-public final class LocalSpecs implements SimObserver {
+public final class LocalSpecs {
 
   private final List<Monitor> monitors = new ArrayList<>();
   private final List<String> lemmas = new ArrayList<>();
@@ -28,13 +28,17 @@ public final class LocalSpecs implements SimObserver {
   private final Consumer<Violation> onViolation;
 
   /**
+   * @param makers of the app's monitors
    * @param startNs the trace's time 0, on the clock of the events
    * @param onViolation takes violations, with times of the trace
    */
-  public LocalSpecs(SimulationPlan plan, long startNs, Consumer<Violation> onViolation) {
+  public LocalSpecs(
+      List<? extends Supplier<? extends Monitor>> makers,
+      long startNs,
+      Consumer<Violation> onViolation) {
     this.startNs = startNs;
     this.onViolation = onViolation;
-    for (Monitor monitor : Monitors.of(plan.monitors()).monitors()) {
+    for (Monitor monitor : Monitors.of(makers).monitors()) {
       if (!monitor.perRobotLemmas().isEmpty()) {
         monitors.add(monitor);
         lemmas.addAll(monitor.perRobotLemmas());
@@ -46,10 +50,10 @@ public final class LocalSpecs implements SimObserver {
 
   /** The lemmas that are checked. */
   public List<String> lemmas() {
-    return List.copyOf(lemmas);
+    return Collections.unmodifiableList(lemmas);
   }
 
-  @Override
+  /** The next event of this robot, with its time on the clock. */
   public void observed(TraceEvent event) {
     if (!(event instanceof Joined || event instanceof Moved || event instanceof Left)) {
       show(event);
