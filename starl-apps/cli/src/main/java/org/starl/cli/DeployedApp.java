@@ -28,6 +28,10 @@ final class DeployedApp {
    * @throws BadInput if the app or a parameter is unknown, or a value is invalid
    */
   static DeployedApp of(Deployment deployment, Demos demos) {
+    if (deployment.app().isEmpty()) {
+      throw BadInput.at(
+          deployment.file(), 1, "has no 'app:'; expected an app of 'starl list' on this machine");
+    }
     Map<String, String> parameters = new LinkedHashMap<>(deployment.parameters());
     if (deployment.limits().reactionMs() > 0) {
       // The app's maps and monitors allow for it too, here and when the traces are merged.

@@ -195,6 +195,32 @@ public final class MainActivity extends Activity {
         .show();
   }
 
+  /** Shows the apps of this phone; a deployment may leave the choice among them open. */
+  private void chooseApp() {
+    String[] names;
+    try {
+      names = PhoneApps.names().toArray(new String[0]);
+    } catch (BadInput e) {
+      tell(String.valueOf(e.getMessage()));
+      return;
+    }
+    new AlertDialog.Builder(this)
+        .setTitle("Apps on this phone")
+        .setItems(
+            names,
+            (dialog, which) -> {
+              if (store != null) {
+                store.setApp(names[which]);
+                showIdentity();
+                tell(
+                    "a deployment without an app runs "
+                        + names[which]
+                        + "; the others run their own");
+              }
+            })
+        .show();
+  }
+
   private void startRobot() {
     startForegroundService(RobotService.intent(this, RobotService.START));
   }
@@ -218,6 +244,10 @@ public final class MainActivity extends Activity {
 
     void choose() {
       chooseRobot();
+    }
+
+    void chooseApp() {
+      MainActivity.this.chooseApp();
     }
 
     void saveTraces() {

@@ -49,6 +49,7 @@ final class MainScreen {
     column.addView(button("Load deployment", orders::loadDeployment));
     column.addView(button("Load key", orders::loadKey));
     column.addView(button("Choose robot", orders::choose));
+    column.addView(button("Choose app", orders::chooseApp));
     column.addView(notice);
     column.addView(status);
     column.addView(start);

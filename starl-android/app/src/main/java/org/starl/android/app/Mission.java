@@ -1,9 +1,7 @@
 package org.starl.android.app;
 
-import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.apps.RobotProgram;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
@@ -13,14 +11,11 @@ import org.starl.robot.udp.PeerKeys;
 /**
  * This phone's task: one robot of a deployment, checked without network or hardware. Immutable.
  *
- * @param app makes the robot's app
+ * @param program of the deployment's robots
  * @param keys seal the datagrams to and from other robots; null if the deployment has no keys
  */
 record Mission(
-    Deployment deployment,
-    RobotEntry robot,
-    Function<GlobalVarHolder, LogicThread> app,
-    @Nullable PeerKeys keys) {
+    Deployment deployment, RobotEntry robot, RobotProgram program, @Nullable PeerKeys keys) {
 
   /** Prefix of a chassis port over Bluetooth; the adapter's name or address follows. */
   static final String BLUETOOTH = "bluetooth:";
@@ -34,8 +29,7 @@ record Mission(
     if (secret != null && keys == null) {
       throw deployment.error("key", secret, "this key to be loaded onto the phone too");
     }
-    Mission mission =
-        new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), keys);
+    Mission mission = new Mission(deployment, robot, PhoneApps.program(deployment), keys);
     if (mission.bluetooth() == null && mission.tcp() == null) {
       throw BadInput.at(
           deployment.file(),

@@ -1,105 +1,62 @@
 package org.starl.android.app;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.SortedMap;
-import java.util.TreeMap;
-import java.util.function.Function;
-import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
-import org.starl.apps.hello.logic.Hello;
-import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.IntersectionApp;
-import org.starl.apps.intersection.logic.Route;
-import org.starl.apps.intersection.logic.Trip;
-import org.starl.id.RobotId;
+import org.starl.apps.AppFactory;
+import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 
-/**
- * The apps that a phone can run, by name: the same classes as in the simulator. Scenarios drawn from
- * the seed need the simulator, which a phone does not have; so a phone runs only the scenarios that
- * are the same for every seed.
- */
+/** The apps of this APK, by name: the same classes as on a board and in the simulator. */
 final class PhoneApps {
-
-  private static final String XID = "crossing";
-  private static final String SCENARIO = "scenario";
-  private static final String FIGURE7 = "figure7";
-
-  /** Accepted and ignored: debris exists only on a simulated floor. */
-  private static final String DEBRIS = "debris";
-
-  /** Makes the app of one robot of a deployment. */
-  private interface Maker {
-    Function<GlobalVarHolder, LogicThread> make(Deployment deployment, RobotId robot);
-  }
-
-  private static final SortedMap<String, Maker> ALL = all();
 
   private PhoneApps() {}
 
   /** Their names. */
   static List<String> names() {
-    return new ArrayList<>(ALL.keySet());
+    return new ArrayList<>(AppFactory.installed().keySet());
   }
 
   /**
-   * Makes the app of {@code robot}.
+   * The program of the deployment's robots.
    *
-   * @throws BadInput if a phone has no such app, or not with these parameters
+   * @throws BadInput if this APK has no such app, or not with these parameters
    */
-  static Function<GlobalVarHolder, LogicThread> factory(Deployment deployment, RobotId robot) {
-    Maker maker = ALL.get(deployment.app());
-    if (maker == null) {
-      throw deployment.error("app", deployment.app(), "one of " + names() + " on a phone");
+  static RobotProgram program(Deployment deployment) {
+    AppFactory factory = AppFactory.installed().get(deployment.app());
+    if (factory == null) {
+      throw deployment.error("app", deployment.app(), "one of " + names() + ", this phone's apps");
     }
-    return maker.make(deployment, robot);
-  }
-
-  private static SortedMap<String, Maker> all() {
-    SortedMap<String, Maker> all = new TreeMap<>();
-    all.put("hello", PhoneApps::hello);
-    all.put("intersection", PhoneApps::intersection);
-    return Collections.unmodifiableSortedMap(all);
-  }
-
-  private static Function<GlobalVarHolder, LogicThread> hello(
-      Deployment deployment, RobotId robot) {
-    refuseAllBut(deployment);
-    return Hello::new;
-  }
-
-  /** Paper, section 3, with the cars of Figure 7: the first robot by name takes the first route. */
-  private static Function<GlobalVarHolder, LogicThread> intersection(
-      Deployment deployment, RobotId robot) {
-    refuseAllBut(deployment, SCENARIO, DEBRIS);
-    String scenario = deployment.parameters().get(SCENARIO);
-    if (!FIGURE7.equals(scenario)) {
-      throw deployment.error(SCENARIO, String.valueOf(scenario), FIGURE7 + " on a phone");
-    }
-    int number = deployment.participants().asList().indexOf(robot);
-    if (number < 0 || number >= Route.FIGURE7.size()) {
-      throw deployment.error(
-          SCENARIO,
-          FIGURE7,
-          "at most " + Route.FIGURE7.size() + " robots; " + robot + " is one too many");
-    }
-    Trip trip = Crossing.trip(Route.FIGURE7.get(number), 0);
-    return gvh -> new IntersectionApp(gvh, XID, trip, gvh.id.participants());
-  }
-
-  private static void refuseAllBut(Deployment deployment, String... known) {
-    for (Map.Entry<String, String> parameter : deployment.parameters().entrySet()) {
-      if (!Arrays.asList(known).contains(parameter.getKey())) {
+    SortedMap<String, String> parameters = factory.defaults();
+    for (Map.Entry<String, String> given : deployment.parameters().entrySet()) {
+      if (parameters.replace(given.getKey(), given.getValue()) == null) {
         throw deployment.error(
-            parameter.getKey(),
-            parameter.getValue(),
-            "one of " + Arrays.toString(known) + " for " + deployment.app() + " on a phone");
+            given.getKey(),
+            given.getValue(),
+            "one of " + parameters.keySet() + " for " + deployment.app() + " on a phone");
       }
     }
+    Request request =
+        new Request(deployment.seed(), OptionalInt.of(deployment.robots().size()), parameters);
+    try {
+      return factory.program(request);
+    } catch (BadInput e) {
+      String message = String.valueOf(e.getMessage());
+      throw new BadInput(deployment.where(key(deployment, message)) + message);
+    }
+  }
+
+  /** The parameter of the file that a message begins with. */
+  private static String key(Deployment deployment, String message) {
+    for (String key : deployment.parameters().keySet()) {
+      if (message.startsWith(key + "=") || message.startsWith(key + ":")) {
+        return key;
+      }
+    }
+    return "app";
   }
 }

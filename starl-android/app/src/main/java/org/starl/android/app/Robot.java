@@ -10,7 +10,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.Version;
 import org.starl.body.MotionParameters;
-import org.starl.geometry.Obstacles;
 import org.starl.gvh.GvhVariable;
 import org.starl.motion.Location;
 import org.starl.platform.Clock;
@@ -19,6 +18,7 @@ import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.DeployedRobot;
+import org.starl.robot.LocalSpecs;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.CreateChassis;
 import org.starl.robot.create.CreateHold;
@@ -32,6 +32,7 @@ import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.time.Time;
 import org.starl.trace.TraceHeader;
 
@@ -88,19 +89,23 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
         new ProcessTrace(
             mission.robot().id(), header(mission.deployment()), files.trace(), this::traceLost);
     MachineClock.tell(trace, clock, startNs);
+    LocalSpecs specs = new LocalSpecs(mission.program().monitors(), startNs, this::violated);
     deployed =
         DeployedRobot.open(
             mission.deployment(),
             mission.robot(),
             mission.keys(),
             new DeployedRobot.Program(
-                mission.app(), Obstacles.NONE, List.of(), MotionParameters.DEFAULT),
+                mission.program().app(),
+                mission.program().knownObstacles(),
+                List.of(),
+                MotionParameters.DEFAULT),
             new DeployedRobot.Surroundings(
                 files.stable(),
                 this::openWheels,
                 clock,
                 this::logAndTrace,
-                new LateTrace(trace, startNs, event -> {}),
+                new LateTrace(trace, startNs, specs::observed),
                 this::showLight),
             this);
     look = deployed.strand().timer(this::look);
@@ -138,9 +143,11 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     deployed.emergencyStop();
   }
 
-  /** Ends the emergency stop: the app may drive again. */
+  /** Ends the emergency stop: the app may drive again, unless it has ended by a bug or a violation. */
   void release() {
-    deployed.release();
+    if (bug == null) {
+      deployed.release();
+    }
   }
 
   /**
@@ -198,6 +205,20 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
       here.emergencyStop();
     }
     failed(failure);
+  }
+
+  // On the strand, which ends: a robot whose program is wrong must not drive on.
+  private void violated(Violation violation) {
+    if (bug == null) {
+      String line = "VIOLATED: " + violation;
+      IllegalStateException error = new IllegalStateException(line);
+      // First: from now on nothing releases the wheels.
+      bug = error;
+      emergencyStop();
+      deployed.strand().close();
+      logAndTrace(clock.nowNs(), LogSink.Level.ERROR, "specification", line);
+      failed(error);
+    }
   }
 
   /** The simulator's header for the same run, without the settings that are not in the deployment. */

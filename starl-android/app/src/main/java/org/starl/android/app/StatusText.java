@@ -23,7 +23,8 @@ final class StatusText {
     if (deployment == null) {
       return "no deployment: load one";
     }
-    String others = deployment.robots().size() + " robots, app " + deployment.app();
+    String app = deployment.app().isEmpty() ? "; choose the app" : ", app " + deployment.app();
+    String others = deployment.robots().size() + " robots" + app;
     return robot.isEmpty() ? others + "; choose the robot of this phone" : robot + " of " + others;
   }
 

@@ -52,6 +52,7 @@ final class Store {
   private static final String PREFERENCES = "robot";
   private static final String NAME = "name";
   private static final String EMERGENCY = "emergency";
+  private static final String APP = "app";
   private static final String TRACE = ".trace";
   private static final int KEPT_TRACES = 20;
 
@@ -80,6 +81,15 @@ final class Store {
   /** Returns when it is on the disk; false if it could not be written. */
   boolean setEmergency(boolean isOn) {
     return preferences.edit().putBoolean(EMERGENCY, isOn).commit();
+  }
+
+  /** The app that was chosen for a deployment without one; empty if none. */
+  String app() {
+    return String.valueOf(preferences.getString(APP, ""));
+  }
+
+  void setApp(String name) {
+    preferences.edit().putString(APP, name).apply();
   }
 
   /** The folder of a robot's stable storage. */
@@ -174,10 +184,14 @@ final class Store {
     Files.move(fresh, folder.resolve(item.file), StandardCopyOption.REPLACE_EXISTING);
   }
 
-  /** The deployment that was loaded, or null. */
+  /** The deployment that was loaded, with the chosen app if it has none; null without any. */
   @Nullable Deployment deployment() throws IOException {
     Path file = folder.resolve(Item.DEPLOYMENT.file);
-    return Files.exists(file) ? parse(file) : null;
+    if (!Files.exists(file)) {
+      return null;
+    }
+    Deployment deployment = parse(file);
+    return deployment.app().isEmpty() ? deployment.withApp(app()) : deployment;
   }
 
   /**
@@ -193,6 +207,9 @@ final class Store {
     if (robotName().isEmpty()) {
       throw new BadInput(
           "this phone has no robot yet: choose one of " + deployment.robots().keySet());
+    }
+    if (deployment.app().isEmpty()) {
+      throw new BadInput("this phone has no app yet: choose one of " + PhoneApps.names());
     }
     Path keyFile = folder.resolve(Item.KEY.file);
     PeerKeys keys =

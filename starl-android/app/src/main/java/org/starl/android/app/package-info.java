@@ -7,14 +7,15 @@
  *
  * <p>Contract: the chassis driver, below all of this, stops the wheels; an emergency stop goes straight
  * to it, from any thread, and holds until the user releases it. A lost link, network or permission is
- * shown, and used again when it is back. Whatever ends the robot (stop, a bug, the service's end)
+ * shown, and used again when it is back. Whatever ends the robot (stop, a bug, a violation of one of
+ * its own lemmas, the service's end)
  * stops the wheels first and releases every lock.
  *
  * <p>Threads: the service and the activity run on Android's main thread, which never waits for the
  * robot; robots are opened and closed on another thread.
  *
- * <p>May import: {@code android}, core, primitives, {@code org.starl.robot}, apps' {@code logic}
- * packages. The only package that imports {@code android}.
+ * <p>May import: {@code android}, core, primitives, {@code org.starl.robot}, {@code
+ * org.starl.apps.AppFactory} and its parts. The only package that imports {@code android}.
  */
 @NullMarked
 package org.starl.android.app;

@@ -19,8 +19,10 @@ import android.widget.TextView;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipInputStream;
@@ -35,6 +37,7 @@ import org.robolectric.RuntimeEnvironment;
 import org.robolectric.android.controller.ActivityController;
 import org.robolectric.android.controller.ServiceController;
 import org.robolectric.annotation.Config;
+import org.robolectric.shadows.ShadowAlertDialog;
 
 /** The one screen, bound to a service that has no robot. */
 @RunWith(RobolectricTestRunner.class)
@@ -127,6 +130,23 @@ public final class MainActivityTest {
     shadowOf(RuntimeEnvironment.getApplication()).grantPermissions(asked.requestedPermissions);
     activity.get().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions, null);
     assertThat(orders()).containsExactly(RobotService.START);
+  }
+
+  @Test
+  public void theUserSeesTheAppsAndChoosesOne() throws Exception {
+    Store store = new Store(RuntimeEnvironment.getApplication());
+    String deployment =
+        "positions: {source: natnet, server: 10.0.0.1}\n"
+            + "network: {broadcasts: no}\n"
+            + "robots: {bot0: {address: 10.0.0.2, chassis: {kind: create, port: 'tcp:10.0.0.3:23'}}}\n";
+    store.load(
+        Store.Item.DEPLOYMENT,
+        new ByteArrayInputStream(deployment.getBytes(StandardCharsets.UTF_8)));
+    button("Choose app").performClick();
+    var dialog = shadowOf(ShadowAlertDialog.getLatestAlertDialog());
+    assertThat(dialog.getItems()).contains("hello", "intersection", "race");
+    dialog.clickOnItem(Arrays.asList(dialog.getItems()).indexOf("race"));
+    assertThat(screen()).contains("1 robots, app race; choose the robot of this phone");
   }
 
   @Test

@@ -81,17 +81,48 @@ class MissionTest {
   }
 
   @Test
-  void aScenarioDrawnFromASeedIsRefused() {
+  void aScenarioThatNeedsTheSimulatorIsRefused() {
     isRefused(
-        SEALED.replace("figure7", "drawn"),
+        SEALED.replace("figure7", "open"),
         "bot0",
         key(),
-        "my.yaml:2: scenario: 'drawn': expected figure7 on a phone");
+        "my.yaml:2: scenario='open': expected drawn or figure7 on robots");
     isRefused(
         SEALED.replace("figure7}", "figure7, arrivals: 20/min}"),
         "bot0",
         key(),
-        "my.yaml:2: arrivals: '20/min': expected one of [scenario, debris] for intersection on a phone");
+        "my.yaml:2: arrivals='20/min': expected none on robots without the simulator");
+  }
+
+  @Test
+  void anUnknownAppAParameterOrATooLargeTeamIsRefusedInOneLine() {
+    isRefused(
+        SEALED.replace("app: intersection", "app: crossroads"),
+        "bot0",
+        key(),
+        "my.yaml:1: app: 'crossroads': expected one of [doors, hello, intersection, lightpaint,"
+            + " maze, race, search], this phone's apps");
+    isRefused(
+        SEALED.replace("figure7}", "figure7, floorWidth: 7m}"),
+        "bot0",
+        key(),
+        "my.yaml:2: floorWidth: '7m': expected one of [arrivals, debris, files, scenario] for"
+            + " intersection on a phone");
+    isRefused(
+        SEALED.replace("app: intersection", "app: race").replace("scenario: figure7", "drawn: 0"),
+        "bot0",
+        key(),
+        "my.yaml:2: drawn: '0': expected a whole number from 1 to 100");
+  }
+
+  @Test
+  void everyAppOfThePaperRunsOnAPhone() {
+    String parameters = "parameters: {scenario: figure7}\n";
+    for (String app : PhoneApps.names()) {
+      String given = app.equals("search") ? "parameters: {object: none}\n" : "";
+      String text = SEALED.replace(parameters, given).replace("app: intersection", "app: " + app);
+      assertThat(mission(text, "bot0", key()).program()).as(app).isNotNull();
+    }
   }
 
   @Test

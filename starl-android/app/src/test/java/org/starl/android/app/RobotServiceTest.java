@@ -293,13 +293,53 @@ public final class RobotServiceTest {
   @Test
   public void aDeploymentUnfitForPhonesIsRefusedInOneLine()
       throws IOException, InterruptedException {
-    load(deployment("maze"));
+    load(deployment("crossroads"));
     tell(RobotService.START);
     until(() -> service.phase() == Phase.FAILED);
     assertThat(service.problem())
         .isEqualTo(
-            "deployment.yaml:1: app: 'maze': expected one of [hello, intersection] on a phone");
+            "deployment.yaml:1: app: 'crossroads': expected one of [doors, hello, intersection,"
+                + " lightpaint, maze, race, search], this phone's apps");
     until(() -> !service.holdsLocks());
+  }
+
+  @Test
+  public void aRobotThatViolatesItsOwnLemmaStopsAndDrivesNoMore() throws Exception {
+    load(deployment("doors"));
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    until(() -> service.phase() == Phase.FAILED);
+    assertThat(service.problem())
+        .contains("VIOLATED: Once violated at ", " s by bot0: is inside already");
+    until(() -> !car.turnsItsWheels());
+    service.release();
+    AtomicInteger ticks = new AtomicInteger();
+    until(() -> {
+      assertThat(car.turnsItsWheels()).isFalse();
+      return ticks.incrementAndGet() > 100;
+    });
+    tell(RobotService.STOP);
+    until(() -> service.status() == null);
+  }
+
+  @Test
+  public void theChosenAppRunsOnlyWhereTheDeploymentHasNone()
+      throws IOException, InterruptedException {
+    Store store = new Store(application);
+    load(deployment("hello").replace("app: hello\n", ""));
+    tell(RobotService.START);
+    until(() -> service.phase() == Phase.FAILED);
+    assertThat(service.problem())
+        .isEqualTo(
+            "this phone has no app yet: choose one of [doors, hello, intersection, lightpaint, maze,"
+                + " race, search]");
+    store.setApp("hello");
+    tell(RobotService.START);
+    until(() -> service.phase() == Phase.RUNNING);
+    assertThat(service.status().app()).isEqualTo("hello");
+    store.setApp("maze");
+    load(deployment("hello"));
+    assertThat(store.deployment().app()).isEqualTo("hello");
   }
 
   @Test

@@ -22,7 +22,7 @@ import org.starl.robot.udp.RobotKey;
  * The content of a deployment file.
  *
  * @param file its name, for messages
- * @param app the app's name
+ * @param app the app's name; empty if the file has none: it is chosen on each phone
  * @param seed of the scenario and of the robots' random choices
  * @param parameters of the app and settings of the motion, as texts, in the file's order
  * @param lines the line of each of {@code app}, {@code key}, {@code positions}, {@code world}, {@code
@@ -47,6 +47,12 @@ public record Deployment(
     parameters = Collections.unmodifiableMap(new LinkedHashMap<>(parameters));
     lines = Collections.unmodifiableMap(new LinkedHashMap<>(lines));
     robots = Collections.unmodifiableSortedMap(new TreeMap<>(robots));
+  }
+
+  /** The same deployment of another app. */
+  public Deployment withApp(String newApp) {
+    return new Deployment(
+        file, newApp, seed, parameters, lines, key, network, positions, robots, world, limits);
   }
 
   /** All robots. */

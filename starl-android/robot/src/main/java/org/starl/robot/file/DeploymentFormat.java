@@ -21,7 +21,11 @@ public final class DeploymentFormat {
   private static final int HOUR_MS = 3_600_000;
 
   static final Field<String> APP =
-      Field.text("app", "an app of 'starl list'", "the app that every robot runs").needed();
+      Field.text(
+          "app",
+          "an app of 'starl list'",
+          "the app that every robot runs; if it is missing, it is chosen on each phone, and no"
+              + " board can run it");
   static final Field<Void> PARAMETERS =
       Field.mapping(
           "parameters",

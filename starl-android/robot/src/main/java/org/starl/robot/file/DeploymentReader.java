@@ -56,7 +56,7 @@ public final class DeploymentReader {
             DeploymentFormat.LIMITS)) {
       lines.put(field.key(), top.line(field.key()));
     }
-    String app = top.get(DeploymentFormat.APP);
+    String app = top.getOrNull(DeploymentFormat.APP);
     String key = top.getOrNull(DeploymentFormat.KEY);
     long seed = top.get(DeploymentFormat.SEED);
     Map<String, String> parameters = parameters(lines);
@@ -68,7 +68,17 @@ public final class DeploymentReader {
     top.end();
     Deployment deployment =
         new Deployment(
-            file, app, seed, parameters, lines, key, network, positions, robots, world, limits);
+            file,
+            app == null ? "" : app,
+            seed,
+            parameters,
+            lines,
+            key,
+            network,
+            positions,
+            robots,
+            world,
+            limits);
     refuseContradictions(deployment);
     return deployment;
   }
