@@ -7,18 +7,20 @@ description = "Makes, signs and verifies the APK of the app for phones"
 
 dependencies {
     implementation(project(":starl-android-app"))
+    implementation(project(":starl-apps"))
     // Android's resources and classes: what the APK is linked against.
     runtimeOnly(libs.android.resources)
     implementation(libs.r8)
     implementation(libs.apksig)
+    // Reads the list of what Android 8 has.
+    implementation(libs.animal.sniffer)
+    runtimeOnly(variantOf(libs.gummy.bears) { artifactType("signature") })
     implementation(libs.picocli)
-    testImplementation(project(":starl-apps"))
     testImplementation(project(":starl-sim"))
+    // Writes the project whose APK a test makes.
+    testImplementation(project(":starl-apps-cli"))
     // Makes class files of dex.
     testImplementation(libs.dex.translator)
-    // Reads the list of what Android 8 has.
-    testImplementation(libs.animal.sniffer)
-    testRuntimeOnly(variantOf(libs.gummy.bears) { artifactType("signature") })
     implementation(libs.jspecify)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)

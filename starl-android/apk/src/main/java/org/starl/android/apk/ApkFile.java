@@ -2,10 +2,12 @@ package org.starl.android.apk;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Enumeration;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
@@ -22,8 +24,12 @@ final class ApkFile {
 
   private ApkFile() {}
 
-  /** Writes {@code linked}'s entries and then the dex files of {@code dexFolder}. */
-  static void write(Path linked, Path dexFolder, Path unsigned) throws IOException {
+  /**
+   * Writes {@code linked}'s entries, then the dex files of {@code dexFolder}, then the names of the
+   * makers of apps.
+   */
+  static void write(Path linked, Path dexFolder, Set<String> apps, Path unsigned)
+      throws IOException {
     TreeMap<String, Path> dexFiles = new TreeMap<>();
     try (DirectoryStream<Path> files = Files.newDirectoryStream(dexFolder, "*.dex")) {
       for (Path file : files) {
@@ -41,6 +47,8 @@ final class ApkFile {
       for (String name : dexFiles.keySet()) {
         add(to, name, Files.readAllBytes(dexFiles.get(name)), false);
       }
+      byte[] services = String.join("\n", apps).getBytes(StandardCharsets.UTF_8);
+      add(to, Selection.SERVICES, services, false);
     }
   }
 

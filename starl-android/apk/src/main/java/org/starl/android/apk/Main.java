@@ -5,9 +5,12 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.AppFactory;
+import org.starl.input.BadInput;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,13 +25,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl apk --out out/starl.apk"})
 public final class Main implements Callable<Integer> {
-
-  @Option(
-      names = "--project",
-      paramLabel = "FOLDER",
-      hidden = true,
-      description = "StarL's own folder; the launcher gives it.")
-  private Path project = Path.of("");
 
   @Option(
       names = "--out",
@@ -78,6 +74,7 @@ public final class Main implements Callable<Integer> {
   /** Runs the command and returns its exit status. */
   static int run(PrintWriter out, PrintWriter err, String... args) {
     CommandLine line = new CommandLine(new Main()).setOut(out).setErr(err);
+    line.setOverwrittenOptionsAllowed(true);
     line.setParameterExceptionHandler(Main::refuse);
     line.setExecutionExceptionHandler(Main::report);
     return line.execute(args);
@@ -108,13 +105,16 @@ public final class Main implements Callable<Integer> {
       throw new IllegalStateException("picocli has not said what it runs");
     }
     PrintWriter printer = spec.commandLine().getOut();
+    SortedSet<String> apps = apps();
     Aapt2 linker = Aapt2.find(aapt2);
     SigningKey signingKey = signingKey();
     Levels levels = new Levels(Levels.MIN_SDK, Levels.TARGET_SDK, versionCode, "0.1.0");
     Path work = Files.createTempDirectory("starl-apk");
     try {
-      SortedMap<String, byte[]> classes = make(linker, signingKey, levels, work);
-      printer.println(out + ": " + Files.size(out) / 1024 + " KiB, " + classes.size() + " classes");
+      Selection made = make(linker, signingKey, levels, work);
+      printer.println(
+          out + ": " + Files.size(out) / 1024 + " KiB, " + made.classes().size() + " classes");
+      printer.println("apps: " + String.join(" ", apps));
     } finally {
       Folders.delete(work);
     }
@@ -127,31 +127,35 @@ public final class Main implements Callable<Integer> {
     return 0;
   }
 
-  private SortedMap<String, byte[]> make(
-      Aapt2 linker, SigningKey signingKey, Levels levels, Path work)
+  /** The names of the apps, found here as a phone finds them. */
+  private static SortedSet<String> apps() throws ApkException {
+    try {
+      return new TreeSet<>(AppFactory.installed().keySet());
+    } catch (BadInput e) {
+      throw ApkException.badInput(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private Selection make(Aapt2 linker, SigningKey signingKey, Levels levels, Path work)
       throws ApkException, IOException {
     String classPath = System.getProperty("java.class.path", "");
-    Path android = Selection.jar(classPath, "android-all-");
-    SortedMap<String, byte[]> classes = Selection.classes(classPath);
-    Path sources = project.resolve(Path.of("starl-android", "app", "src", "main"));
+    Path android = ClassPath.file(classPath, "android-all-");
+    Selection selection = Selection.of(classPath);
+    selection.refuseGaps(Android8.shapes(classPath));
     Path linked = work.resolve("linked.apk");
+    Path frame = AppFrame.write(classPath, work.resolve("frame"));
     linker.link(
-        sources.resolve("AndroidManifest.xml"),
-        sources.resolve("res"),
-        android,
-        levels,
-        work,
-        linked);
+        frame.resolve("AndroidManifest.xml"), frame.resolve("res"), android, levels, work, linked);
     Path dex = Files.createDirectory(work.resolve("dex"));
-    Dexer.dex(classes, android, levels.minSdk(), dex);
+    Dexer.dex(selection.classes(), android, levels.minSdk(), dex);
     Path unsigned = work.resolve("unsigned.apk");
-    ApkFile.write(linked, dex, unsigned);
+    ApkFile.write(linked, dex, selection.apps(), unsigned);
     Path folder = out.toAbsolutePath().getParent();
     if (folder != null) {
       Files.createDirectories(folder);
     }
     Signing.sign(unsigned, signingKey, levels.minSdk(), out);
-    return classes;
+    return selection;
   }
 
   private SigningKey signingKey() throws ApkException, IOException {

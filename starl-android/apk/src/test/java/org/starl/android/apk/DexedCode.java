@@ -41,7 +41,7 @@ final class DexedCode {
    */
   static DexedCode of(SortedMap<String, byte[]> compiled, Path folder)
       throws ApkException, IOException {
-    Path android = Selection.jar(System.getProperty("java.class.path"), "android-all-");
+    Path android = ClassPath.file(System.getProperty("java.class.path"), "android-all-");
     Dexer.dex(compiled, android, Levels.MIN_SDK, folder);
     DexedCode code = new DexedCode();
     for (Path dex : dexFiles(folder)) {

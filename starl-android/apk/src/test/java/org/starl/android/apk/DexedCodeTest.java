@@ -26,6 +26,8 @@ class DexedCodeTest {
           "org/starl/android/app/RobotService ->"
               + " org/starl/android/app/RobotService.startForeground(ILandroid/app/Notification;I)V");
 
+  private static final String CLASS_PATH = System.getProperty("java.class.path");
+
   @TempDir static Path folder;
   private static byte[] trace;
   private static SortedMap<String, byte[]> apk;
@@ -36,7 +38,7 @@ class DexedCodeTest {
       throws ApkException, IOException, ReflectiveOperationException {
     OwnClasses compiled = OwnClasses.compiled();
     trace = trace(compiled);
-    apk = Selection.classes(System.getProperty("java.class.path"));
+    apk = Selection.of(CLASS_PATH).classes();
     SortedMap<String, byte[]> all = new TreeMap<>(apk);
     for (String name : compiled.needed()) {
       all.putIfAbsent(name + ".class", OwnClasses.compiled(name));
@@ -77,9 +79,10 @@ class DexedCodeTest {
   }
 
   @Test
-  void theApkRefersOnlyToMembersOfAndroid8() throws IOException {
+  void theApkRefersOnlyToMembersOfAndroid8() throws ApkException, IOException {
     assertThat(ofTheApk()).hasSizeGreaterThan(1000);
-    SortedSet<String> missing = Links.missing(dexed.classes(), ofTheApk(), Android8.shapes());
+    SortedSet<String> missing =
+        Links.missing(dexed.classes(), ofTheApk(), Android8.shapes(CLASS_PATH));
     assertThat(missing).containsExactlyElementsOf(ASKED_BEFORE);
   }
 
@@ -97,11 +100,11 @@ class DexedCodeTest {
   }
 
   @Test
-  void missingMembersOfAndroid8AreFound() throws IOException {
+  void missingMembersOfAndroid8AreFound() throws ApkException, IOException {
     String name = AsksForMore.class.getName().replace('.', '/');
     SortedMap<String, byte[]> alone = new TreeMap<>();
     alone.put(name, OwnClasses.compiled(name));
-    assertThat(Links.missing(alone, alone.keySet(), Android8.shapes()))
+    assertThat(Links.missing(alone, alone.keySet(), Android8.shapes(CLASS_PATH)))
         .containsExactlyInAnyOrder(
             name + " -> java/lang/Thread$Builder$OfVirtual",
             name + " -> java/lang/Thread.ofVirtual()Ljava/lang/Thread$Builder$OfVirtual;",

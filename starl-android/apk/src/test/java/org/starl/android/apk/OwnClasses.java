@@ -2,8 +2,14 @@ package org.starl.android.apk;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.URL;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.Opcodes;
@@ -19,14 +25,32 @@ final class OwnClasses extends ClassLoader {
     byte[] bytes(String name) throws IOException;
   }
 
-  private static final String OURS = "org/starl/";
+  /** Classes that no other loader may give: StarL's, its libraries' and those of projects. */
+  private static final Pattern OURS =
+      Pattern.compile("(org/starl|com/fasterxml|org/yaml|org/locationtech|myrobots)/.*");
 
   private final Place place;
+  private final Path services;
   private final SortedSet<String> loaded = new TreeSet<>();
 
   OwnClasses(Place place) {
+    this(place, null);
+  }
+
+  /**
+   * @param services the file {@link Selection#SERVICES}; null for that of the class path
+   */
+  OwnClasses(Place place, Path services) {
     super(OwnClasses.class.getClassLoader());
     this.place = place;
+    this.services = services;
+  }
+
+  @Override
+  public Enumeration<URL> getResources(String name) throws IOException {
+    return services != null && name.equals(Selection.SERVICES)
+        ? Collections.enumeration(List.of(services.toUri().toURL()))
+        : super.getResources(name);
   }
 
   /** One that loads what is compiled. */
@@ -34,9 +58,9 @@ final class OwnClasses extends ClassLoader {
     return new OwnClasses(OwnClasses::compiled);
   }
 
-  /** The bytes of a class of StarL's, as javac made them. */
+  /** The bytes of a class of StarL's or of a library, as javac made them. */
   static byte[] compiled(String name) throws IOException {
-    if (!name.startsWith(OURS)) {
+    if (!OURS.matcher(name).matches()) {
       return null;
     }
     try (InputStream in = OwnClasses.class.getClassLoader().getResourceAsStream(name + ".class")) {
@@ -44,7 +68,7 @@ final class OwnClasses extends ClassLoader {
     }
   }
 
-  /** Names, with slashes, of StarL's classes that were loaded, and of all that share a file with these. */
+  /** Names, with slashes, of these classes that were loaded, and of all that share a file with these. */
   SortedSet<String> needed() throws IOException {
     SortedSet<String> needed = new TreeSet<>();
     for (String name : loaded) {
@@ -76,7 +100,7 @@ final class OwnClasses extends ClassLoader {
         loaded.add(path);
         return defineClass(name, bytes, 0, bytes.length);
       }
-      if (path.startsWith(OURS)) {
+      if (OURS.matcher(path).matches()) {
         throw new ClassNotFoundException(name);
       }
       return super.loadClass(name, resolves);

@@ -1,6 +1,5 @@
 package org.starl.android.apk;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectInputStream;
@@ -22,9 +21,10 @@ final class Android8 {
   private Android8() {}
 
   /** All of them, by name with slashes. */
-  static SortedMap<String, Links.Shape> shapes() throws IOException {
+  static SortedMap<String, Links.Shape> shapes(String classPath) throws ApkException, IOException {
+    Path list = ClassPath.file(classPath, PREFIX);
     SortedMap<String, Links.Shape> shapes = new TreeMap<>();
-    try (InputStream in = Files.newInputStream(list());
+    try (InputStream in = Files.newInputStream(list);
         ObjectInputStream objects = new ObjectInputStream(new GZIPInputStream(in))) {
       for (Clazz each = next(objects); each != null; each = next(objects)) {
         List<String> parents = new ArrayList<>(Arrays.asList(each.getSuperInterfaces()));
@@ -41,17 +41,7 @@ final class Android8 {
     try {
       return (Clazz) objects.readObject();
     } catch (ClassNotFoundException e) {
-      throw new IOException(list() + " is not of animal-sniffer's form", e);
+      throw new IOException("the list is not of animal-sniffer's form", e);
     }
-  }
-
-  private static Path list() {
-    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
-      Path path = Path.of(entry);
-      if (path.getFileName() != null && path.getFileName().toString().startsWith(PREFIX)) {
-        return path;
-      }
-    }
-    throw new IllegalStateException(PREFIX + "*.signature is not on the class path");
   }
 }
