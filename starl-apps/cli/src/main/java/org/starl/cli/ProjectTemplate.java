@@ -27,6 +27,7 @@ final class ProjectTemplate {
   /** The template of the executable file. */
   private static final String LAUNCHER = "launcher";
 
+  private static final String SERVICES = "src/main/resources/META-INF/services/org.starl.apps.";
   private static final String FOLDER = "project/";
   private static final String SUFFIX = ".txt";
   private static final String WORDS = "words.properties";
@@ -79,8 +80,13 @@ final class ProjectTemplate {
     put(files, "deployment.yaml", "deployment.yaml");
     put(files, "dock.pvs", "dock.pvs");
     put(files, "@name@", LAUNCHER);
-    put(files, "src/main/resources/META-INF/services/org.starl.apps.Demo", "services");
-    for (String part : List.of("App", "Demo", "Main")) {
+    for (String file : List.of("settings.gradle.kts", "build.gradle.kts")) {
+      put(files, "phone/" + file, "phone/" + file);
+    }
+    put(files, "phone/src/main/AndroidManifest.xml", "phone/AndroidManifest.xml");
+    put(files, SERVICES + "Demo", "demo-service");
+    put(files, SERVICES + "AppFactory", "factory-service");
+    for (String part : List.of("App", "Factory", "Demo", "Main")) {
       put(files, "@sources@/@Name@" + part + ".@ext@", language + "/" + part + ".@ext@");
     }
     put(files, "@sources@/AloneAtTheDock.@ext@", language + "/AloneAtTheDock.@ext@");

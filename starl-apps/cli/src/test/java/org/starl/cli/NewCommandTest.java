@@ -172,13 +172,29 @@ class NewCommandTest {
   @Test
   void anAppWithATakenNameIsRefusedInOneLine(@TempDir Path temporary) throws IOException {
     UserProject other = copy(temporary);
-    other.edit("src/main/java/myrobots/MyRobotsDemo.java", "return \"" + NAME, "return \"hello");
+    other.edit("src/main/java/myrobots/MyRobotsFactory.java", "return \"" + NAME, "return \"hello");
     other.compiled();
     Cli cli = other.run("list");
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err())
         .containsExactly(
             "starl: myrobots.MyRobotsDemo: its name 'hello' is taken; expected another");
+  }
+
+  @Test
+  void itsManifestForAndroidStudioIsThatOfStarlsApk() throws IOException {
+    String starls =
+        Files.readString(
+            Path.of(
+                "../../starl-android/app/src/main/resources/org/starl/android/app/apk/AndroidManifest.xml"));
+    assertThat(project.text("phone/src/main/AndroidManifest.xml"))
+        .isEqualTo(
+            starls
+                .replace("<!-- docs/android.md", "<!-- StarL's docs/android.md")
+                .replace("\n    package=\"org.starl.android.app\"", "")
+                .replace("android:name=\".", "android:name=\"org.starl.android.app.")
+                .replace("@string/app_name", NAME)
+                .replace("      android:icon=\"@drawable/icon\"\n", ""));
   }
 
   @Test

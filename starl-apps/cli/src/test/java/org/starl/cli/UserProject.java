@@ -68,11 +68,11 @@ final class UserProject {
               .call();
       assertThat(isGood).as("%s", said).isTrue();
     }
-    Path services = Path.of("META-INF/services/org.starl.apps.Demo");
-    Files.createDirectories(classes.resolve(services).getParent());
-    Files.writeString(
-        classes.resolve(services),
-        Files.readString(root.resolve("src/main/resources").resolve(services)));
+    Path services = Files.createDirectories(classes.resolve("META-INF/services"));
+    for (String service : List.of("org.starl.apps.Demo", "org.starl.apps.AppFactory")) {
+      Files.writeString(
+          services.resolve(service), text("src/main/resources/META-INF/services/" + service));
+    }
     return this;
   }
 
