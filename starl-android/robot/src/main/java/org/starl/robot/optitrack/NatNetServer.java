@@ -12,9 +12,6 @@ import java.net.NetworkInterface;
 import java.net.SocketAddress;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
-import java.util.Collections;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.starl.platform.Clock;
@@ -26,12 +23,6 @@ import org.starl.robot.realtime.Daemons;
  * long, and answers unknown requests with "unrecognized".
  */
 public final class NatNetServer implements AutoCloseable {
-
-  /** A unicast client that was silent for this time is removed. */
-  static final long CLIENT_SILENCE_NS = 10 * NS_PER_S;
-
-  /** Largest number of unicast clients; a new one replaces the one silent for longest. */
-  static final int MAX_CLIENTS = 64;
 
   private static final String NAME = "StarL";
 
@@ -45,10 +36,14 @@ public final class NatNetServer implements AutoCloseable {
   private final Thread thread;
   private final AtomicLong ignored = new AtomicLong();
 
+  // Set after the thread has started.
+  private volatile Consumer<String> log = line -> {};
+
   // The server's thread only.
   private final StreamEncoder encoder;
   private final LittleEndianWriter out = new LittleEndianWriter();
-  private final Map<SocketAddress, Long> clients = new LinkedHashMap<>();
+  private final StreamClients clients = new StreamClients();
+  private boolean hasRefused;
   private PoseSource.Snapshot snapshot;
   private int frames;
   private long announceUntilNs;
@@ -109,14 +104,19 @@ public final class NatNetServer implements AutoCloseable {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
   }
 
-  /** Number of datagrams that were not a client's message, or could not be sent. */
+  /** Number of datagrams that were refused, were not a client's message, or could not be sent. */
   public long ignored() {
     return ignored.get();
   }
 
-  /** Number of unicast clients. On the server's thread. */
+  /** Sets the receiver of one log line, on the server's thread: the first refused request. */
+  public void onRefusal(Consumer<String> newLog) {
+    log = newLog;
+  }
+
+  /** Number of clients. On the server's thread. */
   int clients() {
-    return clients.size();
+    return clients.all().size();
   }
 
   /** Stops serving. */
@@ -156,16 +156,16 @@ public final class NatNetServer implements AutoCloseable {
     if (encoder.addNew(snapshot)) {
       announceUntilNs = nowNs + ANNOUNCE_MODELS_NS;
     }
-    clients.values().removeIf(heardNs -> nowNs - heardNs > CLIENT_SILENCE_NS);
+    clients.removeSilent(nowNs);
     frames++;
-    if (settings.group() == null && clients.isEmpty()) {
+    if (settings.group() == null && clients.all().isEmpty()) {
       return;
     }
     byte[] frame = encoder.frame(frames, snapshot, nowNs < announceUntilNs, clock.nowNs());
     if (settings.group() != null) {
       send(frame, settings.group());
     } else {
-      for (SocketAddress client : clients.keySet()) {
+      for (SocketAddress client : clients.all()) {
         send(frame, client);
       }
     }
@@ -174,7 +174,7 @@ public final class NatNetServer implements AutoCloseable {
   /** On the server's thread. */
   void answer(DatagramPacket packet, long nowNs) {
     byte[] bytes = packet.getData();
-    SocketAddress client = packet.getSocketAddress();
+    InetSocketAddress client = (InetSocketAddress) packet.getSocketAddress();
     long clientNs;
     int id = Message.id(bytes, packet.getLength());
     try {
@@ -184,13 +184,16 @@ public final class NatNetServer implements AutoCloseable {
       ignored.incrementAndGet();
       return;
     }
+    if (!clients.heard(client, nowNs)) {
+      refuse(client, "more than " + StreamClients.STRANGERS_PER_S + " strangers' requests in 1 s");
+      return;
+    }
     switch (id) {
-      case Message.CONNECT -> {
-        remember(client, nowNs);
-        send(info(), client);
-      }
+      case Message.CONNECT -> connect(client, nowNs);
       case Message.DISCOVERY -> send(info(), client);
-      case Message.KEEP_ALIVE -> clients.computeIfPresent(client, (address, heardNs) -> nowNs);
+      case Message.KEEP_ALIVE -> {
+        // Known clients are marked as heard above.
+      }
       case Message.DISCONNECT -> clients.remove(client);
       case Message.REQUEST_MODELS -> {
         encoder.addNew(snapshot);
@@ -203,12 +206,26 @@ public final class NatNetServer implements AutoCloseable {
     }
   }
 
-  // A live client sends each second, so the client that is silent for longest is probably dead.
-  private void remember(SocketAddress client, long nowNs) {
-    if (!clients.containsKey(client) && clients.size() == MAX_CLIENTS) {
-      clients.remove(Collections.min(clients.entrySet(), Map.Entry.comparingByValue()).getKey());
+  private void connect(InetSocketAddress client, long nowNs) {
+    if (clients.add(client, nowNs)) {
+      send(info(), client);
+    } else {
+      refuse(
+          client,
+          "there are "
+              + StreamClients.MAX
+              + " clients, or "
+              + StreamClients.MAX_PER_HOST
+              + " of its host");
     }
-    clients.put(client, nowNs);
+  }
+
+  private void refuse(SocketAddress client, String why) {
+    ignored.incrementAndGet();
+    if (!hasRefused) {
+      hasRefused = true;
+      log.accept("NatNet: a request of " + client + " is refused: " + why + "; further ones, too");
+    }
   }
 
   private byte[] info() {

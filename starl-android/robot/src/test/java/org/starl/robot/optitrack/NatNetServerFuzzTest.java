@@ -64,7 +64,7 @@ public class NatNetServerFuzzTest {
       long more = SERVER.ignored() - ignored;
       // An answer that a machine without this loopback address cannot send counts as ignored, too.
       require(more == 1 || (more == 0 && isMessage(datagram)), "ignored " + more);
-      require(SERVER.clients() <= NatNetServer.MAX_CLIENTS, SERVER.clients() + " clients");
+      require(SERVER.clients() <= StreamClients.MAX, SERVER.clients() + " clients");
       at += 2 + length;
     }
   }

@@ -1,0 +1,78 @@
+package org.starl.robot.optitrack;
+
+import static org.starl.time.Time.NS_PER_S;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The clients of a {@link NatNetServer}. A flood from false addresses takes nothing from a known
+ * client: it keeps its place until it is silent for {@link #SILENCE_NS}, and its requests are always
+ * answered. Requests of unknown senders share one rate. Pure; one thread at a time.
+ */
+final class StreamClients {
+
+  /** A client that was silent for this time is removed. */
+  static final long SILENCE_NS = 10 * NS_PER_S;
+
+  /** Largest number of clients. */
+  static final int MAX = 64;
+
+  /** Largest number of clients of one host, so that one host cannot take all places. */
+  static final int MAX_PER_HOST = MAX / 2;
+
+  /** Requests of unknown senders that are answered in a second; a new client's two are among them. */
+  static final int STRANGERS_PER_S = 100;
+
+  private final Map<InetSocketAddress, Long> heardNs = new LinkedHashMap<>();
+  private long secondNs = Long.MIN_VALUE;
+  private int strangers;
+
+  /** All clients, in the order in which they came. */
+  Set<InetSocketAddress> all() {
+    return heardNs.keySet();
+  }
+
+  /** Removes silent clients. */
+  void removeSilent(long nowNs) {
+    heardNs.values().removeIf(lastNs -> nowNs - lastNs > SILENCE_NS);
+  }
+
+  void remove(InetSocketAddress client) {
+    heardNs.remove(client);
+  }
+
+  /** Whether to answer a request of {@code sender}. */
+  boolean heard(InetSocketAddress sender, long nowNs) {
+    if (heardNs.computeIfPresent(sender, (client, lastNs) -> nowNs) != null) {
+      return true;
+    }
+    if (secondNs == Long.MIN_VALUE || nowNs - secondNs >= NS_PER_S) {
+      secondNs = nowNs;
+      strangers = 0;
+    }
+    strangers = Math.min(strangers + 1, STRANGERS_PER_S + 1);
+    return strangers <= STRANGERS_PER_S;
+  }
+
+  /** Adds a client; false if there is no place for it. */
+  boolean add(InetSocketAddress client, long nowNs) {
+    if (!heardNs.containsKey(client) && (heardNs.size() >= MAX || isHostFull(client))) {
+      return false;
+    }
+    heardNs.put(client, nowNs);
+    return true;
+  }
+
+  private boolean isHostFull(InetSocketAddress client) {
+    InetAddress host = client.getAddress();
+    int count = 0;
+    for (InetSocketAddress other : heardNs.keySet()) {
+      count += other.getAddress().equals(host) ? 1 : 0;
+    }
+    return count >= MAX_PER_HOST;
+  }
+}
