@@ -167,7 +167,7 @@ public final class DeployedRobot implements AutoCloseable {
     udp.onDrop(line -> log.log(clock.nowNs(), Level.WARN, TAG, line));
     stable = opened.add(FileStable.open(surroundings.storage(), strand, this::fail));
     background = opened.add(new RealBackground(id.name(), strand));
-    poses = opened.add(PoseFeeds.open(deployment.positions(), local, clock, log));
+    poses = opened.add(PoseFeeds.open(deployment, local, clock, log));
     poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
     long startNs = clock.nowNs();
     Participants participants = deployment.participants();

@@ -6,6 +6,8 @@ import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.Limits;
 import org.starl.robot.file.Positions;
 import org.starl.robot.optitrack.Axes;
 import org.starl.robot.optitrack.BodyAxis;
@@ -16,18 +18,21 @@ import org.starl.robot.optitrack.NatNetClient;
 import org.starl.robot.optitrack.NatNetSettings;
 import org.starl.robot.optitrack.PoseFeed;
 import org.starl.robot.optitrack.UpAxis;
+import org.starl.time.Time;
 
-/** Opens the measuring system that a deployment's {@link Positions} describe. */
+/** Opens the measuring system that a {@link Deployment} describes. */
 public final class PoseFeeds {
 
   private PoseFeeds() {}
 
   /** @param local this robot's address, to choose the interface by; null for any */
-  static PoseFeed open(Positions positions, @Nullable InetAddress local, Clock clock, LogSink log)
+  static PoseFeed open(Deployment deployment, @Nullable InetAddress local, Clock clock, LogSink log)
       throws IOException {
-    return switch (positions) {
-      case Positions.NatNet natNet -> NatNetClient.open(settings(natNet, local), clock, log);
-      case Positions.JsonFeed json -> JsonFeed.open(settings(json, local), clock, log);
+    FixBounds bounds = bounds(deployment);
+    return switch (deployment.positions()) {
+      case Positions.NatNet natNet ->
+          NatNetClient.open(settings(natNet, bounds, local), clock, log);
+      case Positions.JsonFeed json -> JsonFeed.open(settings(json, bounds, local), clock, log);
     };
   }
 
@@ -36,29 +41,36 @@ public final class PoseFeeds {
     return new Axes(natNet.isYUp() ? UpAxis.Y : UpAxis.Z, BodyAxis.PLUS_X);
   }
 
-  private static NatNetSettings settings(Positions.NatNet natNet, @Nullable InetAddress local)
-      throws IOException {
+  private static NatNetSettings settings(
+      Positions.NatNet natNet, FixBounds bounds, @Nullable InetAddress local) throws IOException {
     InetSocketAddress server = natNet.server().resolve();
     String multicast = natNet.multicast();
     InetSocketAddress group =
         multicast == null
             ? null
             : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort());
-    return new NatNetSettings(server, group, local, axes(natNet), bounds(natNet));
+    return new NatNetSettings(server, group, local, axes(natNet), bounds);
   }
 
-  private static JsonFeedSettings settings(Positions.JsonFeed json, @Nullable InetAddress local)
-      throws IOException {
+  private static JsonFeedSettings settings(
+      Positions.JsonFeed json, FixBounds bounds, @Nullable InetAddress local) throws IOException {
     InetSocketAddress here =
         local == null
             ? new InetSocketAddress(json.port())
             : new InetSocketAddress(local, json.port());
     String sender = json.sender();
     return new JsonFeedSettings(
-        here, sender == null ? null : InetAddress.getByName(sender), bounds(json));
+        here, sender == null ? null : InetAddress.getByName(sender), bounds);
   }
 
-  private static FixBounds bounds(Positions positions) {
-    return FixBounds.DEFAULT.withErrors(positions.errorMm(), positions.errorRad());
+  /** Assumptions from the deployment's errors and limits, with a check of jumps. */
+  private static FixBounds bounds(Deployment deployment) {
+    Positions positions = deployment.positions();
+    Limits limits = deployment.limits();
+    return FixBounds.DEFAULT
+        .withErrors(positions.errorMm(), positions.errorRad())
+        .withMotion(
+            (1 + limits.speedError()) * limits.speedMmPerS(),
+            limits.stillAfterNs() / Time.NS_PER_MS);
   }
 }

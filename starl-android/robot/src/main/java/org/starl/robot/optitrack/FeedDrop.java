@@ -29,6 +29,15 @@ public enum FeedDrop {
   /** The cameras have lost the body. */
   LOST,
 
+  /** No robot drives so fast from its last fix to this one. */
+  JUMPED,
+
+  /** It is not authenticated with the feed's key. */
+  FORGED,
+
+  /** It is authenticated, but not newer than the one before it, or of another run. */
+  REPLAYED,
+
   /** There are more bodies than a feed handles. */
   TOO_MANY
 }

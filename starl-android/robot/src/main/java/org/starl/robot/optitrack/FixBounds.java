@@ -22,6 +22,9 @@ import org.starl.time.Time;
  * @param maxLatencyMs largest time from exposure until the frame is sent; used if the server does not
  *     send the time of exposure
  * @param maxAgeMs older measurements are stale, and dropped
+ * @param stillMs this time after its last fix a robot stands still; a fix that is too far from the one
+ *     before it is used only if poses at the new place were consistent for this time. 0: each fix is
+ *     used
  */
 public record FixBounds(
     double errorFloorMm,
@@ -32,10 +35,11 @@ public record FixBounds(
     double maxTurnRadPerS,
     long maxDelayMs,
     long maxLatencyMs,
-    long maxAgeMs) {
+    long maxAgeMs,
+    long stillMs) {
 
   /** For an iRobot Create, which drives 500 mm/s at most, under a well calibrated system. */
-  public static final FixBounds DEFAULT = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 20, 30, 250);
+  public static final FixBounds DEFAULT = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 20, 30, 250, 0);
 
   private static final long MS_PER_HOUR = 3_600_000;
 
@@ -49,6 +53,7 @@ public record FixBounds(
     checkMs("maxDelayMs", maxDelayMs);
     checkMs("maxLatencyMs", maxLatencyMs);
     checkMs("maxAgeMs", maxAgeMs);
+    checkMs("stillMs", stillMs);
   }
 
   /** The same bounds with these smallest errors. */
@@ -62,7 +67,27 @@ public record FixBounds(
         maxTurnRadPerS,
         maxDelayMs,
         maxLatencyMs,
-        maxAgeMs);
+        maxAgeMs,
+        stillMs);
+  }
+
+  /**
+   * The same bounds for robots of these limits, with a check of jumps.
+   *
+   * @param speedMmPerS of a wheel, at most
+   */
+  public FixBounds withMotion(double speedMmPerS, long newStillMs) {
+    return new FixBounds(
+        errorFloorMm,
+        errorFloorRad,
+        errorScale,
+        markerSpreadMm,
+        speedMmPerS,
+        maxTurnRadPerS * speedMmPerS / maxSpeedMmPerS,
+        maxDelayMs,
+        maxLatencyMs,
+        maxAgeMs,
+        newStillMs);
   }
 
   long maxDelayNs() {
@@ -75,6 +100,10 @@ public record FixBounds(
 
   long maxAgeNs() {
     return maxAgeMs * NS_PER_MS;
+  }
+
+  long stillNs() {
+    return stillMs * NS_PER_MS;
   }
 
   /** A fix of a rigid body with this mean error of its markers. */

@@ -20,10 +20,11 @@ final class JsonProtocol {
 
   private static final class Track {
     final ClockMap clock;
-    long newestNs = Long.MIN_VALUE;
+    final PoseGate gate;
 
-    Track(long maxDelayNs) {
-      clock = new ClockMap(maxDelayNs);
+    Track(FixBounds bounds) {
+      clock = new ClockMap(bounds.maxDelayNs());
+      gate = new PoseGate(bounds);
     }
   }
 
@@ -44,7 +45,7 @@ final class JsonProtocol {
       if (tracks.size() == MAX_ROBOTS) {
         return drop(FeedDrop.TOO_MANY, "more than " + MAX_ROBOTS + " robots", nowNs);
       }
-      track = new Track(bounds.maxDelayNs());
+      track = new Track(bounds);
       tracks.put(line.robot(), track);
     }
     track.clock.received(line.atNs(), nowNs);
@@ -55,13 +56,10 @@ final class JsonProtocol {
     if (nowNs - when.middleNs() > bounds.maxAgeNs()) {
       return drop(FeedDrop.STALE, line.robot() + " was measured too long ago", nowNs);
     }
-    if (when.middleNs() <= track.newestNs) {
-      return drop(FeedDrop.OUTDATED, "a newer fix of " + line.robot() + " came before", nowNs);
-    }
-    track.newestNs = when.middleNs();
-    tally.fixed();
     Fix fix = bounds.fix(line.pose(), line.errorMm(), line.errorRad(), when);
-    return new TrackedBody(line.robot(), -1, fix);
+    return tally.isPossible(track.gate, line.robot(), fix, nowNs)
+        ? new TrackedBody(line.robot(), -1, fix)
+        : null;
   }
 
   private @Nullable TrackedBody drop(FeedDrop why, String what, long nowNs) {

@@ -45,7 +45,7 @@ final class NatNetProtocol {
   private final Consumer<List<TrackedBody>> bodies;
   private final LittleEndianWriter out = new LittleEndianWriter();
   private final ServerTime time;
-  private final Map<Integer, Long> newestNs = new LinkedHashMap<>();
+  private final Map<String, PoseGate> gates = new LinkedHashMap<>();
   private final TreeSet<String> wanted = new TreeSet<>();
 
   private @Nullable ServerInfo server;
@@ -201,7 +201,7 @@ final class NatNetProtocol {
     }
     models = Models.parse(in, server.version());
     wantsModels = false;
-    newestNs.keySet().retainAll(models.ids());
+    gates.keySet().removeIf(name -> !models.has(name));
     wanted.forEach(name -> checkWanted(name, nowNs));
     tally.warnOnce("models", "the server's rigid bodies: " + printable(models.toString()), nowNs);
     if (!models.isWhole()) {
@@ -274,14 +274,9 @@ final class NatNetProtocol {
           FeedDrop.IMPLAUSIBLE, printable(name) + " does not stand on a floor: " + state, nowNs);
       return null;
     }
-    Long before = newestNs.get(state.id());
-    if (before != null && when.middleNs() <= before) {
-      tally.drop(FeedDrop.OUTDATED, "a newer fix of " + printable(name) + " arrived before", nowNs);
-      return null;
-    }
-    newestNs.put(state.id(), when.middleNs());
-    tally.fixed();
-    return settings.bounds().ofMarkers(pose, MM_PER_M * state.meanErrorM(), when);
+    Fix fix = settings.bounds().ofMarkers(pose, MM_PER_M * state.meanErrorM(), when);
+    PoseGate gate = gates.computeIfAbsent(name, body -> new PoseGate(settings.bounds()));
+    return tally.isPossible(gate, printable(name), fix, nowNs) ? fix : null;
   }
 
   private void checkWanted(String name, long nowNs) {

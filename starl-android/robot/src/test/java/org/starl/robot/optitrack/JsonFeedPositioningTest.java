@@ -16,7 +16,7 @@ class JsonFeedPositioningTest extends PositioningContract {
   private static final long PERIOD_NS = 10_000_000;
 
   /** On a busy machine the fastest datagram may take 100 ms to be read. */
-  private static final FixBounds SLOW = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 100, 30, 250);
+  private static final FixBounds SLOW = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 100, 30, 250, 0);
 
   @Override
   protected Course newCourse() {
