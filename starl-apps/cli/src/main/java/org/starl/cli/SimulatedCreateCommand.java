@@ -25,6 +25,8 @@ import picocli.CommandLine.Option;
     footer = {"", "Example: starl simulated-create --pty create0"})
 final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 
+  private static final int MAX_PORT = 65_535;
+
   /** The port of the simulated robot. */
   private static final class Line {
     @Option(
@@ -36,10 +38,12 @@ final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 
     @Option(
         names = "--tcp",
-        paramLabel = "PORT",
+        paramLabel = "[HOST:]PORT",
         required = true,
-        description = "Port of the loopback interface to listen on; 0 for any free port.")
-    private int tcp;
+        description =
+            "Port to listen on, 0 for any free one, at the address of HOST (default: 127.0.0.1). Any"
+                + " computer that reaches it can drive the robot.")
+    private String tcp = "";
   }
 
   @ArgGroup(multiplicity = "1")
@@ -79,7 +83,13 @@ final class SimulatedCreateCommand extends BaseCommand implements Runnable {
       host.serve(terminal);
       return terminal.name();
     }
-    ServerSocket server = new ServerSocket(line.tcp, 1, InetAddress.getLoopbackAddress());
+    int colon = line.tcp.lastIndexOf(':');
+    int port = OptionValues.whole("--tcp", line.tcp.substring(colon + 1), 0, MAX_PORT);
+    InetAddress at =
+        colon < 0
+            ? InetAddress.getLoopbackAddress()
+            : InetAddress.getByName(line.tcp.substring(0, colon));
+    ServerSocket server = new ServerSocket(port, 1, at);
     host.listen(server);
     return "port " + server.getLocalPort();
   }
