@@ -80,6 +80,7 @@ public final class DeployedRobot implements AutoCloseable {
    *
    * @param storage a folder for this robot only
    * @param wheels this robot's
+   * @param linesKey of the JSON feed's lines; null for none
    * @param clock read by several threads
    * @param log from any thread
    * @param trace from any thread
@@ -88,6 +89,7 @@ public final class DeployedRobot implements AutoCloseable {
   public record Surroundings(
       Path storage,
       Wheelbase.Source wheels,
+      @Nullable DeploymentKey linesKey,
       RealClock clock,
       LogSink log,
       TraceSink trace,
@@ -167,7 +169,7 @@ public final class DeployedRobot implements AutoCloseable {
     udp.onDrop(line -> log.log(clock.nowNs(), Level.WARN, TAG, line));
     stable = opened.add(FileStable.open(surroundings.storage(), strand, this::fail));
     background = opened.add(new RealBackground(id.name(), strand));
-    poses = opened.add(PoseFeeds.open(deployment, local, clock, log));
+    poses = opened.add(PoseFeeds.open(deployment, surroundings.linesKey(), local, clock, log));
     poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
     long startNs = clock.nowNs();
     Participants participants = deployment.participants();

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
+import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.Limits;
@@ -25,14 +26,31 @@ public final class PoseFeeds {
 
   private PoseFeeds() {}
 
-  /** @param local this robot's address, to choose the interface by; null for any */
-  static PoseFeed open(Deployment deployment, @Nullable InetAddress local, Clock clock, LogSink log)
+  /**
+   * @param linesKey of the JSON feed; null for none
+   * @param local this robot's address, to choose the interface by; null for any
+   */
+  static PoseFeed open(
+      Deployment deployment,
+      @Nullable DeploymentKey linesKey,
+      @Nullable InetAddress local,
+      Clock clock,
+      LogSink log)
       throws IOException {
     FixBounds bounds = bounds(deployment);
     return switch (deployment.positions()) {
       case Positions.NatNet natNet ->
           NatNetClient.open(settings(natNet, bounds, local), clock, log);
-      case Positions.JsonFeed json -> JsonFeed.open(settings(json, bounds, local), clock, log);
+      case Positions.JsonFeed json -> {
+        String sender = json.sender();
+        JsonFeedSettings settings =
+            new JsonFeedSettings(
+                linesAt(json, local),
+                sender == null ? null : InetAddress.getByName(sender),
+                linesKey,
+                bounds);
+        yield JsonFeed.open(settings, clock, log);
+      }
     };
   }
 
@@ -52,15 +70,16 @@ public final class PoseFeeds {
     return new NatNetSettings(server, group, local, axes(natNet), bounds);
   }
 
-  private static JsonFeedSettings settings(
-      Positions.JsonFeed json, FixBounds bounds, @Nullable InetAddress local) throws IOException {
-    InetSocketAddress here =
-        local == null
-            ? new InetSocketAddress(json.port())
-            : new InetSocketAddress(local, json.port());
-    String sender = json.sender();
-    return new JsonFeedSettings(
-        here, sender == null ? null : InetAddress.getByName(sender), bounds);
+  /**
+   * The address at which a robot receives the lines of a JSON feed.
+   *
+   * @param local the robot's; null for any
+   */
+  public static InetSocketAddress linesAt(Positions.JsonFeed json, @Nullable InetAddress local)
+      throws IOException {
+    String listen = json.listen();
+    return new InetSocketAddress(
+        listen == null ? local : InetAddress.getByName(listen), json.port());
   }
 
   /** Assumptions from the deployment's errors and limits, with a check of jumps. */

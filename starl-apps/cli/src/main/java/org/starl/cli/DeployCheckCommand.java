@@ -52,6 +52,7 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
     } else if (deployment.key() != null) {
       DeploymentFile.keys(deployment, deployment.robots().get(deployment.robots().firstKey()));
     }
+    DeploymentFile.linesKey(deployment);
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
     problems.addAll(DeploymentCheck.ofPorts(deployment, plan.objects()));
     problems.addAll(DeploymentCheck.ofMotion(deployment, plan.settings().motionParameters(0)));

@@ -179,7 +179,13 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             settings.keys(),
             program,
             new DeployedRobot.Surroundings(
-                settings.storage(), settings.wheels(), clock, this::log, trace, null),
+                settings.storage(),
+                settings.wheels(),
+                DeploymentFile.linesKey(settings.deployment()),
+                clock,
+                this::log,
+                trace,
+                null),
             this);
     robot = opened;
     if (isStopped()) {

@@ -146,7 +146,9 @@ class DeploymentSchemaTest {
             "loss", "0.1"),
         "positions",
         kind.equals("json")
-            ? map("source", "json", "port", "1520", "sender", "h", "errorMm", "5", "errorRad", "1")
+            ? map(
+                "source", "json", "port", "1520", "listen", "h", "sender", "h", "key", "lines.key",
+                "errorMm", "5", "errorRad", "1")
             : map(
                 "source", "natnet",
                 "server", "192.168.1.2",
@@ -322,7 +324,8 @@ class DeploymentSchemaTest {
     Map<String, Object> file = full(spot.place().kind());
     at(file, spot.place().path()).remove(spot.field().key());
     // No field describes this: the two lines below need each other.
-    boolean isKeyOfBroadcasts = spot.field().key().equals("key");
+    boolean isKeyOfBroadcasts =
+        spot.field().key().equals("key") && spot.place().path().isEmpty();
     boolean isWorldOfSimulated = spot.field().key().equals("world");
 
     assertThat(errorOrNone(yaml(file)).isEmpty())

@@ -163,7 +163,7 @@ class LocalSpecsTest {
         Map.of(),
         null,
         new Network(4747, false, 1000, 3000, 0),
-        new Positions.JsonFeed(0, null, 5, 0.02),
+        new Positions.JsonFeed(0, null, null, null, 5, 0.02),
         new TreeMap<>(Map.of(BOT, entry)),
         null,
         new Limits(300, 300, 500, 0.1, 200));

@@ -3,7 +3,9 @@ package org.starl.android.app;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.RobotProgram;
 import org.starl.input.BadInput;
+import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
+import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.udp.PeerKeys;
@@ -13,9 +15,14 @@ import org.starl.robot.udp.PeerKeys;
  *
  * @param program of the deployment's robots
  * @param keys seal the datagrams to and from other robots; null if the deployment has no keys
+ * @param linesKey of the JSON feed's lines; null for none
  */
 record Mission(
-    Deployment deployment, RobotEntry robot, RobotProgram program, @Nullable PeerKeys keys) {
+    Deployment deployment,
+    RobotEntry robot,
+    RobotProgram program,
+    @Nullable PeerKeys keys,
+    @Nullable DeploymentKey linesKey) {
 
   /** Prefix of a chassis port over Bluetooth; the adapter's name or address follows. */
   static final String BLUETOOTH = "bluetooth:";
@@ -23,13 +30,24 @@ record Mission(
   /**
    * @throws BadInput if a phone cannot run this robot of this deployment
    */
-  static Mission of(Deployment deployment, String robotName, @Nullable PeerKeys keys) {
+  static Mission of(
+      Deployment deployment,
+      String robotName,
+      @Nullable PeerKeys keys,
+      @Nullable DeploymentKey linesKey) {
     RobotEntry robot = deployment.robot(robotName);
     String secret = deployment.secretOf(robot);
     if (secret != null && keys == null) {
       throw deployment.error("key", secret, "this key to be loaded onto the phone too");
     }
-    Mission mission = new Mission(deployment, robot, PhoneApps.program(deployment), keys);
+    if (deployment.positions() instanceof Positions.JsonFeed json
+        && json.key() != null
+        && linesKey == null) {
+      throw deployment.error(
+          "positions", json.key(), "the deployment's own key: a phone has one key file");
+    }
+    Mission mission =
+        new Mission(deployment, robot, PhoneApps.program(deployment), keys, linesKey);
     if (mission.bluetooth() == null && mission.tcp() == null) {
       throw BadInput.at(
           deployment.file(),

@@ -103,6 +103,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
             new DeployedRobot.Surroundings(
                 files.stable(),
                 this::openWheels,
+                mission.linesKey(),
                 clock,
                 this::logAndTrace,
                 new LateTrace(trace, startNs, specs::observed),

@@ -28,6 +28,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentReader;
+import org.starl.robot.file.Positions;
 import org.starl.robot.udp.KeyFile;
 import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.RobotKey;
@@ -214,7 +215,14 @@ final class Store {
     Path keyFile = folder.resolve(Item.KEY.file);
     PeerKeys keys =
         Files.exists(keyFile) ? deployment.keys(deployment.robot(robotName()), keyFile) : null;
-    return Mission.of(deployment, robotName(), keys);
+    // A phone has one key file, so the feed's lines can only have the same key.
+    boolean hasLinesKey =
+        keys != null
+            && deployment.positions() instanceof Positions.JsonFeed json
+            && json.key() != null
+            && json.key().equals(deployment.key());
+    return Mission.of(
+        deployment, robotName(), keys, hasLinesKey ? KeyFile.read(keyFile) : null);
   }
 
   private static void check(Item item, Path file) throws IOException {

@@ -39,7 +39,7 @@ class MissionTest {
         key == null
             ? null
             : PeerKeys.shared(key, new RobotId("bot0"), deployment.participants());
-    return Mission.of(deployment, robot, keys);
+    return Mission.of(deployment, robot, keys, key);
   }
 
   private static DeploymentKey key() {

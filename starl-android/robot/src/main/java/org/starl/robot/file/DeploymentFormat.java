@@ -114,6 +114,18 @@ public final class DeploymentFormat {
           .defaultsTo("0.02");
   static final Field<Integer> JSON_PORT =
       port("UDP port at which each robot receives the lines").defaultsTo("1520");
+  static final Field<String> LISTEN =
+      Field.text(
+          "listen",
+          "an address such as 127.0.0.1",
+          "the address, on each robot, at which it receives the lines; without it that of its radio,"
+              + " or all interfaces if it has none");
+  static final Field<String> LINES_KEY =
+      Field.text(
+          "key",
+          "the path of a key, as 'starl keygen' makes it",
+          "file of the key that authenticates the lines, relative to this file's folder; without it"
+              + " any computer that sends from the sender's address can move the robots");
   static final Field<String> SENDER =
       Field.text(
           "sender",
@@ -129,7 +141,7 @@ public final class DeploymentFormat {
                       NATNET,
                       List.of(SERVER, DATA_PORT, MULTICAST, VERSION, UP, ERROR_MM, ERROR_RAD),
                       JSON,
-                      List.of(JSON_PORT, SENDER, ERROR_MM, ERROR_RAD))),
+                      List.of(JSON_PORT, LISTEN, SENDER, LINES_KEY, ERROR_MM, ERROR_RAD))),
               "the system that measures the robots' positions")
           .needed();
 

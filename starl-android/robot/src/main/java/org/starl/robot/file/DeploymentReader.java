@@ -126,7 +126,9 @@ public final class DeploymentReader {
                 given.get(DeploymentFormat.ERROR_RAD))
             : new Positions.JsonFeed(
                 given.get(DeploymentFormat.JSON_PORT),
+                given.getOrNull(DeploymentFormat.LISTEN),
                 given.getOrNull(DeploymentFormat.SENDER),
+                given.getOrNull(DeploymentFormat.LINES_KEY),
                 given.get(DeploymentFormat.ERROR_MM),
                 given.get(DeploymentFormat.ERROR_RAD));
     given.end();

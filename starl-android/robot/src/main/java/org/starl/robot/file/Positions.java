@@ -34,8 +34,16 @@ public sealed interface Positions {
    * Lines of JSON over UDP.
    *
    * @param port UDP port of each robot
+   * @param listen address of each robot at which it receives; null for its radio's address
    * @param sender the only host whose lines are taken; null for every host
+   * @param key path of the file of the lines' key, as written; null if they are not authenticated
    */
-  record JsonFeed(int port, @Nullable String sender, double errorMm, double errorRad)
+  record JsonFeed(
+      int port,
+      @Nullable String listen,
+      @Nullable String sender,
+      @Nullable String key,
+      double errorMm,
+      double errorRad)
       implements Positions {}
 }

@@ -18,6 +18,11 @@ import org.starl.platform.LogSink;
  *
  * <p>{@code atNs} is the time of measurement on a clock of the sender that never jumps back; its
  * origin is arbitrary. {@code "errorRad"} is optional. Other keys are refused.
+ *
+ * <p>With a key each line is followed by a space and the hexadecimal HMAC-SHA256 of the line. Then {@code
+ * atNs} counts from 1970: each robot's first line must be within {@link JsonProtocol#MOST_DATE_ERROR_NS}
+ * of the feed's date, and each other one later than the one before it. So a recording of another run
+ * does not count, and none of this run a second time.
  */
 public final class JsonFeed extends DatagramFeed {
 
@@ -31,13 +36,14 @@ public final class JsonFeed extends DatagramFeed {
     super(clock, log, "json feed");
     this.sender = settings.sender();
     this.socket = socket;
-    this.protocol = new JsonProtocol(settings.bounds(), tally);
+    this.protocol = new JsonProtocol(settings.bounds(), settings.key(), tally);
   }
 
   /**
    * Opens a feed, which listens until {@link #close}.
    *
-   * @param clock the robot's, for the fixes' times; read by another thread
+   * @param clock the robot's, for the fixes' times; read by another thread. With a key it counts from
+   *     1970
    * @param log takes a line from the feed's thread for the first error of each kind
    * @throws IOException if the address is not available
    */

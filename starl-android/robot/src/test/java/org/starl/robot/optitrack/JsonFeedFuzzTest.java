@@ -30,7 +30,7 @@ public class JsonFeedFuzzTest {
           JsonPoseParser.parse(input, input.length - 1).pose() == null || isBlank(input), "cut");
     }
     Tally tally = new Tally((timeNs, level, tag, line) -> requireLine(line), "fuzz");
-    JsonProtocol feed = new JsonProtocol(FixBounds.DEFAULT, tally);
+    JsonProtocol feed = new JsonProtocol(FixBounds.DEFAULT, null, tally);
     for (int i = 1; i <= 3; i++) {
       TrackedBody body = feed.received(input, input.length, i * NOW_NS);
       require(body == null || (pose != null && body.fix() != null), "a body of nothing");

@@ -21,7 +21,7 @@ class JsonFeedTest {
 
   private final List<String> lines = new ArrayList<>();
   private final Tally tally = new Tally((timeNs, level, tag, line) -> lines.add(line), "test");
-  private final JsonProtocol protocol = new JsonProtocol(FixBounds.DEFAULT, tally);
+  private final JsonProtocol protocol = new JsonProtocol(FixBounds.DEFAULT, null, tally);
 
   private static JsonPoseParser.Result parse(String line) {
     byte[] bytes = line.getBytes(StandardCharsets.UTF_8);

@@ -92,7 +92,7 @@ final class Loopback {
   JsonFeed listen(FixBounds bounds, Clock clock) {
     try {
       return JsonFeed.open(
-          new JsonFeedSettings(new InetSocketAddress(HOST, 0), null, bounds), clock, log);
+          new JsonFeedSettings(new InetSocketAddress(HOST, 0), null, null, bounds), clock, log);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
