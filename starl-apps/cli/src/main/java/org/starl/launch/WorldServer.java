@@ -2,7 +2,6 @@ package org.starl.launch;
 
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
@@ -32,11 +31,11 @@ import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.optitrack.JsonServer;
 import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.NatNetVersion;
 import org.starl.robot.optitrack.PoseSource;
-import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.serial.PseudoTerminal;
@@ -51,7 +50,7 @@ import org.starl.trace.TraceEvent.Fault;
 
 /**
  * The simulated bodies of a deployment: one floor with all of them, a simulated Create at the far
- * end of each serial link, and a NatNet server in place of the cameras. Its trace has the true
+ * end of each serial link, and a NatNet server or JSON lines in place of the cameras. Its trace has the true
  * bodies, by which specifications are judged.
  *
  * <p>The bodies belong to the server's strand; a body moves in closed form from one command to the
@@ -60,6 +59,7 @@ import org.starl.trace.TraceEvent.Fault;
 public final class WorldServer implements AutoCloseable {
 
   private static final long CAMERA_PERIOD_NS = 5_000_000;
+  private static final int CAMERA_FRAMES_PER_S = 100;
 
   private final Deployment deployment;
   private final Consumer<String> console;
@@ -71,6 +71,7 @@ public final class WorldServer implements AutoCloseable {
   private final double apartMm;
   private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
   private final List<PoseSource.Body> objects;
+  private final LimitedLog strangers;
   private final Deque<AutoCloseable> parts = new ArrayDeque<>();
   private final Timer update;
   private boolean isClosed;
@@ -99,6 +100,7 @@ public final class WorldServer implements AutoCloseable {
       throws IOException {
     this.deployment = deployment;
     this.console = console;
+    strangers = new LimitedLog(clock, console);
     this.onFailure = onFailure;
     trace = new ProcessTrace(Fault.WORLD, plan.header(), out, onFailure::accept);
     MachineClock.tell(trace, clock, startNs);
@@ -209,9 +211,13 @@ public final class WorldServer implements AutoCloseable {
   }
 
   private void serveCameras() throws IOException {
-    if (!(deployment.positions() instanceof Positions.NatNet natNet)) {
-      throw new IllegalArgumentException("simulated bodies need 'positions: source: natnet'");
+    switch (deployment.positions()) {
+      case Positions.NatNet natNet -> serveNatNet(natNet);
+      case Positions.JsonFeed json -> serveLines(json);
     }
+  }
+
+  private void serveNatNet(Positions.NatNet natNet) throws IOException {
     String multicast = natNet.multicast();
     String[] version = natNet.version().split("\\.", -1);
     NatNetServerSettings settings =
@@ -222,8 +228,30 @@ public final class WorldServer implements AutoCloseable {
                 : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort()),
             new NatNetVersion(Integer.parseInt(version[0]), Integer.parseInt(version[1])),
             PoseFeeds.axes(natNet),
-            100);
-    parts.push(NatNetServer.open(settings, () -> seen, clock, onFailure::accept));
+            CAMERA_FRAMES_PER_S);
+    NatNetServer server = NatNetServer.open(settings, () -> seen, clock, onFailure::accept);
+    parts.push(server);
+    server.onRefusal(console);
+  }
+
+  private void serveLines(Positions.JsonFeed json) throws IOException {
+    List<InetSocketAddress> robots = new ArrayList<>();
+    for (RobotEntry robot : deployment.robots().values()) {
+      HostPort address = robot.address();
+      if (address != null) {
+        robots.add(PoseFeeds.linesAt(json, address.resolve().getAddress()));
+      }
+    }
+    String sender = json.sender();
+    parts.push(
+        JsonServer.open(
+            new InetSocketAddress(sender == null ? null : InetAddress.getByName(sender), 0),
+            robots,
+            DeploymentFile.linesKey(deployment),
+            () -> seen,
+            clock,
+            CAMERA_FRAMES_PER_S,
+            onFailure::accept));
   }
 
   private void serveCreate(RobotId robot, Create create) throws IOException {
@@ -237,7 +265,8 @@ public final class WorldServer implements AutoCloseable {
             CreateWheelbase.model(create),
             body,
             clock,
-            ended -> console.accept(robot + "'s Create: " + ended.getMessage()));
+            ended ->
+                strangers.log(robot.name(), robot + "'s Create: " + ended.getMessage()));
     parts.push(host);
     switch (create.simulatedAt()) {
       case Wheels.Tcp tcp -> host.listen(listen(tcp.address()));
@@ -258,44 +287,22 @@ public final class WorldServer implements AutoCloseable {
       throw new IllegalArgumentException(
           "simulated bodies need 'world:', the address of their world");
     }
-    ServerSocket server = listen(address);
-    parts.push(server);
-    Daemons.of("world accept", () -> accept(server)).start();
+    RobotDoor door =
+        new RobotDoor(listen(address), bodies::containsKey, this::talk, strangers, onFailure::accept);
+    parts.push(door);
+    door.open();
   }
 
-  private void accept(ServerSocket server) {
-    while (!server.isClosed()) {
-      try {
-        Socket socket = server.accept();
-        Daemons.of("world robot", () -> serve(socket)).start();
-      } catch (IOException e) {
-        if (!server.isClosed()) {
-          onFailure.accept(e);
-          return;
-        }
-      }
+  // On the connection's thread.
+  private void talk(RobotId robot, Socket socket, DataInputStream in) throws IOException {
+    WorldBody body = bodies.get(robot);
+    if (body == null) {
+      throw new IllegalStateException(robot + " is not simulated");
     }
-  }
-
-  private void serve(Socket socket) {
-    try (socket;
-        DataInputStream in = new DataInputStream(socket.getInputStream())) {
-      String name = in.readUTF();
-      WorldBody body = RobotId.isValid(name) ? bodies.get(new RobotId(name)) : null;
-      if (body == null) {
-        console.accept("no body for an unknown robot at " + socket.getRemoteSocketAddress());
-        return;
-      }
-      RobotId robot = new RobotId(name);
-      DataOutputStream answers = new DataOutputStream(socket.getOutputStream());
-      while (true) {
-        WorldClient.Word word = WorldClient.Word.read(in);
-        strand.post(() -> obey(robot, body, word, answers));
-      }
-    } catch (EOFException e) {
-      return; // the robot has closed its connection
-    } catch (IOException e) {
-      console.accept("a robot's connection: " + e.getMessage());
+    DataOutputStream answers = new DataOutputStream(socket.getOutputStream());
+    while (true) {
+      WorldClient.Word word = WorldClient.Word.read(in);
+      strand.post(() -> obey(robot, body, word, answers));
     }
   }
 
@@ -315,7 +322,7 @@ public final class WorldServer implements AutoCloseable {
     try {
       to.writeUTF(word.name());
     } catch (IOException e) {
-      console.accept("a robot's connection: " + e.getMessage());
+      strangers.log("lost", "a robot's connection: " + e.getMessage());
     }
   }
 }

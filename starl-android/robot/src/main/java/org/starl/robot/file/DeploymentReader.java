@@ -252,8 +252,10 @@ public final class DeploymentReader {
     if (isSimulated && deployment.world() == null) {
       throw at(robot, "is simulated; expected 'world: HOST:PORT', where its body is");
     }
-    if (isSimulated && !(deployment.positions() instanceof Positions.NatNet)) {
-      throw at(robot, "is simulated; expected positions.source natnet, which its world speaks");
+    if (isSimulated
+        && robot.address() == null
+        && deployment.positions() instanceof Positions.JsonFeed) {
+      throw at(robot, "is simulated; expected an address, to which its world sends positions");
     }
   }
 

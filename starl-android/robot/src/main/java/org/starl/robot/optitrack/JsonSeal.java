@@ -20,7 +20,7 @@ final class JsonSeal {
   private final Mac mac;
 
   JsonSeal(DeploymentKey key) {
-    mac = key.newMac();
+    mac = key.newMac("lines");
   }
 
   /** The line with its authentication. */
