@@ -15,16 +15,11 @@ case ${1:-} in
 esac
 rounds=${1:-$rounds}
 kill_after=${2:-}
-here=$(cd "$(dirname "$0")" && pwd)
-starl=${STARL:-$here/../../starl}
-work=$(mktemp -d)
-robots="bot0 bot1 bot2 bot3"
+. "$(dirname "$0")/rig.sh"
 net=starl$$
-pids=()
 
 cleanup() {
-  for pid in ${pids[@]+"${pids[@]}"}; do kill "$pid" 2>/dev/null; done
-  wait
+  end_all
   if [ -n "$spaces" ]; then
     for each in world $robots; do ip netns delete "$net-$each" 2>/dev/null; done
     ip link delete "$net" 2>/dev/null
@@ -51,70 +46,55 @@ if [ -n "$spaces" ]; then
     ip -n "$net-$each" link set eth0 up
     number=$((number + 1))
   done
+  in_space() {
+    local space=$1
+    shift
+    exec ip netns exec "$net-$space" "$@"
+  }
 fi
 
-# The deployment: without namespaces each robot has a port of its own on 127.0.0.1.
-address() { if [ -n "$spaces" ]; then echo "10.47.0.$1"; else echo "127.0.0.1:$((4746 + $1))"; fi; }
-host() { if [ -n "$spaces" ]; then echo 10.47.0.1; else echo 127.0.0.1; fi; }
+# The deployment. In namespaces robots find each other by their beacons; without them each robot has a
+# port of its own on 127.0.0.1.
 file=$here/$name.yaml
 [ -f "$file" ] || { echo "$file: no such deployment; expected crossing, search or lightpaint"; exit 2; }
 objects=$(sed -n 's/^ *\(objects: [a-z]*\)$/, \1/p' "$file" | sort -u)
+host=127.0.0.1
+[ -z "$spaces" ] || host=10.47.0.1
 {
   # Wheels that are not exact, so that positions differ from the odometry.
   sed -n '/^app:/,/^seed:/p' "$file" | sed 's/^parameters:$/&\n  speedError: 0.05/'
-  echo "network: {loss: 0.1, broadcasts: $([ -n "$spaces" ] && echo yes || echo no)}"
-  echo "positions: {source: natnet, server: $(host), version: 4.1, up: y}"
-  echo "world: $(host):4745"
-  echo "robots:"
-  number=2
-  for robot in $robots; do
-    key=$($starl keygen --robot $robot "$work/$robot.key" 2>/dev/null | sed 's/^ *//') || exit 1
-    # In namespaces robots find each other by their beacons.
-    [ -n "$spaces" ] || echo "  $robot: {$key, address: \"$(address $number)\", chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}$objects}"
-    [ -z "$spaces" ] || echo "  $robot: {$key, chassis: {kind: create, port: $work/$robot.tty, simulatedAt: $work/$robot.tty}$objects}"
+  settings 0.1 "$host" "$host:4745" "$([ -n "$spaces" ] && echo yes || echo no)"
+  number=4748
+  for each in $robots; do
+    key=$($starl keygen --robot "$each" "$work/$each.key" 2>/dev/null | sed 's/^ */, /') || exit 1
+    robot "$each" "$([ -n "$spaces" ] || echo "127.0.0.1:$number")" "$work/$each.tty" "$key$objects"
     number=$((number + 1))
   done
   sed -n '/^limits:/,$p' "$file"
 } >"$work/$name.yaml"
 
-in_space() {
-  local space=$1
-  shift
-  if [ -n "$spaces" ]; then exec ip netns exec "$net-$space" "$@"; else exec "$@"; fi
-}
-
 $starl deploy check "$work/$name.yaml" || exit 1
-(in_space world $starl deploy world "$work/$name.yaml" --folder "$work") >"$work/world.log" 2>&1 &
-pids+=($!)
-until grep -qs 'runs' "$work/world.log"; do
-  kill -0 "${pids[0]}" || { cat "$work/world.log"; exit 1; }
-  sleep 0.2
-done
-for robot in $robots; do
-  (in_space "$robot" $starl deploy run "$work/$name.yaml" --robot "$robot" --folder "$work" --rounds "$rounds") >"$work/$robot.log" 2>&1 &
-  pids+=($!)
-done
+begin_world "$work/$name.yaml" "$work"
+for each in $robots; do begin_robot "$each" "$work/$name.yaml" "$work" "$rounds"; done
 echo "4 robots run, each in its process; traces and logs are in $work"
 
 began=$SECONDS
 killed=
 while :; do
   sleep 1
-  through=$(cat "$work"/bot?.log | grep -c "end of round $rounds of $rounds")
-  [ "$through" = 4 ] && break
+  [ "$(through "$work" "$rounds")" = 4 ] && break
   if [ -n "$kill_after" ] && [ -z "$killed" ] && [ $((SECONDS - began)) -ge "$kill_after" ]; then
     killed=$SECONDS
-    kill -9 "${pids[3]}"
-    echo "killed bot2's process ${pids[3]} $((SECONDS - began)) s after the begin"
+    kill -9 "${pids[bot2]}"
+    echo "killed bot2's process ${pids[bot2]} $((SECONDS - began)) s after the begin"
   fi
-  # A robot that waits for a section of a dead one waits for ever: 40 s show what there is to see.
+  # A robot waits for ever for the zones that a dead one may hold: 40 s show what there is to see.
   [ -n "$killed" ] && [ $((SECONDS - killed)) -ge 40 ] && break
   [ $((SECONDS - began)) -ge $((60 * rounds + 540)) ] && { echo "not through in time"; break; }
 done
 echo "$(cat "$work"/bot?.log | grep -c 'end of round') runs of the app ended, in $((SECONDS - began)) s"
 [ -z "$killed" ] || grep -h 'fences bot2' "$work"/bot?.log
-for pid in "${pids[@]:1}" "${pids[0]}"; do kill "$pid" 2>/dev/null; wait "$pid" 2>/dev/null; done
-pids=()
+end_all
 grep -h 'strand:' "$work"/*.log
 $starl deploy merge "$work"/*.trace --out "$work/merged.trace"
 status=$?

@@ -43,6 +43,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       DeployCommand.class,
       KeygenCommand.class,
       RobotCommand.class,
+      AttackCommand.class,
       SimulatedCreateCommand.class,
       HelpCommand.class
     },

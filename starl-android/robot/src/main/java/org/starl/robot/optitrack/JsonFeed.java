@@ -10,6 +10,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
+import org.starl.robot.realtime.RealClock;
 
 /**
  * Poses from any measuring system that can send UDP: each datagram is one JSON line for one robot.
@@ -42,8 +43,8 @@ public final class JsonFeed extends DatagramFeed {
   /**
    * Opens a feed, which listens until {@link #close}.
    *
-   * @param clock the robot's, for the fixes' times; read by another thread. With a key it counts from
-   *     1970
+   * @param clock the robot's, for the fixes' times; read by another thread. With a key it is
+   *     one of {@link RealClock#ofDate}
    * @param log takes a line from the feed's thread for the first error of each kind
    * @throws IOException if the address is not available
    */

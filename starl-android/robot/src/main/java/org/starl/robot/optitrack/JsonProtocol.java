@@ -7,6 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 import org.starl.platform.DeploymentKey;
+import org.starl.robot.realtime.RealClock;
 
 /**
  * Converts JSON lines to fixes. Each robot's lines have a clock of their own, because each robot may
@@ -87,7 +88,7 @@ final class JsonProtocol {
 
   private static boolean isNew(@Nullable Track track, JsonPose line, long nowNs) {
     return track == null
-        ? Math.abs(line.atNs() - nowNs) <= MOST_DATE_ERROR_NS
+        ? Math.abs(line.atNs() - RealClock.DATE_ORIGIN_UNIX_NS - nowNs) <= MOST_DATE_ERROR_NS
         : line.atNs() > track.newestAtNs;
   }
 

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.realtime.Daemons;
+import org.starl.robot.realtime.RealClock;
 
 /**
  * Sends the poses of a {@link PoseSource} as JSON lines to {@link JsonFeed}s, in place of a measuring
@@ -59,7 +60,7 @@ public final class JsonServer implements AutoCloseable {
    * @param from the address to send from; port 0 for any free one
    * @param robots the feeds' addresses; each gets the lines of all bodies
    * @param key of the feed; null for lines without authentication
-   * @param clock of the snapshots' times; with a key it counts from 1970
+   * @param clock of the snapshots' times; with a key it is one of {@link RealClock#ofDate}
    * @param linesPerS for each body, from 1 to 1000
    * @param onFailure is called, on the server's thread, if it cannot continue
    * @throws IOException if the address is not available
@@ -135,7 +136,7 @@ public final class JsonServer implements AutoCloseable {
     }
   }
 
-  /** One line of the feed. */
+  /** One line of the feed; {@code atNs} as a clock of {@link RealClock#ofDate} shows it. */
   static String line(PoseSource.Body body, long atNs) {
     return String.format(
         Locale.ROOT,
@@ -146,6 +147,6 @@ public final class JsonServer implements AutoCloseable {
         body.pose().yMm(),
         body.pose().headingRad(),
         body.meanErrorMm() + LEAST_ERROR_MM,
-        atNs);
+        atNs + RealClock.DATE_ORIGIN_UNIX_NS);
   }
 }

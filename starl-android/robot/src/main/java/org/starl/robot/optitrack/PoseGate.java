@@ -67,9 +67,11 @@ final class PoseGate {
     if (bounds.stillMs() == 0 || (origin != null && isReachable(origin, fix))) {
       return pass(fix);
     }
+    if (last != null && fix.timeNs() <= last.timeNs()) {
+      return Verdict.OUTDATED;
+    }
     boolean isConsistent =
         last != null
-            && fix.timeNs() > last.timeNs()
             && fix.timeNs() - last.timeNs() <= bounds.stillNs()
             && isReachable(last, fix);
     boolean isBroken = first != null && !isConsistent;

@@ -8,8 +8,8 @@ import org.starl.platform.Clock;
 /** Real time since its origin; a change of the device's date does not affect it. */
 public final class RealClock implements Clock {
 
-  // 2020-01-01T00:00:00Z
-  private static final long ORIGIN_UNIX_S = 1_577_836_800;
+  /** The origin of {@link #ofDate}, 2020-01-01T00:00:00Z, in ns since 1970. */
+  public static final long DATE_ORIGIN_UNIX_NS = 1_577_836_800 * NS_PER_S;
 
   private final long originNs;
 
@@ -38,7 +38,7 @@ public final class RealClock implements Clock {
     Instant now = Instant.now();
     long sinceOriginNs =
         Math.addExact(
-            Math.multiplyExact(now.getEpochSecond() - ORIGIN_UNIX_S, NS_PER_S), now.getNano());
+            Math.multiplyExact(now.getEpochSecond(), NS_PER_S) - DATE_ORIGIN_UNIX_NS, now.getNano());
     return new RealClock(machineNs() - sinceOriginNs);
   }
 

@@ -22,8 +22,9 @@ class JsonFeedKeyTest {
 
   private static final long MS = 1_000_000;
 
-  /** In November 2026, in ns since 1970. */
-  private static final long DATE_NS = 1_795_000_000_000_000_000L;
+  /** In November 2026, by a clock of the date. */
+  private static final long DATE_NS =
+      1_795_000_000_000_000_000L - RealClock.DATE_ORIGIN_UNIX_NS;
 
   private static final DeploymentKey KEY = key(1);
 
@@ -76,6 +77,14 @@ class JsonFeedKeyTest {
     }
     assertThat(dropped(FeedDrop.REPLAYED)).isEqualTo(sent.size());
     assertThat(receive(sealed(0, nowNs), nowNs + MS)).isNotNull();
+  }
+
+  @Test
+  void timesOfLinesAreInNanosecondsSince1970() {
+    assertThat(new String(line(0, DATE_NS), StandardCharsets.US_ASCII))
+        .endsWith("\"atNs\":1795000000000000000}");
+    assertThat(RealClock.ofDate().nowNs() + RealClock.DATE_ORIGIN_UNIX_NS)
+        .isGreaterThan(1_795_000_000_000_000_000L - 200L * 24 * 3600 * 1000 * MS);
   }
 
   @Test

@@ -1,0 +1,212 @@
+#!/bin/bash
+# The paper's four cars under attack: one row for each attack and fault, with what was expected and
+# observed. Exit status 1 if one row fails.
+#
+#   scenarios/deployment/attack.sh
+#
+# Everything runs over the loopback interface; the attacker, 'starl attack', owns the network: each
+# robot's file names a port of the attacker as the address of each other robot and of the cameras.
+set -u
+. "$(dirname "$0")/rig.sh"
+base=${BASE:-$((20000 + $$ % 300 * 100))}
+limit=${LIMIT:-60}
+# Short-lived processes on few cores; each robot has a guard process, too.
+export STARL_JAVA_OPTS="${STARL_JAVA_OPTS:-} -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m"
+failed=0
+
+cleanup() {
+  end_all
+  [ -z "${ATTACK_PID:-}" ] || kill "$ATTACK_PID" 2>/dev/null
+}
+trap cleanup EXIT
+trap 'exit 1' INT TERM
+
+# file MACHINE: the deployment as machine 0 to 4 has it; machine 4 is a second bot0.
+file() {
+  local machine=$1 self=bot$(($1 % 4)) number address
+  echo "app: intersection"
+  echo "parameters: {scenario: figure7, debris: 0, speedError: 0.05}"
+  echo "seed: 7"
+  echo "key: crossing.key"
+  settings 0.05 "127.0.0.1:$((base + 20 + machine))" "127.0.0.1:$((base + 5))" no
+  for number in 0 1 2 3; do
+    address=127.0.0.1:$((base + 60 + 10 * machine + number))
+    [ "bot$number" != "$self" ] || address=127.0.0.1:$((base + 8 + machine))
+    if [ "$machine" = 4 ] && [ "$number" = 0 ]; then
+      # Its Create is real to it: the world has no body for it.
+      echo "  bot0: {address: \"$address\", chassis: {kind: create, port: $work/second.tty}}"
+    else
+      robot "bot$number" "$address" "$work/bot$number.tty"
+    fi
+  done
+}
+
+# until_ SECONDS COMMAND...: whether the command holds within that time.
+until_() {
+  local end=$((SECONDS + $1))
+  shift
+  until "$@"; do
+    [ "$SECONDS" -lt "$end" ] || return 1
+    sleep 0.2
+  done
+}
+
+all_through() { [ "$(through "$1" "$2")" -ge 4 ]; }
+
+# attack COMMAND: the attacker's answer is in $answer.
+attack() {
+  echo "$1" >&"${ATTACK[1]}"
+  read -r answer <&"${ATTACK[0]}"
+  answer=${answer#*: }
+}
+
+# row NAME DID EXPECTED OBSERVED STATUS: OK if STATUS is 0.
+row() {
+  local verdict=OK
+  [ "$5" = 0 ] || { verdict=FAILED; failed=1; }
+  printf '%-7s %-16s | %s | expected: %s | observed: %s\n' "$verdict" "$1" "$2" "$3" "$4"
+}
+
+count() { cat "${@:2}" 2>/dev/null | grep -c -- "$1"; }
+folder_kb() { du -sk "$1" | cut -f1; }
+threads() { sed -n 's/^Threads:[[:space:]]*//p' "/proc/$1/status" 2>/dev/null || echo 0; }
+ended() { ! kill -0 "$1" 2>/dev/null; }
+rounds_done() { cat "$1"/bot?.log | grep -c 'end of round'; }
+more_rounds() { [ "$(rounds_done "$1")" -ge "$2" ]; }
+
+for machine in 0 1 2 3 4; do
+  file $machine >"$work/bot$machine.yaml"
+done
+mkdir "$work/first" "$work/second" "$work/next"
+# The world's own file has the cameras' true address.
+sed "s/server: 127.0.0.1:[0-9]*/server: 127.0.0.1:$((base + 6))/" "$work/bot0.yaml" >"$work/world.yaml"
+$starl keygen "$work/crossing.key" >/dev/null || exit 1
+coproc ATTACK { exec $starl attack "$base"; }
+read -r answer <&"${ATTACK[0]}" || exit 1
+echo "4 robots, each in its process; files are in $work"
+
+# --- the first run: attacks while robots cross again and again ---------------------------------------
+run=$work/first
+begin_world "$work/world.yaml" "$run"
+for number in 0 1 2 3; do begin_robot bot$number "$work/bot$number.yaml" "$run" 1000; done
+until_ $((2 * limit)) all_through "$run" 1 || { echo "no crossing without an attack"; failed=1; }
+
+# begin_attack COMMAND, and then crossing: whether two robots come to the end of a round after it.
+begin_attack() {
+  rounds_before=$(rounds_done "$run")
+  kb=$(folder_kb "$run")
+  attack "$1"
+}
+crossing() {
+  until_ "$limit" more_rounds "$run" $((rounds_before + 2))
+  local status=$?
+  crossed="$(($(rounds_done "$run") - rounds_before)) crossings"
+  grown=$(($(folder_kb "$run") - kb))
+  return $status
+}
+
+begin_attack "garbage 5000"
+crossing && [ "$(folder_kb "$run")" -lt $((kb + 8192)) ]
+status=$?
+row "garbage" "$answer: noise, changed, cut, too long" "crossings go on, files grow less than 8 MB" \
+  "$crossed, $grown kB" $status
+
+begin_attack "beacons 3000"
+crossing
+status=$?
+row "forged beacons" "$answer: changed, and repeated" "crossings go on" "$crossed" $status
+
+begin_attack "clients 6000"
+frames=${answer##* }
+crossing && [ "$frames" -ge 50 ]
+status=$?
+row "NatNet clients" "${answer%,*}, 3,000 a second" "each robot has 50 frames/s, crossings go on" \
+  "$frames frames/s, $crossed" $status
+
+world=$(pgrep -P "${pids[world]}" -x java 2>/dev/null || echo "${pids[world]}")
+few=$(threads "$world")
+begin_attack "tcp 900"
+many=$(($(threads "$world") - few))
+crossing && [ $many -lt 80 ]
+status=$?
+row "TCP to world" "900 connections without a name" "fewer than 80 threads, crossings go on" \
+  "$many threads more, $crossed" $status
+attack hangup
+
+begin_attack "pose 3000"
+crossing && [ "$(count '"xMm":7777' "$run"/bot?.trace)" = 0 ]
+status=$?
+row "single poses" "$answer in the cameras' name, one to a robot each 0.3 s" "none used, crossings go on" \
+  "$(count '"xMm":7777' "$run"/bot?.trace) used, $(count 'jumps from' "$run"/bot?.log) lines in the logs, $crossed" $status
+
+used=$(count '"xMm":7777' "$run"/bot?.trace)
+begin_attack "poses 3000"
+crossing && [ "$(count '"xMm":7777' "$run"/bot?.trace)" = "$used" ]
+status=$?
+row "many poses" "$answer, 200 a second to each robot" "none used while the cameras work, crossings go on" \
+  "$(($(count '"xMm":7777' "$run"/bot?.trace) - used)) used, $crossed" $status
+
+# bot2 has just unregistered when its round ends, so it holds no zone.
+rounds_before=$(count 'end of round' "$run/bot2.log")
+bot2_through() { [ "$(count 'end of round' "$run/bot2.log")" -gt "$rounds_before" ]; }
+until_ "$limit" bot2_through
+kill -9 "${pids[bot2]}"
+wait "${pids[bot2]}" 2>/dev/null
+mv "$run/bot2.storage" "$run/bot2.lost"
+mv "$run/bot2.log" "$run/bot2.before.log"
+begin_robot bot2 "$work/bot2.yaml" "$run" 1000
+told() { grep -hE 'end of round 1 |storage' "$run/bot2.log"; }
+joined_or_told() { told >/dev/null || ended "${pids[bot2]}"; }
+until_ "$limit" joined_or_told
+status=$?
+row "storage lost" "bot2 killed, its storage deleted, started again" "it crosses, or says why not" \
+  "$([ $status = 0 ] && { told || tail -qn1 "$run/bot2.log"; } | head -1 | cut -c1-120 || echo "neither within $limit s")" $status
+
+begin create create "$work/second/create.log" $starl simulated-create --pty "$work/second.tty"
+until_ 20 grep -qs ' at ' "$work/second/create.log"
+begin second bot0 "$work/second/bot0.log" \
+  $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
+both_ended() { ended "${pids[bot0]}" && ended "${pids[second]}"; }
+until_ 25 both_ended
+status=$?
+state() { ended "${pids[$1]}" && echo "ended: $(grep 'wheels stopped' "$2" | cut -c1-100)" || echo runs; }
+row "second bot0" "another machine started as bot0" "both stop and say why" \
+  "the first $(state bot0 "$run/bot0.log"); the second $(state second "$work/second/bot0.log")" $status
+end_all
+$starl deploy merge "$run"/*.trace >"$work/first.txt"
+status=$?
+row "first run" "all traces merged" "no violation" "$(tail -1 "$work/first.txt" | cut -c1-120)" $status
+
+# --- the next run: the same key, new storage; at first it hears nothing but the recording -------------
+run=$work/next
+attack forget
+recorded=$answer
+attack block
+begin_world "$work/world.yaml" "$run"
+for number in 0 1 2 3; do begin_robot bot$number "$work/bot$number.yaml" "$run" 1; done
+on_floor() { [ "$(count 'is on the floor' "$run/world.log")" = 4 ]; }
+until_ "$limit" on_floor
+attack "replay 5000"
+sleep 1
+accepted=$(count '"kind":"delivered"' "$run"/bot?.trace)
+refused=$(count '"kind":"dropped"' "$run"/bot?.trace)
+[ "$accepted" = 0 ]
+status=$?
+row "replay" "$recorded in the first run, $answer from their senders' addresses" "none accepted" \
+  "$accepted accepted, $refused refused" $status
+hears=$(count 'network: hears' "$run"/bot?.log)
+[ "$hears" = 0 ]
+status=$?
+row "replayed beacons" "the first run's beacons among them" "no robot seems alive" "$hears times" $status
+attack pass
+until_ "$limit" all_through "$run" 1
+status=$?
+row "after the replay" "the network works again" "all cross" \
+  "$(through "$run" 1) of 4 cross; $(grep -h 'VIOLATED' "$run"/bot?.log | head -1 | cut -c1-100)" $status
+end_all
+$starl deploy merge "$run"/*.trace >"$work/next.txt"
+status=$?
+row "next run" "all traces merged" "no violation" "$(tail -1 "$work/next.txt" | cut -c1-120)" $status
+
+echo "in $SECONDS s"
+exit $failed
