@@ -71,9 +71,7 @@ final class PoseGate {
       return Verdict.OUTDATED;
     }
     boolean isConsistent =
-        last != null
-            && fix.timeNs() - last.timeNs() <= bounds.stillNs()
-            && isReachable(last, fix);
+        last != null && fix.timeNs() - last.timeNs() <= bounds.stillNs() && isReachable(last, fix);
     boolean isBroken = first != null && !isConsistent;
     if (first == null || !isConsistent) {
       first = fix;
@@ -111,8 +109,7 @@ final class PoseGate {
     double errorMm = error(from.errorMm(), to.errorMm(), bounds.errorFloorMm(), MOST_ERROR_MM);
     double errorRad = error(from.errorRad(), to.errorRad(), bounds.errorFloorRad(), MOST_ERROR_RAD);
     double goneMm =
-        StrictMath.hypot(
-            to.pose().xMm() - from.pose().xMm(), to.pose().yMm() - from.pose().yMm());
+        StrictMath.hypot(to.pose().xMm() - from.pose().xMm(), to.pose().yMm() - from.pose().yMm());
     double turnedRad =
         Math.abs(Angles.difference(to.pose().headingRad(), from.pose().headingRad()));
     return goneMm <= errorMm + bounds.maxSpeedMmPerS() * s

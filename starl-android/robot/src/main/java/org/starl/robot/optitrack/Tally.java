@@ -79,7 +79,11 @@ final class Tally {
     if (lastNs == null || nowNs - lastNs > EPISODE_NS) {
       String from = before == null ? "the fix before it" : PoseGate.text(before.pose());
       warn(
-          name + " jumps from " + from + " to " + PoseGate.text(fix.pose())
+          name
+              + " jumps from "
+              + from
+              + " to "
+              + PoseGate.text(fix.pose())
               + ": faster than a robot drives, so no fix; further ones are only counted: "
               + FeedDrop.JUMPED,
           nowNs);

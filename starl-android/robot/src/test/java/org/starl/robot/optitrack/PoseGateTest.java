@@ -51,6 +51,7 @@ class PoseGateTest {
 
   @Test
   void anOlderFixOfTheFirstPlaceIsNoJump() {
+    nowMs = 1000;
     at(0);
     nowMs -= 1;
     assertThat(at(0)).isEqualTo(Verdict.OUTDATED);
