@@ -11,8 +11,10 @@ import java.net.Socket;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -232,15 +234,29 @@ public final class WorldServer implements AutoCloseable {
     NatNetServer server = NatNetServer.open(settings, () -> seen, clock, onFailure::accept);
     parts.push(server);
     server.onRefusal(console);
+    Set<InetAddress> hosts = new LinkedHashSet<>();
+    for (InetSocketAddress robot : addresses()) {
+      hosts.add(robot.getAddress());
+    }
+    server.reserve(hosts);
+  }
+
+  /** The robots' addresses, of those that have one in the file. */
+  private List<InetSocketAddress> addresses() throws IOException {
+    List<InetSocketAddress> known = new ArrayList<>();
+    for (RobotEntry robot : deployment.robots().values()) {
+      HostPort address = robot.address();
+      if (address != null) {
+        known.add(address.resolve());
+      }
+    }
+    return known;
   }
 
   private void serveLines(Positions.JsonFeed json) throws IOException {
     List<InetSocketAddress> robots = new ArrayList<>();
-    for (RobotEntry robot : deployment.robots().values()) {
-      HostPort address = robot.address();
-      if (address != null) {
-        robots.add(PoseFeeds.linesAt(json, address.resolve().getAddress()));
-      }
+    for (InetSocketAddress robot : addresses()) {
+      robots.add(PoseFeeds.linesAt(json, robot.getAddress()));
     }
     String sender = json.sender();
     parts.push(
@@ -265,8 +281,7 @@ public final class WorldServer implements AutoCloseable {
             CreateWheelbase.model(create),
             body,
             clock,
-            ended ->
-                strangers.log(robot.name(), robot + "'s Create: " + ended.getMessage()));
+            ended -> strangers.log(robot.name(), robot + "'s Create: " + ended.getMessage()));
     parts.push(host);
     switch (create.simulatedAt()) {
       case Wheels.Tcp tcp -> host.listen(listen(tcp.address()));
@@ -288,7 +303,8 @@ public final class WorldServer implements AutoCloseable {
           "simulated bodies need 'world:', the address of their world");
     }
     RobotDoor door =
-        new RobotDoor(listen(address), bodies::containsKey, this::talk, strangers, onFailure::accept);
+        new RobotDoor(
+            listen(address), bodies::containsKey, this::talk, strangers, onFailure::accept);
     parts.push(door);
     door.open();
   }

@@ -12,6 +12,7 @@ import java.net.NetworkInterface;
 import java.net.SocketAddress;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.starl.platform.Clock;
@@ -38,6 +39,7 @@ public final class NatNetServer implements AutoCloseable {
 
   // Set after the thread has started.
   private volatile Consumer<String> log = line -> {};
+  private volatile Set<InetAddress> reserved = Set.of();
 
   // The server's thread only.
   private final StreamEncoder encoder;
@@ -114,6 +116,14 @@ public final class NatNetServer implements AutoCloseable {
     log = newLog;
   }
 
+  /**
+   * Reserves places for clients at these hosts, whose number is thereby bounded only by 32 for each of
+   * them: a flood from other addresses does not keep them out.
+   */
+  public void reserve(Set<InetAddress> hosts) {
+    reserved = Set.copyOf(hosts);
+  }
+
   /** Number of clients. On the server's thread. */
   int clients() {
     return clients.all().size();
@@ -184,6 +194,7 @@ public final class NatNetServer implements AutoCloseable {
       ignored.incrementAndGet();
       return;
     }
+    clients.reserve(reserved);
     if (!clients.heard(client, nowNs)) {
       refuse(client, "more than " + StreamClients.STRANGERS_PER_S + " strangers' requests in 1 s");
       return;

@@ -11,14 +11,15 @@ import java.util.Set;
 /**
  * The clients of a {@link NatNetServer}. A flood from false addresses takes nothing from a known
  * client: it keeps its place until it is silent for {@link #SILENCE_NS}, and its requests are always
- * answered. Requests of unknown senders share one rate. Pure; one thread at a time.
+ * answered. Requests of unknown senders share one rate. Hosts with reserved places share neither rate
+ * nor places with others. Pure; one thread at a time.
  */
 final class StreamClients {
 
   /** A client that was silent for this time is removed. */
   static final long SILENCE_NS = 10 * NS_PER_S;
 
-  /** Largest number of clients. */
+  /** Largest number of clients, without those of hosts with reserved places. */
   static final int MAX = 64;
 
   /** Largest number of clients of one host, so that one host cannot take all places. */
@@ -28,12 +29,18 @@ final class StreamClients {
   static final int STRANGERS_PER_S = 100;
 
   private final Map<InetSocketAddress, Long> heardNs = new LinkedHashMap<>();
+  private Set<InetAddress> reserved = Set.of();
   private long secondNs = Long.MIN_VALUE;
   private int strangers;
 
   /** All clients, in the order in which they came. */
   Set<InetSocketAddress> all() {
     return heardNs.keySet();
+  }
+
+  /** Sets the hosts that have {@link #MAX_PER_HOST} places each for themselves. */
+  void reserve(Set<InetAddress> hosts) {
+    reserved = hosts;
   }
 
   /** Removes silent clients. */
@@ -47,7 +54,8 @@ final class StreamClients {
 
   /** Whether to answer a request of {@code sender}. */
   boolean heard(InetSocketAddress sender, long nowNs) {
-    if (heardNs.computeIfPresent(sender, (client, lastNs) -> nowNs) != null) {
+    boolean isKnown = heardNs.computeIfPresent(sender, (client, lastNs) -> nowNs) != null;
+    if (isKnown || reserved.contains(sender.getAddress())) {
       return true;
     }
     if (secondNs == Long.MIN_VALUE || nowNs - secondNs >= NS_PER_S) {
@@ -60,19 +68,20 @@ final class StreamClients {
 
   /** Adds a client; false if there is no place for it. */
   boolean add(InetSocketAddress client, long nowNs) {
-    if (!heardNs.containsKey(client) && (heardNs.size() >= MAX || isHostFull(client))) {
+    if (!heardNs.containsKey(client) && !hasPlace(client.getAddress())) {
       return false;
     }
     heardNs.put(client, nowNs);
     return true;
   }
 
-  private boolean isHostFull(InetSocketAddress client) {
-    InetAddress host = client.getAddress();
-    int count = 0;
+  private boolean hasPlace(InetAddress host) {
+    int ofHost = 0;
+    int unreserved = 0;
     for (InetSocketAddress other : heardNs.keySet()) {
-      count += other.getAddress().equals(host) ? 1 : 0;
+      ofHost += other.getAddress().equals(host) ? 1 : 0;
+      unreserved += reserved.contains(other.getAddress()) ? 0 : 1;
     }
-    return count >= MAX_PER_HOST;
+    return ofHost < MAX_PER_HOST && (reserved.contains(host) || unreserved < MAX);
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Which senders a NatNet server serves while it is flooded; in virtual time. */
@@ -58,6 +59,24 @@ class StreamClientsTest {
       assertThat(clients.add(host(1, port), 0)).isEqualTo(port <= StreamClients.MAX_PER_HOST);
     }
     assertThat(clients.add(host(2, 1), 0)).isTrue();
+  }
+
+  @Test
+  void aHostWithReservedPlacesComesInThoughAllOthersAreTaken() throws UnknownHostException {
+    InetSocketAddress robot = host(1, 1000);
+    clients.reserve(Set.of(robot.getAddress()));
+    for (int i = 0; i < 3000; i++) {
+      connect(host(2 + i, 1000), i * S / 3000);
+    }
+    assertThat(clients.all()).hasSize(StreamClients.MAX);
+
+    assertThat(connect(robot, S - 1)).isTrue();
+    clients.remove(robot);
+    assertThat(connect(robot, S - 1)).as("after a restart").isTrue();
+    for (int port = 1; port < StreamClients.MAX; port++) {
+      connect(host(1, port), S - 1);
+    }
+    assertThat(clients.all()).hasSize(StreamClients.MAX + StreamClients.MAX_PER_HOST);
   }
 
   @Test
