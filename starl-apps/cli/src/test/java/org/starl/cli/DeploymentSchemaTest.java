@@ -147,8 +147,20 @@ class DeploymentSchemaTest {
         "positions",
         kind.equals("json")
             ? map(
-                "source", "json", "port", "1520", "listen", "h", "sender", "h", "key", "lines.key",
-                "errorMm", "5", "errorRad", "1")
+                "source",
+                "json",
+                "port",
+                "1520",
+                "listen",
+                "h",
+                "sender",
+                "h",
+                "key",
+                "lines.key",
+                "errorMm",
+                "5",
+                "errorRad",
+                "1")
             : map(
                 "source", "natnet",
                 "server", "192.168.1.2",
@@ -324,8 +336,7 @@ class DeploymentSchemaTest {
     Map<String, Object> file = full(spot.place().kind());
     at(file, spot.place().path()).remove(spot.field().key());
     // No field describes this: the two lines below need each other.
-    boolean isKeyOfBroadcasts =
-        spot.field().key().equals("key") && spot.place().path().isEmpty();
+    boolean isKeyOfBroadcasts = spot.field().key().equals("key") && spot.place().path().isEmpty();
     boolean isWorldOfSimulated = spot.field().key().equals("world");
 
     assertThat(errorOrNone(yaml(file)).isEmpty())

@@ -24,6 +24,7 @@ public record JsonFeedSettings(
 
   /** Accepts every host's lines at this address. */
   public static JsonFeedSettings at(InetAddress address) {
-    return new JsonFeedSettings(new InetSocketAddress(address, PORT), null, null, FixBounds.DEFAULT);
+    return new JsonFeedSettings(
+        new InetSocketAddress(address, PORT), null, null, FixBounds.DEFAULT);
   }
 }

@@ -38,7 +38,8 @@ public final class RealClock implements Clock {
     Instant now = Instant.now();
     long sinceOriginNs =
         Math.addExact(
-            Math.multiplyExact(now.getEpochSecond(), NS_PER_S) - DATE_ORIGIN_UNIX_NS, now.getNano());
+            Math.multiplyExact(now.getEpochSecond(), NS_PER_S) - DATE_ORIGIN_UNIX_NS,
+            now.getNano());
     return new RealClock(machineNs() - sinceOriginNs);
   }
 

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.realtime.RealClock;
@@ -23,8 +23,7 @@ class JsonFeedKeyTest {
   private static final long MS = 1_000_000;
 
   /** In November 2026, by a clock of the date. */
-  private static final long DATE_NS =
-      1_795_000_000_000_000_000L - RealClock.DATE_ORIGIN_UNIX_NS;
+  private static final long DATE_NS = 1_795_000_000_000_000_000L - RealClock.DATE_ORIGIN_UNIX_NS;
 
   private static final DeploymentKey KEY = key(1);
 
