@@ -105,18 +105,18 @@ crossing() {
   return $status
 }
 
-begin_attack "garbage 5000"
+begin_attack "garbage 3000"
 crossing && [ "$(folder_kb "$run")" -lt $((kb + 8192)) ]
 status=$?
 row "garbage" "$answer: noise, changed, cut, too long" "crossings go on, files grow less than 8 MB" \
   "$crossed, $grown kB" $status
 
-begin_attack "beacons 3000"
+begin_attack "beacons 2000"
 crossing
 status=$?
 row "forged beacons" "$answer: changed, and repeated" "crossings go on" "$crossed" $status
 
-begin_attack "clients 6000"
+begin_attack "clients 4000"
 frames=${answer##* }
 crossing && [ "$frames" -ge 50 ]
 status=$?
@@ -133,14 +133,14 @@ row "TCP to world" "900 connections without a name" "fewer than 80 threads, cros
   "$many threads more, $crossed" $status
 attack hangup
 
-begin_attack "pose 3000"
+begin_attack "pose 2000"
 crossing && [ "$(count '"xMm":7777' "$run"/bot?.trace)" = 0 ]
 status=$?
 row "single poses" "$answer in the cameras' name, one to a robot each 0.3 s" "none used, crossings go on" \
   "$(count '"xMm":7777' "$run"/bot?.trace) used, $(count 'jumps from' "$run"/bot?.log) lines in the logs, $crossed" $status
 
 used=$(count '"xMm":7777' "$run"/bot?.trace)
-begin_attack "poses 3000"
+begin_attack "poses 2000"
 crossing && [ "$(count '"xMm":7777' "$run"/bot?.trace)" = "$used" ]
 status=$?
 row "many poses" "$answer, 200 a second to each robot" "none used while the cameras work, crossings go on" \
@@ -167,7 +167,7 @@ until_ 20 grep -qs ' at ' "$work/second/create.log"
 begin second bot0 "$work/second/bot0.log" \
   $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
 both_ended() { ended "${pids[bot0]}" && ended "${pids[second]}"; }
-until_ 25 both_ended
+until_ 15 both_ended
 status=$?
 state() { ended "${pids[$1]}" && echo "ended: $(grep 'wheels stopped' "$2" | cut -c1-100)" || echo runs; }
 row "second bot0" "another machine started as bot0" "both stop and say why" \
@@ -186,7 +186,7 @@ begin_world "$work/world.yaml" "$run"
 for number in 0 1 2 3; do begin_robot bot$number "$work/bot$number.yaml" "$run" 1; done
 on_floor() { [ "$(count 'is on the floor' "$run/world.log")" = 4 ]; }
 until_ "$limit" on_floor
-attack "replay 5000"
+attack "replay 4000"
 sleep 1
 accepted=$(count '"kind":"delivered"' "$run"/bot?.trace)
 refused=$(count '"kind":"dropped"' "$run"/bot?.trace)

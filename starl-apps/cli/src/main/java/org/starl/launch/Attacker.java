@@ -11,6 +11,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
@@ -173,10 +174,10 @@ public final class Attacker implements AutoCloseable {
         }
         selector.selectedKeys().clear();
       }
+    } catch (ClosedSelectorException e) {
+      return; // the attacker ends
     } catch (IOException e) {
-      if (selector.isOpen()) {
-        out.println("attacker: the network has failed: " + e);
-      }
+      out.println("attacker: the network has failed: " + e);
     }
   }
 
@@ -409,8 +410,7 @@ public final class Attacker implements AutoCloseable {
     RealClock now = RealClock.ofDate();
     List<PoseSource.Body> bodies = new ArrayList<>();
     for (int i = 0; i < ROBOTS; i++) {
-      bodies.add(
-          new PoseSource.Body("bot" + i, new Pose(FALSE_X_MM, 1000.0 * i, 0), true, 0.1));
+      bodies.add(new PoseSource.Body("bot" + i, new Pose(FALSE_X_MM, 1000.0 * i, 0), true, 0.1));
     }
     NatNetServerSettings settings =
         new NatNetServerSettings(local(0), null, new NatNetVersion(4, 1), Axes.DEFAULT, 200);
