@@ -61,7 +61,17 @@ public final class Attacker implements AutoCloseable {
   private static final byte[] CONNECT = {0, 0, 5, 0, 'P', 'i', 'n', 'g', 0};
 
   /** A datagram on its way from one robot to another. */
-  private record Recorded(int from, int to, byte[] bytes) {
+  private static final class Recorded {
+    private final int from;
+    private final int to;
+    private final byte[] bytes;
+
+    Recorded(int from, int to, byte[] bytes) {
+      this.from = from;
+      this.to = to;
+      this.bytes = bytes;
+    }
+
     boolean isBeacon() {
       return bytes.length > 1 && bytes[0] == 'S' && bytes[1] == 'B';
     }
@@ -218,20 +228,20 @@ public final class Attacker implements AutoCloseable {
     passed.incrementAndGet();
     deliver(datagram);
     // Beacons are for all on a network, so also for another machine of the same name.
-    if (datagram.isBeacon() && datagram.from() == 0) {
+    if (datagram.isBeacon() && datagram.from == 0) {
       boolean isSecond = machine == SECOND;
       DatagramChannel from = isSecond ? pairs[0][1] : pairs[SECOND][1];
-      send(from, ByteBuffer.wrap(datagram.bytes()), robot(isSecond ? 0 : SECOND));
+      send(from, ByteBuffer.wrap(datagram.bytes), robot(isSecond ? 0 : SECOND));
     }
   }
 
   /** Sends it from the address that its receiver knows for its sender. */
   private void deliver(Recorded datagram) {
-    int from = datagram.from();
-    int to = datagram.to();
-    send(pairs[to][from], ByteBuffer.wrap(datagram.bytes()), robot(to));
+    int from = datagram.from;
+    int to = datagram.to;
+    send(pairs[to][from], ByteBuffer.wrap(datagram.bytes), robot(to));
     if (to == 0) {
-      send(pairs[SECOND][from], ByteBuffer.wrap(datagram.bytes()), robot(SECOND));
+      send(pairs[SECOND][from], ByteBuffer.wrap(datagram.bytes), robot(SECOND));
     }
   }
 
@@ -294,7 +304,7 @@ public final class Attacker implements AutoCloseable {
   }
 
   private byte[] hostile(List<Recorded> heard) {
-    byte[] bytes = heard.get(rng.nextInt(heard.size())).bytes().clone();
+    byte[] bytes = heard.get(rng.nextInt(heard.size())).bytes.clone();
     return switch (rng.nextInt(4)) {
       case 0 -> noise(rng.nextInt(1400));
       case 1 -> noise(1400 + rng.nextInt(60_000));
@@ -325,7 +335,7 @@ public final class Attacker implements AutoCloseable {
     all.removeIf(each -> !each.isBeacon());
     List<Recorded> forged = new ArrayList<>();
     for (Recorded each : all) {
-      forged.add(new Recorded(each.from(), each.to(), changed(each.bytes().clone())));
+      forged.add(new Recorded(each.from, each.to, changed(each.bytes.clone())));
     }
     all.addAll(forged);
     long sent = 0;

@@ -86,8 +86,11 @@ final class RobotDoor implements AutoCloseable {
   private synchronized void enter(Socket socket) {
     nameless.addLast(socket);
     if (nameless.size() > MAX_NAMELESS) {
-      String text = "more than %s connections without a robot's name: the oldest is closed";
-      log.log("full", text.formatted(MAX_NAMELESS));
+      log.log(
+          "full",
+          "more than "
+              + MAX_NAMELESS
+              + " connections without a robot's name: the oldest is closed");
       closeQuietly(nameless.removeFirst());
     }
   }
