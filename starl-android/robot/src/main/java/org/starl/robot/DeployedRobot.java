@@ -24,6 +24,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.motion.Location;
+import org.starl.platform.DeploymentKey;
 import org.starl.platform.Light;
 import org.starl.platform.LogSink;
 import org.starl.platform.LogSink.Level;
