@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -21,14 +22,22 @@ public final class Bodies {
 
   private final SortedMap<RobotId, Body> onFloor = new TreeMap<>();
 
+  /** How many of them move: specifications ask at every event whether any does. */
+  private int moving;
+
   private record Body(
-      double radiusMm, long sinceNs, Pose from, double linearMmPerS, double angularRadPerS) {}
+      double radiusMm, long sinceNs, Pose from, double linearMmPerS, double angularRadPerS) {
+    boolean isMoving() {
+      return linearMmPerS != 0;
+    }
+  }
 
   /** An independent copy of the current state. */
   public Bodies copy() {
     Bodies copy = new Bodies();
     // Copying a sorted map takes linear time.
     copy.onFloor.putAll(onFloor);
+    copy.moving = moving;
     return copy;
   }
 
@@ -36,10 +45,10 @@ public final class Bodies {
   public void observe(TraceEvent event) {
     switch (event) {
       case Joined joined ->
-          onFloor.put(
+          replace(
               joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose(), 0, 0));
       case Moved moved ->
-          onFloor.put(
+          replace(
               moved.robot(),
               new Body(
                   radiusMm(moved.robot()),
@@ -47,8 +56,19 @@ public final class Bodies {
                   moved.pose(),
                   moved.linearMmPerS(),
                   moved.angularRadPerS()));
-      case Left left -> onFloor.remove(left.robot());
+      case Left left -> count(onFloor.remove(left.robot()), -1);
       default -> {}
+    }
+  }
+
+  private void replace(RobotId robot, Body body) {
+    count(onFloor.put(robot, body), -1);
+    count(body, 1);
+  }
+
+  private void count(@Nullable Body body, int change) {
+    if (body != null && body.isMoving()) {
+      moving += change;
     }
   }
 
@@ -77,12 +97,17 @@ public final class Bodies {
    */
   public void forEach(long timeNs, Visitor visitor) {
     onFloor.forEach((robot, body) ->
-        visitor.visit(robot, poseAt(body, timeNs), body.radiusMm, body.linearMmPerS != 0));
+        visitor.visit(robot, poseAt(body, timeNs), body.radiusMm, body.isMoving()));
+  }
+
+  /** Whether the position of this body on the floor changes now. */
+  public boolean isMoving(RobotId robot) {
+    return body(robot).isMoving();
   }
 
   /** Whether the position of any body on the floor changes now. */
-  public boolean isMoving(RobotId robot) {
-    return body(robot).linearMmPerS != 0;
+  public boolean isAnyMoving() {
+    return moving > 0;
   }
 
   public double radiusMm(RobotId robot) {

@@ -44,4 +44,21 @@ class BodiesTest {
     assertThat(bodies.robots()).isEmpty();
     assertThatThrownBy(() -> bodies.poseAt(BOT, 2)).isInstanceOf(IllegalStateException.class);
   }
+
+  @Test
+  void bodiesAreMovingUntilTheLastOneStopsOrLeaves() {
+    RobotId other = new RobotId("bot1");
+    bodies.observe(new Joined(0, BOT, new Pose(0, 0, 0), 165));
+    bodies.observe(new Joined(0, other, new Pose(500, 0, 0), 165));
+    assertThat(bodies.isAnyMoving()).isFalse();
+    bodies.observe(new Moved(1, BOT, new Pose(0, 0, 0), 100, 0));
+    bodies.observe(new Moved(1, other, new Pose(500, 0, 0), 0, 1));
+    bodies.observe(new Moved(2, other, new Pose(500, 0, 0), -100, 0));
+    bodies.observe(new Moved(3, BOT, new Pose(0, 0, 0), 50, 0));
+    bodies.observe(new Moved(4, BOT, new Pose(0, 0, 0), 0, 1));
+    assertThat(bodies.isAnyMoving()).isTrue();
+    assertThat(bodies.copy().isAnyMoving()).isTrue();
+    bodies.observe(new Left(5, other));
+    assertThat(bodies.isAnyMoving()).isFalse();
+  }
 }

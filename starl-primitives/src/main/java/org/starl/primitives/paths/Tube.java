@@ -2,6 +2,7 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.starl.geometry.Point;
@@ -76,6 +77,9 @@ public record Tube(List<Point> points, int radiusMm) {
 
   /** Whether the two overlap or touch. */
   public boolean meets(Tube other) {
+    if (isFarFrom(other)) {
+      return false;
+    }
     List<Capsule> others = other.capsules();
     for (Capsule part : capsules()) {
       for (Capsule otherPart : others) {
@@ -85,6 +89,26 @@ public record Tube(List<Point> points, int radiusMm) {
       }
     }
     return false;
+  }
+
+  /** Whether the bounding boxes are clearly apart: a quick check, as most tubes are far apart. */
+  private boolean isFarFrom(Tube other) {
+    return endsBefore(other, Point::xMm)
+        || other.endsBefore(this, Point::xMm)
+        || endsBefore(other, Point::yMm)
+        || other.endsBefore(this, Point::yMm);
+  }
+
+  private boolean endsBefore(Tube other, ToDoubleFunction<Point> coordinate) {
+    double last = -Double.MAX_VALUE;
+    for (Point point : points) {
+      last = Math.max(last, coordinate.applyAsDouble(point));
+    }
+    double next = Double.MAX_VALUE;
+    for (Point point : other.points) {
+      next = Math.min(next, coordinate.applyAsDouble(point));
+    }
+    return last + radiusMm + other.radiusMm + 2 * TOUCH_MM < next;
   }
 
   /** Whether a disc lies in one of its parts. */

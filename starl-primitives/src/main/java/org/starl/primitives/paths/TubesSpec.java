@@ -139,7 +139,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   private void checkInsideUntil(long timeNs, Report report) {
     while (nextCheckNs <= timeNs) {
-      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
+      if (!bodies.isAnyMoving()) {
         nextCheckNs = timeNs + 1;
         return;
       }

@@ -86,7 +86,7 @@ final class TrafficSafety extends LemmaMonitor {
   private void checkUntil(long timeNs, Report report) {
     while (checkedNs < timeNs) {
       check(checkedNs, report);
-      boolean anyMoves = bodies.robots().stream().anyMatch(bodies::isMoving);
+      boolean anyMoves = bodies.isAnyMoving();
       checkedNs = anyMoves ? Math.min(checkedNs + STEP_NS, timeNs) : timeNs;
     }
   }

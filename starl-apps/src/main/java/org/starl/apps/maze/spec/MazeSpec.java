@@ -127,7 +127,7 @@ public final class MazeSpec implements Monitor {
               detail + answers.boundNs() / Time.NS_PER_S + " s");
         });
     while (nextCheckNs <= endNs) {
-      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
+      if (!bodies.isAnyMoving()) {
         nextCheckNs = endNs + 1;
       } else {
         checkApart(report);
