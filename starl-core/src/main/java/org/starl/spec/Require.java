@@ -20,6 +20,7 @@ import org.starl.trace.TraceEvent.Left;
  * simulation.monitor(() -> Require.neverTwoIn("alone_at_the_dock", DOCK));
  * simulation.monitor(() -> Require.eventuallyIn("at_the_goal", GOAL, Duration.ofSeconds(60)));
  * simulation.monitor(() -> Require.always("in_line", "all robots keep the line", Line::isKept));
+ * simulation.monitor(() -> Require.atTheEnd("home", "all robots are home", Home::isReached));
  * }</pre>
  *
  * <p>They judge true bodies, not the robots' estimates. They look at each event of a body, a variable
@@ -126,6 +127,34 @@ public final class Require {
     };
   }
 
+  /**
+   * The condition holds at the end of the run, also of one that reaches its time limit.
+   *
+   * @param sentence what it says, for people
+   * @param condition depends only on its argument
+   */
+  public static Monitor atTheEnd(String lemma, String sentence, Predicate<RunState> condition) {
+    return new Looking(lemma, sentence) {
+
+      @Override
+      void look(RunState state, Report report) {
+        // Before the end, nothing is required.
+      }
+
+      @Override
+      void lookAtTheEnd(RunState state, Report report) {
+        report.checked(lemma);
+        if (!condition.test(state)) {
+          report.violated(
+              lemma,
+              state.timeNs(),
+              List.copyOf(state.robots()),
+              "does not hold at the end: " + sentence);
+        }
+      }
+    };
+  }
+
   /** A monitor that looks at the state of the run, at events and between them. */
   private abstract static class Looking extends LemmaMonitor {
     private final RunState state = new RunState();
@@ -135,6 +164,10 @@ public final class Require {
     }
 
     abstract void look(RunState state, Report report);
+
+    void lookAtTheEnd(RunState state, Report report) {
+      look(state, report);
+    }
 
     @Override
     public void observe(TraceEvent event, Report report) {
@@ -148,7 +181,7 @@ public final class Require {
     @Override
     public final void finish(long endNs, Report report) {
       lookUntil(endNs, report);
-      look(state, report);
+      lookAtTheEnd(state, report);
     }
 
     private void lookUntil(long timeNs, Report report) {

@@ -135,4 +135,20 @@ class RequireTest {
     assertThat(found).hasSize(1);
     assertThat(found.get(0).timeNs()).isBetween(5 * S, 5 * S + 40_000_000);
   }
+
+  @Test
+  void atTheEndJudgesTheEndAlone() {
+    List<Violation> good =
+        violations(isRight(), 10 * S, joined(0, A, 0), moved(0, A, 0, 100));
+    assertThat(good).isEmpty();
+    List<Violation> bad =
+        violations(isRight(), 10 * S, joined(0, A, 1000), moved(0, A, 1000, -100));
+    assertThat(bad)
+        .containsExactly(
+            new Violation("L", 10 * S, List.of(A), "does not hold at the end: a is on the right"));
+  }
+
+  private static Monitor isRight() {
+    return Require.atTheEnd("L", "a is on the right", state -> state.pose(A).xMm() > 500);
+  }
 }
