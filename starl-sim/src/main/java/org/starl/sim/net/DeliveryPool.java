@@ -12,7 +12,7 @@ import org.starl.sim.kernel.Prefetchable;
 final class DeliveryPool {
 
   /** The sender of injected datagrams, in the trace. */
-  static final RobotId NO_SENDER = new RobotId("nobody");
+  static final RobotId NO_SENDER = new RobotId("no-sender");
 
   private @Nullable Delivery freeDeliveries;
   private @Nullable Packet freePackets;
