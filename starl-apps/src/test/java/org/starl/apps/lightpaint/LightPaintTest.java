@@ -269,4 +269,11 @@ class LightPaintTest {
     Plan crowded = plan(1, 16, Map.of(), Map.of());
     assertThat(crowded.layer().corners()).allMatch(Point::isFinite);
   }
+
+  @Test
+  void morePaintersThanTheTubesAllowAreRefused() {
+    assertThatThrownBy(() -> plan(1, 129, Map.of(), Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessage("robots: 129: expected 1 to 128 painters");
+  }
 }

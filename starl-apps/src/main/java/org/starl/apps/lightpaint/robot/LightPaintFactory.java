@@ -31,7 +31,12 @@ public final class LightPaintFactory implements AppFactory {
   public static final Parameter STROKE =
       new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
 
-  private static final int MAX_PAINTERS = 1000;
+  /**
+   * Every painter votes on every tube and plans around all tubes. With 200, some homes are farther
+   * from the strokes than a tube is long.
+   */
+  private static final int MAX_PAINTERS = 128;
+
   private static final int MAX_STROKES = 300;
 
   @Override
@@ -67,7 +72,7 @@ public final class LightPaintFactory implements AppFactory {
    */
   public static void checkPainters(int painters) {
     if (painters < 1 || painters > MAX_PAINTERS) {
-      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS);
+      throw new BadInput("robots: " + painters + ": expected 1 to " + MAX_PAINTERS + " painters");
     }
   }
 
