@@ -38,6 +38,14 @@ public interface Monitor {
     return List.of();
   }
 
+  /**
+   * The robots of this run of which a lemma is not required, and why: a line for each group of
+   * robots. Users see it with the results.
+   */
+  default List<String> exceptions() {
+    return List.of();
+  }
+
   /** Processes the next event. */
   void observe(TraceEvent event, Report report);
 

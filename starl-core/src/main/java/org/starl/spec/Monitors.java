@@ -22,6 +22,7 @@ public final class Monitors {
     for (Monitor monitor : this.monitors) {
       report.expect(monitor.lemmas());
       monitor.lemmas().forEach(lemma -> report.describe(lemma, monitor.description(lemma)));
+      report.except(monitor.exceptions());
     }
   }
 

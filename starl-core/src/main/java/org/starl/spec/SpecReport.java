@@ -62,6 +62,7 @@ public final class SpecReport implements Monitor.Report {
   private final Map<String, Tally> tallies = new TreeMap<>();
   private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
+  private final List<String> exceptions = new ArrayList<>();
 
   /** Sets the sentence that explains {@code lemma}; the first one that is not empty stays. */
   void describe(String lemma, String sentence) {
@@ -73,6 +74,16 @@ public final class SpecReport implements Monitor.Report {
   /** What {@code lemma} says, as its monitor describes it; empty if it does not. */
   public String description(String lemma) {
     return sentences.getOrDefault(lemma, "");
+  }
+
+  /** Adds the {@link Monitor#exceptions} of a monitor. */
+  void except(List<String> lines) {
+    exceptions.addAll(lines);
+  }
+
+  /** The robots of which a lemma is not required, and why: a line for each group; often none. */
+  public List<String> exceptions() {
+    return Collections.unmodifiableList(exceptions);
   }
 
   /** Adds lemmas that must be in the report even if they are never checked. */

@@ -10,6 +10,7 @@ import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.MotionStyle;
 import org.starl.body.RobotType;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.sim.fault.Envelope;
@@ -191,6 +192,17 @@ public final class SimSettings {
       return RobotType.GOAL;
     }
     return index < firstRandom ? RobotType.DISCOVERY : RobotType.RANDOM_MOVER;
+  }
+
+  /**
+   * Those of the robots that start which leave their way: the settings {@code discoveryRobots} and
+   * {@code randomRobots}. A lemma that needs them on their way is not required of them.
+   *
+   * @param robots all robots that start, in the order in which the simulation gets them
+   */
+  public List<RobotId> strayRobots(List<RobotId> robots) {
+    int ordinary = robots.size() - get(Setting.RANDOM_ROBOTS) - get(Setting.DISCOVERY_ROBOTS);
+    return robots.subList(Math.max(0, ordinary), robots.size());
   }
 
   /** The first part of robots' names, before the number. */

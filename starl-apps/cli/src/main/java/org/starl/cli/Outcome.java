@@ -33,6 +33,7 @@ final class Outcome {
     if (result.spec().holds()) {
       lines.add(held(result.spec()));
     }
+    lines.addAll(result.spec().exceptions());
     lines.addAll(complaints(result));
     return lines;
   }
@@ -97,6 +98,7 @@ final class Outcome {
     Map<String, Object> checks = new LinkedHashMap<>();
     result.spec().lemmas().forEach(lemma -> checks.put(lemma, result.spec().checks(lemma)));
     json.put("checks", checks);
+    json.put("exceptions", result.spec().exceptions());
     json.put("violations", result.spec().violations().stream().map(Object::toString).toList());
     List<Map<String, Object>> overdue = new ArrayList<>();
     result

@@ -39,6 +39,7 @@ final class ProcessOutcome {
     if (run.spec().holds()) {
       lines.add("safe: " + Outcome.held(run.spec()));
     }
+    lines.addAll(run.spec().exceptions());
     run.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
     result.errors().forEach(error -> lines.add("FAILED: " + error));
     if (!result.isGood() && result.deaths().isEmpty() && !run.isFinished()) {

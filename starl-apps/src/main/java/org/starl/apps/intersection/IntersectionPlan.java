@@ -49,7 +49,9 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
   Plan closed(List<Car> cars) {
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
-        simulation(new IntersectionSpec(deltaNs(settings), cars.size(), 0));
+        simulation(
+            new IntersectionSpec(deltaNs(settings), cars.size(), 0),
+            cars.stream().map(Car::id).toList());
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
       trips.put(car.id(), car.trip());
@@ -110,8 +112,12 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
 
   /** A simulation without robots that checks all specifications. */
   Simulation.Builder simulation(IntersectionSpec spec) {
+    return simulation(spec, List.of());
+  }
+
+  private Simulation.Builder simulation(IntersectionSpec spec, List<RobotId> cars) {
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
-    spec.monitors(XID).forEach(simulation::monitor);
+    spec.monitors(XID, cars, settings.strayRobots(cars)).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     return simulation.monitor(() -> new MotionSpec(motion));
   }

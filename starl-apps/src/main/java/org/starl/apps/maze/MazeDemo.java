@@ -41,6 +41,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.world.GridMap;
 import org.starl.sim.world.GridMaps;
+import org.starl.spec.ExceptRobots;
 import org.starl.time.Time;
 
 /** The paper's section 5.4: {@code starl run maze}. */
@@ -156,7 +157,12 @@ public final class MazeDemo implements Demo {
     MazeStory story = new MazeStory(goals);
     simulation
         .observer(story)
-        .monitor(() -> new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS));
+        .monitor(() ->
+            new ExceptRobots(
+                new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS),
+                settings.strayRobots(List.copyOf(tasks.keySet())),
+                List.of(MazeSpec.APART),
+                "leave their way"));
     program.monitors().forEach(simulation::monitor);
     return new Plan(simulation, story, new MazeLayer(tasks), obstacles);
   }

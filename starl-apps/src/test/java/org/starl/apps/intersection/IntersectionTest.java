@@ -8,6 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
@@ -48,6 +49,22 @@ class IntersectionTest {
   @Test
   void figure7CrossesSafely() {
     run(request(1, 0, Map.of("scenario", "figure7")), Map.of());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, randomRobots", "20, randomRobots", "5, discoveryRobots"})
+  void carsThatLeaveTheirWayAreNotRequiredToKeepToTheirZones(long seed, String setting) {
+    SimResult result = run(request(seed, 6, Map.of()), Map.of(setting, "2"));
+    assertThat(result.spec().exceptions())
+        .containsExactly(
+            "not required of bot4 bot5, which leave their way: traffic_safety occupied_is_held",
+            "not required of bot0 bot1 bot2 bot3 bot4 bot5, which share zones with cars that leave"
+                + " their way: traffic_progress");
+  }
+
+  @Test
+  void everySpecificationIsRequiredOfOrdinaryCars() {
+    assertThat(run(request(1, 0, Map.of()), Map.of()).spec().exceptions()).isEmpty();
   }
 
   @ParameterizedTest

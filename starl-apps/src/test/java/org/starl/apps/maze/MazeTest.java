@@ -227,4 +227,11 @@ class MazeTest {
     assertThatThrownBy(() -> plan(1, 4, parameters, Map.of()))
         .hasMessage("cell='400mm': expected 500mm (room for a body and its margin) to 10m");
   }
+
+  @Test
+  void aRobotThatWandersIsNotRequiredToKeepApart() {
+    SimResult result = run(1, 4, Map.of(), Map.of("randomRobots", "1"));
+    assertThat(result.spec().exceptions())
+        .containsExactly("not required of bot3, which leave their way: Apart");
+  }
 }

@@ -10,10 +10,12 @@ import java.util.function.Supplier;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Lane;
 import org.starl.geometry.Rectangle;
+import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexBounds;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.RegistrationSpec;
+import org.starl.spec.ExceptRobots;
 import org.starl.spec.Monitor;
 
 /**
@@ -87,13 +89,32 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
 
   /** Creates the monitors of one run each, of the intersection {@code xid}. */
   public List<Supplier<? extends Monitor>> monitors(String xid) {
+    return monitors(xid, List.of(), List.of());
+  }
+
+  /**
+   * Creates the monitors of one run each, of the intersection {@code xid}.
+   *
+   * @param all all cars; unused if there are no stray ones
+   * @param stray cars that leave their way after a bump, or at random: they enter zones of others,
+   *     and may hold theirs for long
+   */
+  public List<Supplier<? extends Monitor>> monitors(
+      String xid, List<RobotId> all, List<RobotId> stray) {
     SortedMap<String, Rectangle> regions = Crossing.regions(places);
     int participants = Math.max(1, cars);
     MutexBounds zones = MutexBounds.of(participants, DRIVE_NS + TURNS_NS, deltaNs);
     List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
-    monitors.add(() -> new TrafficSafety(regions));
+    monitors.add(() ->
+        new ExceptRobots(
+            new TrafficSafety(regions), stray, TrafficSafety.OF_BODIES, "leave their way"));
     monitors.add(() -> new ListCrit(xid));
-    monitors.add(() -> new TrafficProgress(trafficNs()));
+    monitors.add(() -> {
+      TrafficProgress progress = new TrafficProgress(trafficNs());
+      List<RobotId> late = stray.isEmpty() ? stray : all;
+      return new ExceptRobots(
+          progress, late, progress.lemmas(), "share zones with cars that leave their way");
+    });
     monitors.add(() -> new MutexSpec(zones).only(xid));
     monitors.add(RegistrationSpec::new);
     // A car holds its place while it waits for its zones.

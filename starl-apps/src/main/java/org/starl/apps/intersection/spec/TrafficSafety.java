@@ -34,6 +34,10 @@ final class TrafficSafety extends LemmaMonitor {
   private static final String SAFETY = "traffic_safety";
   private static final String HELD = "occupied_is_held";
   private static final String MUX = "Inv_mux_safety";
+
+  /** The lemmas that need each car on its way. */
+  static final List<String> OF_BODIES = List.of(SAFETY, HELD);
+
   private static final long STEP_NS = 10 * Time.NS_PER_MS;
 
   private final List<Zone> zones = new ArrayList<>();

@@ -42,7 +42,7 @@ public final class MazeSpec implements Monitor {
   static final String REACHED = "Reached";
   static final String NO_WAY = "NoWay";
   static final String BELIEF = "Belief";
-  static final String APART = "Apart";
+  public static final String APART = "Apart";
   static final String ANSWERED = "Answered";
 
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
