@@ -10,7 +10,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Supplier;
@@ -26,6 +28,8 @@ import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.time.Time;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -133,6 +137,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       out.println(Json.line(summary));
     } else {
       table(request, result, totals).forEach(out::println);
+      monitors(request, range.first()).report().exceptions().forEach(out::println);
       if (report != null) {
         out.println("report: " + report);
       }
@@ -141,11 +146,38 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
+    sentences(request, result).forEach(err::println);
     err.println("replay: " + request.replay(bad.seed()));
     if (shrunk != null) {
       shrunk.lines().forEach(err::println);
     }
     return ExitStatus.VIOLATED;
+  }
+
+  /** What each lemma says that a run violated first. */
+  private static List<String> sentences(RunRequest request, CampaignResult result) {
+    SortedSet<String> violated = new TreeSet<>();
+    result.runs().forEach(run -> {
+      if (run.outcome().verdict() == Verdict.VIOLATED) {
+        violated.add(run.outcome().what());
+      }
+    });
+    List<String> lines = new ArrayList<>();
+    CampaignResult.Run bad = result.firstBad();
+    if (bad != null && !violated.isEmpty()) {
+      for (Monitor monitor : monitors(request, bad.seed()).monitors()) {
+        for (String lemma : monitor.lemmas()) {
+          if (!monitor.description(lemma).isEmpty() && violated.remove(lemma)) {
+            lines.add("  " + lemma + ": " + monitor.description(lemma));
+          }
+        }
+      }
+    }
+    return lines;
+  }
+
+  private static Monitors monitors(RunRequest request, long seed) {
+    return Monitors.of(request.plan(seed).simulation().build().plan().monitors());
   }
 
   /** The command line as the user typed it. */

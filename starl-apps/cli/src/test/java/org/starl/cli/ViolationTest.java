@@ -62,8 +62,9 @@ class ViolationTest {
                 .split(" "));
     assertThat(cli.status()).isEqualTo(1);
     assertThat(cli.text()).containsPattern("runs +7\n").containsPattern("violated +2\n");
-    String violation = cli.err().get(cli.err().size() - 2);
+    String violation = cli.err().get(cli.err().size() - 3);
     String replay = cli.err().get(cli.err().size() - 1);
+    assertThat(cli.err()).contains("  stands_still: No robot drives.");
     assertThat(violation).matches("seed 3: stands_still violated at [0-9.]+ s by bot[01]: drives");
     assertThat(replay)
         .isEqualTo(
