@@ -138,8 +138,7 @@ class RequireTest {
 
   @Test
   void atTheEndJudgesTheEndAlone() {
-    List<Violation> good =
-        violations(isRight(), 10 * S, joined(0, A, 0), moved(0, A, 0, 100));
+    List<Violation> good = violations(isRight(), 10 * S, joined(0, A, 0), moved(0, A, 0, 100));
     assertThat(good).isEmpty();
     List<Violation> bad =
         violations(isRight(), 10 * S, joined(0, A, 1000), moved(0, A, 1000, -100));

@@ -118,8 +118,7 @@ public final class SearchDemo implements Demo {
     scene
         .starts()
         .forEach((robot, start) ->
-            simulation.robot(
-                new RobotSpec(robot, start, true, SearchFactory.app(house))));
+            simulation.robot(new RobotSpec(robot, start, true, SearchFactory.app(house))));
     watch(simulation, house, scene.things(), settings);
     return new Plan(simulation, story, new SearchLayer(house, scene.things()), walls);
   }

@@ -229,8 +229,7 @@ class DiscoveryTest {
     LoneRobot.PromptStable mine;
     LoneRobot.PromptStable ofOther;
     try (Station me = new Station(ME).discover(Map.of());
-        Station other =
-            new Station(OTHER).discover(Map.of(ME, me.radio.address()), 7, 60_000)) {
+        Station other = new Station(OTHER).discover(Map.of(ME, me.radio.address()), 7, 60_000)) {
       other.session(ME);
       me.session(OTHER);
       mine = me.stable;

@@ -69,7 +69,9 @@ public final class SearchFactory implements AppFactory {
     String object = request.parameter(OBJECT.key());
     if (!object.equals(NONE)) {
       throw new BadInput(
-          "object=" + BadInput.quote(object) + ": expected none on a phone, which has no sensor for objects");
+          "object="
+              + BadInput.quote(object)
+              + ": expected none on a phone, which has no sensor for objects");
     }
     House house = house(request, request.robots().orElse(1), MotionParameters.DEFAULT);
     return RobotProgram.of(app(house))
