@@ -141,7 +141,7 @@ public final class Main implements Callable<Integer> {
     String classPath = System.getProperty("java.class.path", "");
     Path android = ClassPath.file(classPath, "android-all-");
     Selection selection = Selection.of(classPath);
-    selection.refuseGaps(Android8.shapes(classPath));
+    selection.refuseGaps(Android8.shapesBeforeD8(classPath));
     Path linked = work.resolve("linked.apk");
     Path frame = AppFrame.write(classPath, work.resolve("frame"));
     linker.link(

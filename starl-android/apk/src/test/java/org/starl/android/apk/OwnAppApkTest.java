@@ -108,7 +108,7 @@ class OwnAppApkTest {
     assertThat(selection.classes().keySet())
         .containsAll(selection.own())
         .noneMatch(name -> name.startsWith("org/starl/sim/") || name.startsWith("java/"));
-    selection.refuseGaps(Android8.shapes(CLASS_PATH));
+    selection.refuseGaps(Android8.shapesBeforeD8(CLASS_PATH));
   }
 
   @Test
@@ -217,11 +217,24 @@ class OwnAppApkTest {
   void anAppThatNeedsANewerAndroidIsRefusedInOneLine() throws ApkException, IOException {
     edit(APP, "List.of(\"visits: \" + made)", "List.of(List.of(\"visits: \" + made).getFirst())");
     Selection selection = Selection.of(compiled());
-    SortedMap<String, Links.Shape> android8 = Android8.shapes(CLASS_PATH);
+    SortedMap<String, Links.Shape> android8 = Android8.shapesBeforeD8(CLASS_PATH);
     assertThatThrownBy(() -> selection.refuseGaps(android8))
         .isInstanceOf(ApkException.class)
         .hasMessage(
             "Android 8 lacks: myrobots/MyRobotsApp -> java/util/List.getFirst()Ljava/lang/Object;");
+  }
+
+  /** As DexedCodeTest finds it in the dexed code. */
+  @Test
+  void theCheckBeforeD8FindsWhatIsMissingAfterIt() throws ApkException, IOException {
+    SortedMap<String, byte[]> named = new TreeMap<>();
+    Selection.of(CLASS_PATH)
+        .classes()
+        .forEach((file, bytes) -> named.put(file.replace(".class", ""), bytes));
+    List<String> starls = named.keySet().stream().filter(n -> n.startsWith("org/starl/")).toList();
+    assertThat(Links.missing(named, starls, Android8.shapesBeforeD8(CLASS_PATH)))
+        .hasSize(1)
+        .allMatch(missing -> missing.contains("RobotService.startForeground("));
   }
 
   @Test

@@ -92,7 +92,7 @@ public final class DrawnMaze {
     List<Point> border = new ArrayList<>(board.floor().outline().vertices());
     border.add(border.get(0));
     List<Obstacle> walls = new ArrayList<>();
-    walls.add(Obstacle.wall(border.toArray(Point[]::new)));
+    walls.add(Obstacle.wall(border.toArray(new Point[0])));
     for (int column = 1; column < board.columns(); column++) {
       addLine(walls, board, true, column, hidden, rng);
     }
