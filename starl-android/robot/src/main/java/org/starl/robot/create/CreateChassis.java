@@ -17,8 +17,9 @@ import org.starl.platform.Strand;
 import org.starl.robot.realtime.Daemons;
 
 /**
- * The wheels and bump sensors of an iRobot Create. The safety stops of the package's contract run
- * here, on their own threads; {@link CreateHold} names each cause.
+ * The wheels, the bump and proximity sensors and the power button's light of an iRobot Create. The
+ * safety stops of the package's contract run here, on their own threads; {@link CreateHold} names
+ * each cause.
  *
  * <p>No call waits for the robot. While a piece of the strand runs, {@link #bumps} does not change; it
  * reports each contact, however short. The log has a line for each change of the causes, and for each

@@ -97,8 +97,8 @@ public record CreateSensors(
   }
 
   private static int near(StreamDecoder frame) {
-    return frame.value(Packets.LIGHT_BUMPER) & NEAR_BITS
-        | (frame.value(Packets.WALL) != 0 ? WALL_BIT : 0);
+    int wall = frame.value(Packets.WALL) != 0 ? WALL_BIT : 0;
+    return (frame.value(Packets.LIGHT_BUMPER) & NEAR_BITS) | wall;
   }
 
   /** The bearings of {@link #near}, from left to right. */
