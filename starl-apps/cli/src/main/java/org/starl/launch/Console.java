@@ -15,12 +15,13 @@ import org.starl.robot.realtime.Daemons;
 public final class Console implements Consumer<String>, AutoCloseable {
 
   static final int MAX_LINES = 1000;
-  private static final long CLOSE_S = 2;
-  private static final String END = new String("end");
+  private static final long CLOSE_MS = 2000;
+  private static final long POLL_MS = 100;
 
   private final Consumer<String> out;
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>(MAX_LINES);
   private final AtomicLong lost = new AtomicLong();
+  private volatile boolean isClosed;
   private final Thread thread = Daemons.of("console", this::print);
 
   /** @param out prints a line; may block */
@@ -39,13 +40,8 @@ public final class Console implements Consumer<String>, AutoCloseable {
   /** Prints all lines, but waits no longer than some seconds for a blocked output. */
   @Override
   public void close() {
-    try {
-      if (lines.offer(END, CLOSE_S, TimeUnit.SECONDS)) {
-        Daemons.join(thread, TimeUnit.SECONDS.toMillis(CLOSE_S));
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    isClosed = true;
+    Daemons.join(thread, CLOSE_MS);
   }
 
   /** Whether its output blocks although it was closed. */
@@ -53,11 +49,13 @@ public final class Console implements Consumer<String>, AutoCloseable {
     return thread.isAlive();
   }
 
-  @SuppressWarnings("ReferenceEquality") // END is this object; a program's empty line is a line
   private void print() {
     try {
-      for (String line = lines.take(); line != END; line = lines.take()) {
-        out.accept(line);
+      while (!isClosed || !lines.isEmpty()) {
+        String line = lines.poll(POLL_MS, TimeUnit.MILLISECONDS);
+        if (line != null) {
+          out.accept(line);
+        }
         long count = lost.getAndSet(0);
         if (count > 0) {
           out.accept(count + " lines were lost here, because the output was blocked");

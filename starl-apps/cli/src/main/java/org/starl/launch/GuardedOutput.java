@@ -20,12 +20,15 @@ final class GuardedOutput extends OutputStream {
     this.out = new DataOutputStream(out);
   }
 
-  /**
-   * The bytes of one write.
-   *
-   * @param sentNs when they were written, on the machine's clock
-   */
-  record Write(long sentNs, byte[] bytes) {
+  /** The bytes of one write, and when they were written, on the machine's clock. */
+  static final class Write {
+    final long sentNs;
+    final byte[] bytes;
+
+    private Write(long sentNs, byte[] bytes) {
+      this.sentNs = sentNs;
+      this.bytes = bytes;
+    }
 
     /** Reads one; throws an EOFException at the end. */
     static Write read(DataInputStream in) throws IOException {

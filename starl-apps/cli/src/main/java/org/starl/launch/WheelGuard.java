@@ -178,18 +178,18 @@ public final class WheelGuard {
   private void pass(GuardedOutput.Write write) throws IOException {
     lock.lock();
     try {
-      boolean isValid = RealClock.machineNs() - write.sentNs() < validNs;
+      boolean isValid = RealClock.machineNs() - write.sentNs < validNs;
       if (isHalted) {
         return;
       }
-      if (!isValid && isSpeeds(write.bytes())) {
+      if (!isValid && isSpeeds(write.bytes)) {
         stop();
         return;
       }
-      link.output().write(write.bytes());
+      link.output().write(write.bytes);
       link.output().flush();
       if (isValid) {
-        lastSentNs = Math.max(lastSentNs, write.sentNs());
+        lastSentNs = Math.max(lastSentNs, write.sentNs);
         wheelsMayTurn = true;
         written.signal();
       }

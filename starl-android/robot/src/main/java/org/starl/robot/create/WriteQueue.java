@@ -15,7 +15,16 @@ final class WriteQueue {
   private int length;
   private boolean isClosed;
 
-  private record Entry(byte[] bytes, boolean isReplaceable) {}
+  /** The bytes of one offer. */
+  private static final class Entry {
+    private final byte[] bytes;
+    private final boolean isReplaceable;
+
+    Entry(byte[] bytes, boolean isReplaceable) {
+      this.bytes = bytes;
+      this.isReplaceable = isReplaceable;
+    }
+  }
 
   WriteQueue(int capacity) {
     this.capacity = capacity;
