@@ -81,7 +81,7 @@ final class JsonProtocol {
       return drop(FeedDrop.STALE, line.robot() + " was measured too long ago", nowNs);
     }
     Fix fix = bounds.fix(line.pose(), line.errorMm(), line.errorRad(), when);
-    return tally.isPossible(track.gate, line.robot(), fix, nowNs)
+    return tally.admit(track.gate, line.robot(), fix, nowNs)
         ? new TrackedBody(line.robot(), -1, fix)
         : null;
   }

@@ -52,7 +52,7 @@ final class Tally {
    *
    * @return whether to use it
    */
-  boolean isPossible(PoseGate gate, String name, Fix fix, long nowNs) {
+  boolean admit(PoseGate gate, String name, Fix fix, long nowNs) {
     Fix before = gate.before();
     switch (gate.judge(fix)) {
       case PASSED -> {

@@ -161,14 +161,14 @@ class PoseGateTest {
   void anEpisodeOfJumpsIsToldOnceWithRobotAndBothPoses() {
     for (int i = 0; i < 80; i++) {
       nowMs += 10;
-      tally.isPossible(gate, "bot0", fix(1, 0, nowMs, ERROR), nowMs * MS);
+      tally.admit(gate, "bot0", fix(1, 0, nowMs, ERROR), nowMs * MS);
     }
     assertThat(lines).isEmpty();
     for (int i = 0; i < 500; i++) {
       nowMs += 5;
-      assertThat(tally.isPossible(gate, "bot0", fix(2000, 0, nowMs, ERROR), nowMs * MS)).isFalse();
+      assertThat(tally.admit(gate, "bot0", fix(2000, 0, nowMs, ERROR), nowMs * MS)).isFalse();
       nowMs += 5;
-      assertThat(tally.isPossible(gate, "bot0", fix(1, 0, nowMs, ERROR), nowMs * MS)).isTrue();
+      assertThat(tally.admit(gate, "bot0", fix(1, 0, nowMs, ERROR), nowMs * MS)).isTrue();
     }
     assertThat(lines)
         .containsExactly(
@@ -179,7 +179,7 @@ class PoseGateTest {
     nowMs += Tally.EPISODE_NS / MS + 1;
     for (int i = 0; i < 80; i++) {
       nowMs += 10;
-      tally.isPossible(gate, "bot0", fix(3000, 0, nowMs, ERROR), nowMs * MS);
+      tally.admit(gate, "bot0", fix(3000, 0, nowMs, ERROR), nowMs * MS);
     }
     assertThat(lines).hasSize(3);
     assertThat(lines.get(2))
@@ -190,8 +190,8 @@ class PoseGateTest {
   void jumpsOfInventedBodiesFillNoLog() {
     for (int i = 0; i < 1000; i++) {
       PoseGate other = new PoseGate(BOUNDS);
-      tally.isPossible(other, "body" + i, fix(0, 0, 1, ERROR), 1);
-      tally.isPossible(other, "body" + i, fix(5000, 0, 2, ERROR), 2);
+      tally.admit(other, "body" + i, fix(0, 0, 1, ERROR), 1);
+      tally.admit(other, "body" + i, fix(5000, 0, 2, ERROR), 2);
     }
     assertThat(lines).hasSizeLessThan(100);
     assertThat(tally.statistics().dropped(FeedDrop.JUMPED)).isEqualTo(1000);
