@@ -335,14 +335,9 @@ class DeploymentSchemaTest {
   void schemaAndReaderRequireTheSameFields(Spot spot) throws IOException {
     Map<String, Object> file = full(spot.place().kind());
     at(file, spot.place().path()).remove(spot.field().key());
-<<<<<<< ours
-    // No field describes this: the two lines below need each other.
-    boolean isKeyOfBroadcasts = spot.field().key().equals("key") && spot.place().path().isEmpty();
-=======
     // No field describes these: a board needs an app, and the two lines below need each other.
     boolean isAppOfBoards = spot.field().key().equals("app");
-    boolean isKeyOfBroadcasts = spot.field().key().equals("key");
->>>>>>> theirs
+    boolean isKeyOfBroadcasts = spot.field().key().equals("key") && spot.place().path().isEmpty();
     boolean isWorldOfSimulated = spot.field().key().equals("world");
 
     assertThat(errorOrNone(yaml(file)).isEmpty())
