@@ -157,11 +157,13 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   /** What each lemma says that a run violated first. */
   private static List<String> sentences(RunRequest request, CampaignResult result) {
     SortedSet<String> violated = new TreeSet<>();
-    result.runs().forEach(run -> {
-      if (run.outcome().verdict() == Verdict.VIOLATED) {
-        violated.add(run.outcome().what());
-      }
-    });
+    result
+        .runs()
+        .forEach(run -> {
+          if (run.outcome().verdict() == Verdict.VIOLATED) {
+            violated.add(run.outcome().what());
+          }
+        });
     List<String> lines = new ArrayList<>();
     CampaignResult.Run bad = result.firstBad();
     if (bad != null && !violated.isEmpty()) {

@@ -50,7 +50,7 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
     if (here != null) {
       DeploymentFile.keys(deployment, here);
     } else if (deployment.key() != null) {
-      DeploymentFile.keys(deployment, deployment.robots().get(deployment.robots().firstKey()));
+      DeploymentFile.keys(deployment, deployment.robots().values().iterator().next());
     }
     DeploymentFile.linesKey(deployment);
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));

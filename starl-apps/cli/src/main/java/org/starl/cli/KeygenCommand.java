@@ -22,7 +22,9 @@ import picocli.CommandLine.Parameters;
           + " them."
     },
     footer = {
-      "", "Examples: starl keygen --robot bot0 bot0.key", "          starl keygen crossing.key"
+      "",
+      "Examples: starl keygen --robot bot0 bot0.key",
+      "          starl keygen crossing.key"
     })
 final class KeygenCommand extends BaseCommand implements Runnable {
 

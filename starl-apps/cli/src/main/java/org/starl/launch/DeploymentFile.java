@@ -56,8 +56,7 @@ public final class DeploymentFile {
    */
   public static @Nullable DeploymentKey linesKey(Deployment deployment) {
     String key = deployment.positions() instanceof Positions.JsonFeed json ? json.key() : null;
-    return read(
-        deployment, key, deployment.where("positions") + "positions.key: ", KeyFile::read);
+    return read(deployment, key, deployment.where("positions") + "positions.key: ", KeyFile::read);
   }
 
   private interface Reader<T> {

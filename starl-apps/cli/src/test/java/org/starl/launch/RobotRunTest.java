@@ -65,8 +65,7 @@ class RobotRunTest {
 
   private static Deployment deployment(int port) {
     RobotEntry bot0 =
-        new RobotEntry(
-            BOT0, 1, new HostPort("127.0.0.1", port), CREATE, "bot0", List.of(), null);
+        new RobotEntry(BOT0, 1, new HostPort("127.0.0.1", port), CREATE, "bot0", List.of(), null);
     return new Deployment(
         "my.yaml",
         "brief",

@@ -46,8 +46,7 @@ record Mission(
       throw deployment.error(
           "positions", json.key(), "the deployment's own key: a phone has one key file");
     }
-    Mission mission =
-        new Mission(deployment, robot, PhoneApps.program(deployment), keys, linesKey);
+    Mission mission = new Mission(deployment, robot, PhoneApps.program(deployment), keys, linesKey);
     if (mission.bluetooth() == null && mission.tcp() == null) {
       throw BadInput.at(
           deployment.file(),

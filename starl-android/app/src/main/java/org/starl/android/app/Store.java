@@ -221,8 +221,7 @@ final class Store {
             && deployment.positions() instanceof Positions.JsonFeed json
             && json.key() != null
             && json.key().equals(deployment.key());
-    return Mission.of(
-        deployment, robotName(), keys, hasLinesKey ? KeyFile.read(keyFile) : null);
+    return Mission.of(deployment, robotName(), keys, hasLinesKey ? KeyFile.read(keyFile) : null);
   }
 
   private static void check(Item item, Path file) throws IOException {

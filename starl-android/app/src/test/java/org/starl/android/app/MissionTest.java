@@ -36,9 +36,7 @@ class MissionTest {
   private static Mission mission(String text, String robot, DeploymentKey key) {
     Deployment deployment = DeploymentReader.read("my.yaml", text);
     PeerKeys keys =
-        key == null
-            ? null
-            : PeerKeys.shared(key, new RobotId("bot0"), deployment.participants());
+        key == null ? null : PeerKeys.shared(key, new RobotId("bot0"), deployment.participants());
     return Mission.of(deployment, robot, keys, key);
   }
 
