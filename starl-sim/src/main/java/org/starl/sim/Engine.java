@@ -31,7 +31,6 @@ import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Body;
-import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
@@ -43,7 +42,7 @@ import org.starl.trace.TraceEvent.Fault;
 /** One run: connects kernel, world, network and robots. Used for one call of {@link #run}. */
 final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
-  private final SimulationPlan plan;
+  final SimulationPlan plan;
   private final Rng behaviourRng;
   private final Kernel kernel;
   private final RunObservers observers;
@@ -482,10 +481,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   List<ItemPosition> waypoints() {
     return plan.waypoints();
-  }
-
-  @Nullable FloorObjects objects() {
-    return plan.objects();
   }
 
   Obstacles knownObstacles() {

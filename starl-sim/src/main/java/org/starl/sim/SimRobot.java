@@ -102,7 +102,7 @@ final class SimRobot implements TraceSink {
             engine.network().attach(spec.id(), strand, impaired == null ? null : impaired::pass),
             positioning,
             chassis,
-            SimObjects.of(engine.objects(), engine.world(), () -> body),
+            SimObjects.of(engine.plan.objects(), engine.world(), () -> body),
             Light.SIMULATED,
             stable,
             name -> prefetched(rng.fork(name)),
