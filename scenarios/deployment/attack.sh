@@ -158,19 +158,21 @@ begin_robot bot2 "$work/bot2.yaml" "$run" 1000
 told() { grep -hE 'end of round 1 |storage' "$run/bot2.log"; }
 joined_or_told() { told >/dev/null || ended "${pids[bot2]}"; }
 until_ "$limit" joined_or_told
+grep -q 'knows another storage of bot2' "$run/bot2.log"
 status=$?
-row "storage lost" "bot2 killed, its storage deleted, started again" "it crosses, or says why not" \
+row "storage lost" "bot2 killed, its storage deleted, started again" "it stops and says why" \
   "$([ $status = 0 ] && { told || tail -qn1 "$run/bot2.log"; } | head -1 | cut -c1-120 || echo "neither within $limit s")" $status
 
 begin create create "$work/second/create.log" $starl simulated-create --pty "$work/second.tty"
 until_ 20 grep -qs ' at ' "$work/second/create.log"
 begin second bot0 "$work/second/bot0.log" \
   $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
-both_ended() { ended "${pids[bot0]}" && ended "${pids[second]}"; }
-until_ 15 both_ended
+second_told() { ended "${pids[second]}" && grep -q 'wheels stopped: .* knows another storage of bot0' "$work/second/bot0.log"; }
+# Broadcasts would let both hear each other, and both would stop; here each has a fixed address.
+until_ 20 second_told && ! ended "${pids[bot0]}"
 status=$?
 state() { ended "${pids[$1]}" && echo "ended: $(grep 'wheels stopped' "$2" | cut -c1-100)" || echo runs; }
-row "second bot0" "another machine started as bot0" "both stop and say why" \
+row "second bot0" "another machine started as bot0" "the others refuse it; it stops and says why" \
   "the first $(state bot0 "$run/bot0.log"); the second $(state second "$work/second/bot0.log")" $status
 end_all
 $starl deploy merge "$run"/*.trace >"$work/first.txt"

@@ -9,7 +9,7 @@
  * counter-clockwise from the x axis.
  *
  * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.id}, {@code
- * org.starl.random}, {@code org.starl.trace}.
+ * org.starl.random}, {@code org.starl.session}, {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.platform;

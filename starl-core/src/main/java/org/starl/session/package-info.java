@@ -7,6 +7,8 @@
  * <p>A robot gets its sessions from its platform ({@link org.starl.session.Sessions}). How real
  * robots exchange their nonces is in docs/security.md; simulated robots know each other's starts
  * ({@link org.starl.session.KnownStarts}).
+ *
+ * <p>May import: {@code org.starl.id}.
  */
 @NullMarked
 package org.starl.session;

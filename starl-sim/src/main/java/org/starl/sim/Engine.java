@@ -21,7 +21,6 @@ import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.StartNeeds;
 import org.starl.random.Rng;
-import org.starl.session.Sessions;
 import org.starl.sim.fault.FaultRun;
 import org.starl.sim.fault.FaultTarget;
 import org.starl.sim.fault.Impairment;
@@ -56,7 +55,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // Data of robots that left: a robot that joins again is a new incarnation with its stored data.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
-  private final RunSessions sessions;
+  final RunSessions sessions;
   private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
   private final MeasuredRobots measuredRobots = new MeasuredRobots();
   private final Impairments impairments = new Impairments();
@@ -450,11 +449,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     if (robot != null && !robot.isDown()) {
       robot.point(xMm, yMm);
     }
-  }
-
-  /** The sessions of a robot that starts now; null if datagrams are not sealed. */
-  @Nullable Sessions startSessions(RobotId id) {
-    return sessions.started(id);
   }
 
   SimSettings settings() {

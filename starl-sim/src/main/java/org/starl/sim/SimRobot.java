@@ -114,7 +114,7 @@ final class SimRobot implements TraceSink {
             engine.knownObstacles(),
             engine.waypoints(),
             engine.motionParameters(index),
-            engine.startSessions(spec.id()));
+            engine.sessions.started(spec.id()));
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (!impairment.equals(Impairment.NONE)) {

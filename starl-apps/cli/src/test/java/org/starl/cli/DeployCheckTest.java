@@ -127,14 +127,14 @@ class DeployCheckTest {
   }
 
   @Test
-  void simulatedBodiesNeedNatNetPositions() throws IOException {
+  void simulatedBodiesNeedAnAddressForLinesOfJson() throws IOException {
     String simulated =
         GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:4000")
             .replace("{kind: create, port: /dev/ttyUSB1}", "{kind: simulated}");
     assertThat(check(simulated).status()).isZero();
 
     String json = simulated.replace("{source: natnet, server: 127.0.0.1}", "{source: json}");
-    assertRefused(check(json), "robots.bot1: is simulated", "positions.source natnet");
+    assertRefused(check(json), "robots.bot1: is simulated", "expected an address, to which");
   }
 
   private static final String SEARCH =

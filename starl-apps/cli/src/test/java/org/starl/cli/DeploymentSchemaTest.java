@@ -45,7 +45,9 @@ class DeploymentSchemaTest {
                   + " create simulated bumper my.key 239.255.42.99 /dev/ttyUSB0 tcp:h:1 tcp:h"
                   + " tcp:h:0 tcp:h:65536"
                   + " h:4747 h:0 h:04747 h:65536 'h:' ':4747' 192.168.1.10 192.168.1.10:4747 [fe80::1]"
-                  + " '[fe80::1]:4747' 'fe80::1' 'a b' ' ' '' [1] '{a}' 5d 0x1p3 NaN")
+                  + " '[fe80::1]:4747' 'fe80::1' 'a b' ' ' '' [1] '{a}' 5d 0x1p3 NaN"
+                  + " "
+                  + PUBLIC_KEY)
               .split(" (?=(?:[^']*'[^']*')*[^']*$)"));
 
   private static final JsonSchema SCHEMA =
@@ -127,7 +129,21 @@ class DeploymentSchemaTest {
     return spots;
   }
 
-  /** Everything that may be there, with lines of the kind that the place needs. */
+  private static final String PUBLIC_KEY =
+      "MFkwEwYHKoZIzj0CAQYIKoZIzj0DAQcDQgAEaxfR8uEsQkf4vOblY6RA8ncDfYEt6zOg9KE5RdiYwpZP40Li/hp/m47n"
+          + "60p8D54WK84zV2sxXs7LtkBoN79R9Q==";
+
+  /** Everything that may be there: a robot's own key excludes the one key for all. */
+  private static Map<String, Object> full(Place place) {
+    Map<String, Object> file = full(place.kind());
+    if (place.path().equals(List.of("robots", "bot0"))) {
+      file.remove("key");
+    } else {
+      at(file, List.of("robots", "bot0")).remove("publicKey");
+    }
+    return file;
+  }
+
   private static Map<String, Object> full(String kind) {
     return map(
         "app",
@@ -181,6 +197,8 @@ class DeploymentSchemaTest {
                 "192.168.1.10",
                 "rigidBody",
                 "car",
+                "publicKey",
+                PUBLIC_KEY,
                 "chassis",
                 chassis(kind),
                 "objects",
@@ -264,7 +282,7 @@ class DeploymentSchemaTest {
   @ParameterizedTest
   @MethodSource("places")
   void aFileWithEverythingIsRight(Place place) throws IOException {
-    Map<String, Object> file = full(place.kind());
+    Map<String, Object> file = full(place);
     assertThat(at(file, place.path()).keySet())
         .containsExactlyElementsOf(place.fields().stream().map(Field::key).toList());
 
@@ -275,7 +293,7 @@ class DeploymentSchemaTest {
   @ParameterizedTest
   @MethodSource("places")
   void anUnknownFieldIsRefusedAndTheKnownOnesAreNamed(Place place) throws IOException {
-    Map<String, Object> file = full(place.kind());
+    Map<String, Object> file = full(place);
     at(file, place.path()).put("zzz", "1");
 
     assertThat(errorOrNone(yaml(file)))
@@ -291,7 +309,7 @@ class DeploymentSchemaTest {
     int taken = 0;
     int refused = 0;
     for (String value : VALUES) {
-      Map<String, Object> file = full(spot.place().kind());
+      Map<String, Object> file = full(spot.place());
       at(file, spot.place().path()).put(spot.field().key(), value);
       String yaml = yaml(file);
       boolean isRead = errorOrNone(yaml).isEmpty();
@@ -334,11 +352,13 @@ class DeploymentSchemaTest {
   @ParameterizedTest
   @MethodSource("spots")
   void schemaAndReaderRequireTheSameFields(Spot spot) throws IOException {
-    Map<String, Object> file = full(spot.place().kind());
+    Map<String, Object> file = full(spot.place());
     at(file, spot.place().path()).remove(spot.field().key());
     // No field describes these: a board needs an app, and the two lines below need each other.
     boolean isAppOfBoards = spot.field().key().equals("app");
-    boolean isKeyOfBroadcasts = spot.field().key().equals("key") && spot.place().path().isEmpty();
+    boolean isKeyOfBroadcasts =
+        (spot.field().key().equals("key") && spot.place().path().isEmpty())
+            || spot.field().key().equals("publicKey");
     boolean isWorldOfSimulated = spot.field().key().equals("world");
 
     assertThat(errorOrNone(yaml(file)).isEmpty())
@@ -362,7 +382,7 @@ class DeploymentSchemaTest {
       assertThat(field.meaning()).containsPattern("in (ms|mm|rad|mm/s)\\b");
     }
     if (field.defaultText() != null) {
-      Map<String, Object> file = full(spot.place().kind());
+      Map<String, Object> file = full(spot.place());
       at(file, spot.place().path()).put(field.key(), field.defaultText());
       assertThat(errorOrNone(yaml(file))).isEmpty();
     }

@@ -90,7 +90,9 @@ class SpecificationsTest {
       if (file.toString().contains("main") && monitor.find()) {
         String constants = textsBeside(file);
         List<String> lemmas = lemmasOf(text, constants);
-        assertThat(lemmas).as("lemmas in %s", file).isNotEmpty();
+        // A monitor of another one's violations has that one's lemmas.
+        boolean isWrapper = text.contains("return monitor.lemmas();");
+        assertThat(lemmas.isEmpty()).as("no lemmas in %s", file).isEqualTo(isWrapper);
         lemmas.forEach(lemma -> found.add(monitor.group(1) + " " + lemma));
       }
     });

@@ -43,11 +43,18 @@ public sealed interface Form {
   record Text(String pattern) implements Form {}
 
   /**
-   * Any text that is not blank.
+   * A text that is not blank.
    *
    * @param expected the text after "expected" in messages
+   * @param pattern a regular expression that a part of the text matches
    */
-  record Words(String expected) implements Form {}
+  record Words(String expected, String pattern) implements Form {
+
+    /** Any text that is not blank. */
+    public Words(String expected) {
+      this(expected, "\\S");
+    }
+  }
 
   /** Faults in their grammar. */
   record Faults() implements Form {}

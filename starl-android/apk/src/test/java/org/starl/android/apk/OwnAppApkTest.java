@@ -92,6 +92,7 @@ class OwnAppApkTest {
 
   private byte[] trace(OwnClasses loader) throws ReflectiveOperationException, IOException {
     Object run = loader.loadClass(OwnAppRun.class.getName()).getConstructor().newInstance();
+    // OwnAppRun is a function of this kind.
     @SuppressWarnings("unchecked")
     Function<String, byte[]> traceOf = (Function<String, byte[]>) run;
     return traceOf.apply(deploymentOfTwo());

@@ -169,7 +169,8 @@ public final class DeploymentFormat {
       Field.of(
           "publicKey",
           new Form.Words(
-              "a key that 'starl keygen --robot' has printed, or two with a space between"),
+              "a key that 'starl keygen --robot' has printed, or two with a space between",
+              PublicRobotKey.PATTERN),
           "the robot's public key, as 'starl keygen --robot NAME' prints it; while a key is replaced,"
               + " the new and the old one, with a space between; its secret half is in NAME.key in this"
               + " file's folder, on that robot only",

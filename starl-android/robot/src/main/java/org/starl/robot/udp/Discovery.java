@@ -334,9 +334,8 @@ public final class Discovery implements AutoCloseable {
     switch (verdict) {
       case STARTED -> {
         radio.setPeer(robot, source);
-        strand.post(() -> started(robot, beacon.start(), pair));
+        strand.post(() -> started(robot, beacon.start(), pair, source));
         listener.appeared(robot, source);
-        prove(robot, echo, Answer.ACCEPTED, source);
       }
       case APPEARED -> {
         radio.setPeer(robot, source);
@@ -378,7 +377,8 @@ public final class Discovery implements AutoCloseable {
   }
 
   // First the storage: an older start must not be accepted after this robot has started again.
-  private void started(RobotId robot, Start start, @Nullable PairKey pair) {
+  private void started(
+      RobotId robot, Start start, @Nullable PairKey pair, InetSocketAddress source) {
     LatestStarts.put(
         stable,
         robot,
@@ -387,6 +387,8 @@ public final class Discovery implements AutoCloseable {
           if (pair != null) {
             sessions.open(robot, new Session(pair, self, mine(), robot, start));
           }
+          // Now this robot accepts what the other one sends when it hears this.
+          prove(robot, start.nonce(), Answer.ACCEPTED, source);
         });
   }
 

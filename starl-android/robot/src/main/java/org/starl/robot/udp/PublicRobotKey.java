@@ -24,6 +24,12 @@ public final class PublicRobotKey {
   /** A key's length in characters. */
   public static final int LENGTH = 124;
 
+  private static final String ONE =
+      PREFIX + "[A-Za-z0-9+/]{" + (LENGTH - PREFIX.length() - 2) + "}==";
+
+  /** A regular expression for one or more keys; it does not check that they are points. */
+  public static final String PATTERN = "^ *" + ONE + "( +" + ONE + ")* *$";
+
   private final ECPublicKey key;
 
   PublicRobotKey(ECPublicKey key) {
@@ -34,7 +40,7 @@ public final class PublicRobotKey {
   public static @Nullable List<PublicRobotKey> parseOrNull(String text) {
     List<PublicRobotKey> keys = new ArrayList<>();
     for (String part : text.trim().split(" +", -1)) {
-      ECPublicKey key = part.length() == LENGTH && part.startsWith(PREFIX) ? read(part) : null;
+      ECPublicKey key = part.matches(ONE) ? read(part) : null;
       if (key == null || !isOnCurve(key)) {
         return null;
       }

@@ -297,9 +297,12 @@ class HostileDatagramsTest {
       record(friends, victim);
       List<byte[]> forged = forged(friends.getLocalPort());
       MalformedBytes malformed = new MalformedBytes(SEED, samples());
-      List<byte[]> honest = new ArrayList<>(beacons);
-      honest.addAll(recorded);
-      for (byte[] datagram : honest) {
+      for (byte[] beacon : beacons) {
+        send(friends, beacon, victim);
+      }
+      // The victim's beacon says that it has opened the session.
+      friends.receive(new DatagramPacket(new byte[UdpRadio.MAX_BYTES], UdpRadio.MAX_BYTES));
+      for (byte[] datagram : recorded) {
         send(friends, datagram, victim);
       }
       for (int i = 0; i < RECORDED; i++) {
