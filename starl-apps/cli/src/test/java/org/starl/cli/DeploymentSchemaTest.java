@@ -38,6 +38,10 @@ class DeploymentSchemaTest {
   private static final YAMLMapper YAML = new YAMLMapper();
 
   /** Of every kind, right for one field and wrong for another. */
+  private static final String PUBLIC_KEY =
+      "MFkwEwYHKoZIzj0CAQYIKoZIzj0DAQcDQgAEaxfR8uEsQkf4vOblY6RA8ncDfYEt6zOg9KE5RdiYwpZP40Li/hp/m47n"
+          + "60p8D54WK84zV2sxXs7LtkBoN79R9Q==";
+
   private static final List<String> VALUES =
       List.of(
           ("0 1 -1 19 20 50 100 300 499.5 500 501 1000 1000.5 1001 3600000 3600001 0.5 -0.5 3.5 4.1 3.9"
@@ -128,10 +132,6 @@ class DeploymentSchemaTest {
     }
     return spots;
   }
-
-  private static final String PUBLIC_KEY =
-      "MFkwEwYHKoZIzj0CAQYIKoZIzj0DAQcDQgAEaxfR8uEsQkf4vOblY6RA8ncDfYEt6zOg9KE5RdiYwpZP40Li/hp/m47n"
-          + "60p8D54WK84zV2sxXs7LtkBoN79R9Q==";
 
   /** Everything that may be there: a robot's own key excludes the one key for all. */
   private static Map<String, Object> full(Place place) {

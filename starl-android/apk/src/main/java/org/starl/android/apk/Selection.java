@@ -30,7 +30,8 @@ record Selection(SortedMap<String, byte[]> classes, SortedSet<String> own, Set<S
   /** Of StarL: core, primitives, the real platform without its serial ports, apps, the phone's app. */
   private static final Pattern OURS =
       Pattern.compile(
-          "org/starl/([^/]+|(body|comms|geometry|gvh|id|input|motion|platform|random|spec|time|trace)/.+"
+          "org/starl/([^/]+"
+              + "|(body|comms|geometry|gvh|id|input|motion|platform|random|session|spec|time|trace)/.+"
               + "|robot/(?!serial/).+|(primitives|android/app)/.+"
               + "|apps/((AppFactory|Parameter|Request|RobotProgram)|(.+/)?(logic|robot|spec)/.+))\\.class");
 
