@@ -83,7 +83,10 @@ final class JsonSchema {
       case Form.YesNo yesNo -> Map.of("enum", YES_NO);
       case Form.Text text ->
           text.pattern().isEmpty() ? Json.object(TYPE, ANY_TEXT) : text(text.pattern());
-      case Form.Words words -> Json.object(TYPE, ANY_TEXT, PATTERN, words.pattern());
+      case Form.Words words ->
+          words.pattern().equals(Form.Words.ANY)
+              ? Json.object(TYPE, ANY_TEXT, PATTERN, words.pattern())
+              : text(words.pattern());
       case Form.Faults faults -> faults();
       case Form.Address address ->
           text(address, address.needsPort() ? HOST_PORT : "(" + HOST_PORT + "|" + HOST + ")");

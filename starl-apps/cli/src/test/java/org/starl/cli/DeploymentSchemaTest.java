@@ -400,7 +400,7 @@ class DeploymentSchemaTest {
         "{seed: 3}"
       })
   void parametersAreThoseOfTheApp(String parameters) throws IOException {
-    Map<String, Object> file = full("");
+    Map<String, Object> file = full(places().get(0));
     file.put("parameters", parameters);
     String yaml = yaml(file);
     // Which texts are faults, only the scenario's schema knows.

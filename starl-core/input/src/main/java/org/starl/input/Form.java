@@ -50,9 +50,12 @@ public sealed interface Form {
    */
   record Words(String expected, String pattern) implements Form {
 
+    /** The pattern of any text that is not blank. */
+    public static final String ANY = "\\S";
+
     /** Any text that is not blank. */
     public Words(String expected) {
-      this(expected, "\\S");
+      this(expected, ANY);
     }
   }
 

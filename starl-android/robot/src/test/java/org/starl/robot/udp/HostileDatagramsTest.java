@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -79,6 +80,7 @@ class HostileDatagramsTest {
   private final class Victim implements AutoCloseable, Discovery.Listener {
     private final UdpRadio radio;
     private final Discovery discovery;
+    private final OpenSessions sessions = new OpenSessions();
     private final Comms comms;
     private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
 
@@ -92,7 +94,6 @@ class HostileDatagramsTest {
               failure -> {
                 throw new AssertionError(failure);
               });
-      OpenSessions sessions = new OpenSessions();
       comms = new Comms(LoneRobot.platform(ME, BOTH, radio, strand, sessions), 1);
       comms.open(LoneRobot.TALK, (from, message) -> heard.add(from + ": " + message));
       discovery =
@@ -300,8 +301,7 @@ class HostileDatagramsTest {
       for (byte[] beacon : beacons) {
         send(friends, beacon, victim);
       }
-      // The victim's beacon says that it has opened the session.
-      friends.receive(new DatagramPacket(new byte[UdpRadio.MAX_BYTES], UdpRadio.MAX_BYTES));
+      awaitSession(ground.strand(), victim.sessions);
       for (byte[] datagram : recorded) {
         send(friends, datagram, victim);
       }
@@ -322,6 +322,17 @@ class HostileDatagramsTest {
       assertThat(appearances).hasValue(1);
       assertThat(ground.errors()).isEmpty();
     }
+  }
+
+  private static void awaitSession(Strand strand, OpenSessions sessions) throws Exception {
+    long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+    boolean isOpen = false;
+    while (!isOpen && System.nanoTime() < endNs) {
+      CompletableFuture<Boolean> now = new CompletableFuture<>();
+      strand.post(() -> now.complete(sessions.with(FRIEND) != null));
+      isOpen = now.get(60, TimeUnit.SECONDS);
+    }
+    assertThat(isOpen).as("a session with the friend").isTrue();
   }
 
   private List<byte[]> samples() {
