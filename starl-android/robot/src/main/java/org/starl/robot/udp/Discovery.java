@@ -164,8 +164,7 @@ public final class Discovery implements AutoCloseable {
     Neighbours all =
         new Neighbours(
             self, mine, deployment, settings.suspectAfterMs() * NS_PER_MS, clock.nowNs());
-    LatestStarts.of(stable, deployment)
-        .forEach((robot, latest) -> all.remember(robot, latest.epoch(), latest.boot()));
+    LatestStarts.of(stable, deployment).forEach(all::remember);
     neighbours = all;
     radio.onBeacon(packet -> received(all, packet));
     ticks =

@@ -59,7 +59,7 @@ final class Neighbours {
   private final long beganNs;
 
   private static final class Neighbour {
-    // The latest start; its nonce is NONE while this robot has only read of it in its storage.
+    // The latest start; from storage until a beacon proves it again, and an address is known.
     private @Nullable Start start;
     private long count;
     private @Nullable InetSocketAddress address;
@@ -81,8 +81,8 @@ final class Neighbours {
   }
 
   /** Remembers the latest start of another robot, of an earlier start of this one. */
-  void remember(RobotId robot, long epoch, int boot) {
-    neighbour(robot).start = new Start(epoch, boot, Nonce.NONE);
+  void remember(RobotId robot, Start start) {
+    neighbour(robot).start = start;
   }
 
   /**
@@ -105,9 +105,26 @@ final class Neighbours {
       return Verdict.TWIN;
     }
     if (answerTo(beacon.robot(), beacon.start()) != Answer.ACCEPTED) {
-      return Verdict.REFUSED;
+      return heardRefused(neighbour, beacon, nowNs);
     }
     return heardFresh(neighbour, beacon, source, nowNs);
+  }
+
+  private static Verdict heardRefused(Neighbour neighbour, Beacon beacon, long nowNs) {
+    // Two robots that refuse each other both stop: at least one storage is lost or a copy.
+    if (beacon.answer() != Answer.ACCEPTED) {
+      return Verdict.REFUSES_US;
+    }
+    return mayAnswer(neighbour, nowNs) ? Verdict.REFUSED : Verdict.OLD;
+  }
+
+  // An answer is a beacon for each beacon of whatever sender: bounded.
+  private static boolean mayAnswer(Neighbour neighbour, long nowNs) {
+    boolean mayAnswer = nowNs >= neighbour.answeredNs + ANSWER_EVERY_NS;
+    if (mayAnswer) {
+      neighbour.answeredNs = nowNs;
+    }
+    return mayAnswer;
   }
 
   private static Verdict heardUnproven(
@@ -115,12 +132,7 @@ final class Neighbours {
     neighbour.hint = source;
     neighbour.claimed = beacon.start().nonce();
     boolean needsNoAnswer = beacon.to() == null && isCurrent(neighbour, beacon.start());
-    // An answer is a beacon for each beacon of whatever sender: bounded.
-    if (needsNoAnswer || nowNs < neighbour.answeredNs + ANSWER_EVERY_NS) {
-      return Verdict.OLD;
-    }
-    neighbour.answeredNs = nowNs;
-    return Verdict.UNPROVEN;
+    return !needsNoAnswer && mayAnswer(neighbour, nowNs) ? Verdict.UNPROVEN : Verdict.OLD;
   }
 
   private static Verdict heardFresh(
@@ -142,8 +154,9 @@ final class Neighbours {
     return isNewStart ? Verdict.STARTED : wasPresent ? Verdict.HEARD : Verdict.APPEARED;
   }
 
+  /** Whether that start was proven in this robot's own present start. */
   private static boolean isCurrent(Neighbour neighbour, Start start) {
-    return start.equals(neighbour.start);
+    return neighbour.address != null && start.equals(neighbour.start);
   }
 
   /** Whether this robot accepts that start, which is proven to be fresh. */
@@ -156,11 +169,8 @@ final class Neighbours {
       return Answer.OTHER_STORAGE;
     }
     // A robot writes its boot number before it is heard, so two starts with one number are on two
-    // machines; unless this robot knows the start from its storage only.
-    boolean isLater =
-        start.boot() > latest.boot()
-            || (start.boot() == latest.boot() && latest.nonce().equals(Nonce.NONE));
-    return isLater ? Answer.ACCEPTED : Answer.LATER_START;
+    // machines.
+    return start.boot() > latest.boot() ? Answer.ACCEPTED : Answer.LATER_START;
   }
 
   /** The nonce that the next beacon to that robot must contain: of its latest start, if proven. */

@@ -91,7 +91,12 @@ class DiscoveryTest {
               new RealClock(),
               this);
       discovery = started;
-      strand.post(() -> started.begin(boot));
+      CompletableFuture<Boolean> begun = new CompletableFuture<>();
+      strand.post(() -> {
+        started.begin(boot);
+        begun.complete(true);
+      });
+      begun.join();
       return this;
     }
 
@@ -265,9 +270,6 @@ class DiscoveryTest {
     try (Station me = new Station(ME);
         DatagramSocket stranger = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       me.discover(Map.of());
-      CompletableFuture<Void> begun = new CompletableFuture<>();
-      me.strand.post(() -> begun.complete(null));
-      begun.get(60, TimeUnit.SECONDS);
       SigningKey key = new SigningKey(KEY.pairKey(ME, OTHER));
       byte[] changed = beacon(OTHER, stranger.getLocalPort()).write(key);
       changed[20]++;

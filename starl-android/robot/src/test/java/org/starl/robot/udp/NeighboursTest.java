@@ -83,22 +83,51 @@ class NeighboursTest {
   void anEarlierOrEqualStartIsRefusedAndALaterOneAccepted() {
     Start second = start(5, 2, 201);
     assertThat(hear(fresh(second, 1), S)).isEqualTo(Verdict.STARTED);
-    assertThat(hear(fresh(FIRST, 50), S)).isEqualTo(Verdict.REFUSED);
+    assertThat(hear(fresh(FIRST, 50), 2 * S)).isEqualTo(Verdict.REFUSED);
     assertThat(neighbours.answerTo(OTHER, FIRST)).isEqualTo(Answer.LATER_START);
     Start sameNumber = start(5, 2, 202);
-    assertThat(hear(fresh(sameNumber, 50), S)).isEqualTo(Verdict.REFUSED);
-    assertThat(hear(fresh(start(5, 3, 203), 1), S)).isEqualTo(Verdict.STARTED);
+    assertThat(hear(fresh(sameNumber, 50), 3 * S)).isEqualTo(Verdict.REFUSED);
+    assertThat(hear(fresh(start(5, 3, 203), 1), 4 * S)).isEqualTo(Verdict.STARTED);
   }
 
   @Test
   void aRobotWithAnotherStorageIsRefused() {
-    neighbours.remember(OTHER, 5, 7);
+    Start known = start(5, 7, 299);
+    neighbours.remember(OTHER, known);
     Start lost = start(6, 1, 300);
 
     assertThat(hear(fresh(lost, 1), S)).isEqualTo(Verdict.REFUSED);
     assertThat(neighbours.answerTo(OTHER, lost)).isEqualTo(Answer.OTHER_STORAGE);
-    assertThat(hear(fresh(start(5, 6, 301), 1), S)).isEqualTo(Verdict.REFUSED);
-    assertThat(hear(fresh(start(5, 7, 302), 1), S)).isEqualTo(Verdict.STARTED);
+    assertThat(hear(fresh(start(5, 6, 301), 1), 2 * S)).isEqualTo(Verdict.REFUSED);
+    assertThat(hear(fresh(known, 1), 3 * S)).isEqualTo(Verdict.STARTED);
+  }
+
+  /** Copies of one storage on two machines: this robot's own restart does not let the second in. */
+  @Test
+  void twoStartsOfOneBootNumberAreNotBothAcceptedEvenAfterARestart() {
+    neighbours.remember(OTHER, start(5, 7, 299));
+
+    assertThat(hear(fresh(start(5, 7, 302), 1), S)).isEqualTo(Verdict.REFUSED);
+    assertThat(hear(fresh(start(5, 8, 303), 1), 2 * S)).isEqualTo(Verdict.STARTED);
+  }
+
+  @Test
+  void robotsThatRefuseEachOtherBothStop() {
+    neighbours.remember(OTHER, start(5, 7, 299));
+    Beacon refusing = beacon(OTHER, start(6, 1, 300), 1, ME, MINE.nonce(), Answer.OTHER_STORAGE);
+
+    assertThat(hear(refusing, S)).isEqualTo(Verdict.REFUSES_US);
+  }
+
+  @Test
+  void refusalsAreFew() {
+    neighbours.remember(OTHER, start(5, 7, 299));
+    int refusals = 0;
+    for (int ms = 0; ms < 1000; ms++) {
+      refusals += hear(fresh(start(6, 1, 300), 1), ms * 1_000_000L) == Verdict.REFUSED ? 1 : 0;
+    }
+
+    assertThat(refusals).isEqualTo(10);
   }
 
   @Test

@@ -80,8 +80,7 @@ class SessionsTest {
       nonces++;
       start = new Start(storage.epoch, storage.boots, new Nonce(1, nonces));
       neighbours = new Neighbours(self, start, BOTH, Long.MAX_VALUE, 0);
-      storage.latest.forEach(
-          (robot, last) -> neighbours.remember(robot, last.epoch(), last.boot()));
+      storage.latest.forEach(neighbours::remember);
     }
 
     RobotId peer() {
