@@ -101,6 +101,7 @@ public final class Discovery implements AutoCloseable {
 
   // Guarded by this.
   private final Map<RobotId, List<SigningKey>> signing = new TreeMap<>();
+  private final Map<RobotId, SigningKey> genuine = new TreeMap<>();
   private final Map<RobotId, Start> refused = new TreeMap<>();
   private Start mine = new Start(0, 1, Nonce.NONE);
   private @Nullable Neighbours neighbours;
@@ -269,15 +270,21 @@ public final class Discovery implements AutoCloseable {
     byte[] bytes;
     synchronized (this) {
       Beacon beacon = beacon(here.isAnyLocalAddress() ? null : here, to, echo, answer);
-      List<SigningKey> list = signing.getOrDefault(to, List.of());
-      // While a key is replaced a robot has two, and it is unknown which one it uses.
-      SigningKey key = list.isEmpty() ? null : list.get((int) (count % list.size()));
+      SigningKey key = keyTo(to);
       if (keys != null && key == null) {
         return;
       }
       bytes = beacon.write(key);
     }
     emit(bytes, at);
+  }
+
+  // While a key is replaced two are listed for a robot. It is unknown which one it has until its
+  // first beacon, so that each is tried.
+  private @Nullable SigningKey keyTo(RobotId robot) {
+    SigningKey used = genuine.get(robot);
+    List<SigningKey> list = signing.getOrDefault(robot, List.of());
+    return used != null || list.isEmpty() ? used : list.get(random.nextInt(list.size()));
   }
 
   private synchronized Beacon beacon(
@@ -311,6 +318,7 @@ public final class Discovery implements AutoCloseable {
           radio.dropped(UdpDrop.FORGED_BEACON, source);
           return;
         }
+        genuine.put(beacon.robot(), key);
         pair = key.pair();
       }
       if (!isFromItsAddress(beacon, source)) {

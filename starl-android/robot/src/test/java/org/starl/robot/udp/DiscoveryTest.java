@@ -6,6 +6,7 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -18,6 +19,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
@@ -77,13 +79,18 @@ class DiscoveryTest {
     }
 
     Station discover(Map<RobotId, InetSocketAddress> known, int boot, long suspectAfterMs) {
+      return discover(known, boot, suspectAfterMs, PeerKeys.shared(KEY, self, BOTH));
+    }
+
+    Station discover(
+        Map<RobotId, InetSocketAddress> known, int boot, long suspectAfterMs, PeerKeys keys) {
       Discovery started =
           new Discovery(
               radio,
               self,
               BOTH,
               new TreeMap<>(known),
-              PeerKeys.shared(KEY, self, BOTH),
+              keys,
               sessions,
               strand,
               stable,
@@ -188,6 +195,30 @@ class DiscoveryTest {
       assertThat(me.next()).isEqualTo("bot1 at " + other.radio.address().getPort());
       assertThat(opens(me.session(OTHER), other.session(ME))).isTrue();
       assertThat(opens(other.session(ME), me.session(OTHER))).isTrue();
+    }
+  }
+
+  /** The new key is listed first, and the robot still has the old one. */
+  @Test
+  void whileAKeyIsReplacedBothKeysAreTried(@TempDir Path folder) throws Exception {
+    List<RobotKey> secrets = new ArrayList<>();
+    List<PublicRobotKey> published = new ArrayList<>();
+    for (String name : List.of("mine", "old", "new")) {
+      published.add(RobotKey.generate(folder.resolve(name)));
+      secrets.add(RobotKey.read(folder.resolve(name)));
+    }
+    Map<RobotId, List<PublicRobotKey>> listed =
+        Map.of(ME, List.of(published.get(0)), OTHER, List.of(published.get(2), published.get(1)));
+    try (Station me = new Station(ME);
+        Station other = new Station(OTHER)) {
+      me.discover(
+          Map.of(OTHER, other.radio.address()),
+          1,
+          60_000,
+          PeerKeys.separate(secrets.get(0), listed));
+      other.discover(Map.of(), 1, 60_000, PeerKeys.separate(secrets.get(1), listed));
+
+      assertThat(opens(me.session(OTHER), other.session(ME))).isTrue();
     }
   }
 
