@@ -256,7 +256,10 @@ public final class RobotServiceTest {
     service.worker.execute(() -> {});
     controller = Robolectric.buildService(RobotService.class).create();
     RobotService next = controller.get();
+    RobotService dead = service;
     killed.destroy();
+    // A dead process holds neither the robot's port nor its link.
+    until(dead.worker::isTerminated);
     service = next;
     service.onStartCommand(null, 0, 1);
     until(() -> service.phase() == Phase.RUNNING && isHeldBy(CreateHold.EMERGENCY_STOP));
