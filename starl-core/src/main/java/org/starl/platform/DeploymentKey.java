@@ -15,24 +15,21 @@ public final class DeploymentKey {
   /** Length of a key in bytes. */
   public static final int BYTES = PairKey.BYTES;
 
-  private final byte[] secret;
+  private final PairKey root;
 
   /**
    * @throws IllegalArgumentException if {@code secret} is not {@link #BYTES} long, or only zeros
    */
   public DeploymentKey(byte[] secret) {
-    if (secret.length != BYTES) {
-      throw new IllegalArgumentException("a key of " + secret.length + " bytes: expected " + BYTES);
-    }
     if (Arrays.equals(secret, new byte[BYTES])) {
       throw new IllegalArgumentException("a key of zeros: expected a random one");
     }
-    this.secret = secret.clone();
+    root = new PairKey(secret);
   }
 
   /** Creates HMAC-SHA256 (RFC 2104) under this key for one purpose, for one thread. */
   public Mac newMac(String purpose) {
-    return new PairKey(secret).newMac(purpose);
+    return root.newMac(purpose);
   }
 
   /** The secret of two robots, in either order; equal if they are. */
@@ -46,12 +43,12 @@ public final class DeploymentKey {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof DeploymentKey that && Arrays.equals(secret, that.secret);
+    return other instanceof DeploymentKey that && root.equals(that.root);
   }
 
   @Override
   public int hashCode() {
-    return Arrays.hashCode(secret);
+    return root.hashCode();
   }
 
   @Override

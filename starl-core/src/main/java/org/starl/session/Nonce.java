@@ -11,7 +11,7 @@ public record Nonce(long high, long low) {
   /** No nonce. Never drawn. */
   public static final Nonce NONE = new Nonce(0, 0);
 
-  /** Draws a nonce that nobody can predict. */
+  /** Draws a nonce that no other program can predict. */
   public static Nonce draw(SecureRandom random) {
     Nonce drawn;
     do {
