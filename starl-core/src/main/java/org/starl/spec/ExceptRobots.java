@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
@@ -98,6 +99,14 @@ public final class ExceptRobots implements Monitor {
     public void violated(String lemma, long timeNs, List<RobotId> involved, String detail) {
       if (isRequired(lemma, involved)) {
         report.violated(lemma, timeNs, involved, detail);
+      }
+    }
+
+    @Override
+    public void violatedIn(
+        Region region, String lemma, long timeNs, List<RobotId> involved, String detail) {
+      if (isRequired(lemma, involved)) {
+        report.violatedIn(region, lemma, timeNs, involved, detail);
       }
     }
 

@@ -1,6 +1,7 @@
 package org.starl.spec;
 
 import java.util.List;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
@@ -65,6 +66,12 @@ public interface Monitor {
      * @param detail one line with the values
      */
     void violated(String lemma, long timeNs, List<RobotId> robots, String detail);
+
+    /** {@code lemma} is violated in a region of the floor, which pictures mark. */
+    default void violatedIn(
+        Region region, String lemma, long timeNs, List<RobotId> robots, String detail) {
+      violated(lemma, timeNs, robots, detail);
+    }
 
     /** {@code lemma} is violated, because its deadline has passed: as {@link #violated}. */
     default void overdue(String lemma, long deadlineNs, List<RobotId> robots, String detail) {

@@ -47,8 +47,8 @@ public final class Require {
         }
         report.checked(lemma);
         if (there.size() > 1 && !before.containsAll(there)) {
-          report.violated(
-              lemma, state.timeNs(), there, "all of them are in " + RegionText.format(region));
+          String detail = "all of them are in " + RegionText.format(region);
+          report.violatedIn(region, lemma, state.timeNs(), there, detail);
         }
         before = there;
       }
@@ -97,8 +97,9 @@ public final class Require {
             state.timeNs(),
             (robot, sinceNs, deadlineNs) -> {
               report.checked(lemma);
-              String region = RegionText.format(regionOf.apply(robot));
-              report.violated(lemma, deadlineNs, List.of(robot), "has not been in " + region);
+              Region region = regionOf.apply(robot);
+              String detail = "has not been in " + RegionText.format(region);
+              report.violatedIn(region, lemma, deadlineNs, List.of(robot), detail);
             });
       }
     };

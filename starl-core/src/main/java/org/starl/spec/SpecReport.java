@@ -9,6 +9,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 
 /**
@@ -26,17 +28,23 @@ public final class SpecReport implements Monitor.Report {
    * @param robots the robots involved, in order
    * @param detail one line with the values
    * @param isOverdue whether a deadline has passed: the lemma requires progress
+   * @param region the part of the floor that it concerns; often {@link Nowhere}
    */
   public record Violation(
-      String lemma, long timeNs, List<RobotId> robots, String detail, boolean isOverdue) {
+      String lemma,
+      long timeNs,
+      List<RobotId> robots,
+      String detail,
+      boolean isOverdue,
+      Region region) {
 
     public Violation {
       robots = List.copyOf(robots);
     }
 
-    /** Without a deadline. */
+    /** Without a deadline and a region. */
     public Violation(String lemma, long timeNs, List<RobotId> robots, String detail) {
-      this(lemma, timeNs, robots, detail, false);
+      this(lemma, timeNs, robots, detail, false, new Nowhere());
     }
 
     /** {@code Exclusive violated at 12.345 s by bot1 bot2: both hold A}. */
@@ -102,8 +110,14 @@ public final class SpecReport implements Monitor.Report {
   }
 
   @Override
+  public void violatedIn(
+      Region region, String lemma, long timeNs, List<RobotId> robots, String detail) {
+    add(new Violation(lemma, timeNs, robots, detail, false, region));
+  }
+
+  @Override
   public void overdue(String lemma, long deadlineNs, List<RobotId> robots, String detail) {
-    add(new Violation(lemma, deadlineNs, robots, detail, true));
+    add(new Violation(lemma, deadlineNs, robots, detail, true, new Nowhere()));
   }
 
   private void add(Violation violation) {

@@ -92,7 +92,8 @@ class RequireTest {
             moved(0, A, -1000, 100));
     assertThat(found)
         .containsExactly(
-            new Violation("L", 6 * S, List.of(A), "has not been in circle(0.0 0.0 300.0)"));
+            new Violation(
+                "L", 6 * S, List.of(A), "has not been in circle(0.0 0.0 300.0)", false, DOCK));
   }
 
   @Test

@@ -117,12 +117,17 @@ final class TrafficSafety extends LemmaMonitor {
     SortedSet<RobotId> robots = zone.occupants();
     if (robots.add(robot) && robots.size() > 1) {
       String detail = "all of them are in zone " + zone.name();
-      report.violated(SAFETY, timeNs, List.copyOf(robots), detail);
+      report.violatedIn(zone.region(), SAFETY, timeNs, List.copyOf(robots), detail);
     }
     if (!held.holds(robot, zone.name()) && reported.add(robot + " " + zone.name())) {
       String where = "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
       String detail = "is in zone " + zone.name() + " around " + where;
-      report.violated(HELD, timeNs, List.of(robot), detail + " and holds " + held.held(robot));
+      report.violatedIn(
+          zone.region(),
+          HELD,
+          timeNs,
+          List.of(robot),
+          detail + " and holds " + held.held(robot));
     }
   }
 }

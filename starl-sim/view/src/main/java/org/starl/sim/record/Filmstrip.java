@@ -9,14 +9,17 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.SimResult;
+import org.starl.spec.SpecReport;
 
 /** Takes pictures of a run at given times. */
 public final class Filmstrip extends SceneRecorder {
 
   private final List<Long> timesNs;
   private final List<Frame> frames = new ArrayList<>();
+  private SpecReport.@Nullable Violation marked;
 
   /**
    * @param timesNs times of the pictures, in ns from the start of the run
@@ -64,6 +67,17 @@ public final class Filmstrip extends SceneRecorder {
     }
   }
 
+  /** Marks the first violation that is as late as a picture; it is told before or after that. */
+  @Override
+  public void violated(SpecReport.Violation violation) {
+    if (marked == null && timesNs.contains(violation.timeNs())) {
+      marked = violation;
+      if (!frames.isEmpty() && frames.getLast().timeNs == violation.timeNs()) {
+        mark(frames.getLast().image, violation);
+      }
+    }
+  }
+
   @Override
   public void finished(SimResult result) {
     takeBefore(result.endNs() + 1);
@@ -90,7 +104,11 @@ public final class Filmstrip extends SceneRecorder {
   }
 
   private void take(long timeNs) {
-    frames.add(new Frame(timeNs, paint(timeNs)));
+    Frame frame = new Frame(timeNs, paint(timeNs));
+    if (marked != null && marked.timeNs() == timeNs) {
+      mark(frame.image, marked);
+    }
+    frames.add(frame);
   }
 
   static BufferedImage scaled(BufferedImage image, int widthPx) {

@@ -57,6 +57,7 @@ public final class PictureRecorder extends SceneRecorder {
   public void violated(SpecReport.Violation violation) {
     if (moment instanceof PictureTime.Violation && picture == null) {
       picture = paint(scene.nowNs());
+      mark(picture, violation);
     }
   }
 

@@ -3,6 +3,7 @@ package org.starl.sim.record;
 import java.awt.image.BufferedImage;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.SimObserver;
+import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -42,5 +43,10 @@ abstract sealed class SceneRecorder implements SimObserver
     scene.advance(timeNs);
     long tenths = timeNs / TENTH_NS;
     return page.paint(scene, layer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+  }
+
+  /** Marks a violation in the picture that was painted last. */
+  final void mark(BufferedImage picture, SpecReport.Violation violation) {
+    page.mark(picture, scene, violation);
   }
 }
