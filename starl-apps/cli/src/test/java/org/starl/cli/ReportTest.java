@@ -205,6 +205,18 @@ class ReportTest {
         .contains("1.000\u00A0s: the end");
     assertThat(page.getDocumentElement().getTextContent())
         .contains("5 of 7\u00A0runs did not go well (2 violated, 2 failed, 1 unfinished)");
+    // Tasks completed in violated runs are no figure beside that of good runs.
+    assertThat(figures(page))
+        .filteredOn(figure -> figure.contains("of"))
+        .anyMatch(f -> f.matches("2 of 7 runs went well, though \\d+ of \\d+ robots completed .*"))
+        .noneMatch(figure -> figure.matches("\\d+ of \\d+ robots completed .*"));
+  }
+
+  private static List<String> figures(Document page) {
+    return Parsed.elements(page, "li").stream()
+        .map(Element::getTextContent)
+        .map(text -> text.replace('\u00A0', ' '))
+        .toList();
   }
 
   @Test

@@ -136,14 +136,16 @@ public final class Page {
   private void keyFigures() {
     html.open("ul", "class", "figures");
     int runs = report.result().runs().size();
-    figure(count(report.result().count(Verdict.GOOD)) + " of " + count(runs), "runs went well");
     Totals totals = report.totals();
-    if (totals.came() > 0) {
-      // A robot may complete its task in a run that violates a specification.
-      String aside = report.result().count(Verdict.VIOLATED) > 0 ? ", violations aside" : "";
-      figure(
-          count(totals.completed()) + " of " + count(totals.came()),
-          "robots completed their task" + aside);
+    String tasks = count(totals.completed()) + " of " + count(totals.came());
+    // Of a violated run, completed tasks are no figure of their own: the run did not go well.
+    boolean isViolated = report.result().count(Verdict.VIOLATED) > 0 && totals.came() > 0;
+    figure(
+        count(report.result().count(Verdict.GOOD)) + " of " + count(runs),
+        "runs went well"
+            + (isViolated ? ", though " + tasks + " robots completed their task" : ""));
+    if (totals.came() > 0 && !isViolated) {
+      figure(tasks, "robots completed their task");
     }
     if (totals.hasWaits()) {
       figure(measured("s", Time.seconds(totals.waitNs(50))), "waiting time, median");
