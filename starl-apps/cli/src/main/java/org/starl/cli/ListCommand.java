@@ -6,24 +6,29 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
 import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
 import org.starl.sim.Setting;
+import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
 
 /** {@code starl list}. */
 @Command(
     name = "list",
     description =
         "Lists apps, primitives, scenarios, parameters, workloads, settings, faults and envelopes,"
-            + " one per line.",
-    footer = {"", "Example: starl list"})
+            + " one per line. Of one app: its scenarios, parameters and specifications.",
+    footer = {"", "Example: starl list", "         starl list intersection"})
 final class ListCommand extends BaseCommand implements Runnable {
 
   private static final Map<String, String> HEADINGS =
@@ -35,13 +40,20 @@ final class ListCommand extends BaseCommand implements Runnable {
                   + "; WHO is a name, names (bot0+bot1), any, half or all:",
           "envelope", "envelopes, for --set chaos=NAME; --chaos uses the app's own:");
 
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "APP|PRIMITIVE",
+      description = "Only this one, with what each of its specifications says.")
+  private @Nullable String name;
+
   @Mixin private JsonOption json = new JsonOption();
 
   /**
    * A line of the list.
    *
-   * @param kind app, primitive, scenario, parameter, bench, setting, fault or envelope
-   * @param of the app of a scenario or parameter; else empty
+   * @param kind app, primitive, scenario, parameter, lemma, bench, setting, fault or envelope
+   * @param of the app of a scenario, parameter or lemma; else empty
    * @param defaultValue of a parameter or setting; else empty
    */
   private record Item(String kind, String of, String name, String defaultValue, String meaning) {
@@ -49,7 +61,7 @@ final class ListCommand extends BaseCommand implements Runnable {
     String line() {
       return switch (kind) {
         case "app", "primitive", "bench" -> kind + " " + name + ": " + meaning;
-        case "scenario" -> "  scenario " + name + ": " + meaning;
+        case "scenario", "lemma" -> "  " + kind + " " + name + ": " + meaning;
         case "fault", "envelope" -> "  " + name + "  " + meaning;
         default -> "  " + name + "=" + defaultValue + "  " + meaning;
       };
@@ -74,7 +86,7 @@ final class ListCommand extends BaseCommand implements Runnable {
   public void run() {
     PrintWriter out = out();
     String kind = "";
-    for (Item item : items(demos().all())) {
+    for (Item item : name == null ? items(demos().all()) : items(demo(name))) {
       if (json.isOn()) {
         out.println(Json.line(item.json()));
         continue;
@@ -88,19 +100,38 @@ final class ListCommand extends BaseCommand implements Runnable {
     }
   }
 
+  private Demo demo(String app) {
+    return RunRequest.Builder.of(demos(), app, "", "").build().demo();
+  }
+
+  /** Of one demo: what it is, and the specifications that its first seed's run checks. */
+  private static List<Item> items(Demo demo) {
+    List<Item> items = described(demo);
+    Simulation simulation = new RunRequest.Builder(demo).build().plan(1).simulation().build();
+    SpecReport report = Monitors.of(simulation.plan().monitors()).report();
+    for (String lemma : report.lemmas()) {
+      items.add(new Item("lemma", demo.name(), lemma, "", report.description(lemma)));
+    }
+    return items;
+  }
+
+  private static List<Item> described(Demo demo) {
+    List<Item> items = new ArrayList<>();
+    String app = demo.name();
+    String kind = demo.kind().name().toLowerCase(Locale.ROOT);
+    items.add(new Item(kind, "", app, "", demo.summary()));
+    for (Scenario scenario : demo.scenarios()) {
+      items.add(new Item("scenario", app, scenario.name(), "", scenario.what()));
+    }
+    for (Parameter p : demo.parameters()) {
+      items.add(new Item("parameter", app, p.key(), p.defaultValue(), p.what()));
+    }
+    return items;
+  }
+
   private static List<Item> items(List<Demo> demos) {
     List<Item> items = new ArrayList<>();
-    for (Demo demo : demos) {
-      String app = demo.name();
-      String kind = demo.kind().name().toLowerCase(Locale.ROOT);
-      items.add(new Item(kind, "", app, "", demo.summary()));
-      for (Scenario scenario : demo.scenarios()) {
-        items.add(new Item("scenario", app, scenario.name(), "", scenario.what()));
-      }
-      for (Parameter p : demo.parameters()) {
-        items.add(new Item("parameter", app, p.key(), p.defaultValue(), p.what()));
-      }
-    }
+    demos.forEach(demo -> items.addAll(described(demo)));
     for (Workload workload : Workload.all()) {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }

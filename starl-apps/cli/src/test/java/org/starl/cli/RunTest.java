@@ -63,6 +63,19 @@ class RunTest {
   }
 
   @Test
+  void listOfAnAppHasTheSentenceOfEachSpecification() {
+    Cli cli = Cli.run("list", "hello");
+    assertThat(cli.out().get(0)).startsWith("app hello: ");
+    assertThat(cli.out())
+        .filteredOn(line -> line.startsWith("  lemma "))
+        .hasSize(4)
+        .allMatch(line -> line.matches("  lemma \\w+: [A-Z].*\\."));
+    Cli wrong = Cli.run("list", "helo");
+    assertThat(wrong.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(wrong.err()).singleElement().asString().contains("'helo'", "hello");
+  }
+
+  @Test
   void aRunIsWrittenAsTheories() throws IOException {
     Path pvs = folder.resolve("run.pvs");
     Cli cli =
