@@ -1,6 +1,5 @@
 package org.starl.sim;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -8,9 +7,7 @@ import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.comms.ReceivePath;
 import org.starl.geometry.Pose;
-import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
-import org.starl.motion.MotionController;
 import org.starl.platform.Light;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
@@ -18,7 +15,6 @@ import org.starl.random.Rng;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.RobotClock;
-import org.starl.sim.kernel.AppFrame;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.SimBackground;
 import org.starl.sim.kernel.SimStrand;
@@ -243,35 +239,13 @@ final class SimRobot implements TraceSink {
 
   /** The state of the app and of what it waits for. */
   UnfinishedRobot explain() {
-    GlobalVarHolder gvh = runner.gvh();
-    LogicThread app = runner.app();
-    List<String> variables = new ArrayList<>();
-    String motion = "";
-    if (gvh != null) {
-      for (GvhVariable<?> variable : gvh.variables()) {
-        variables.add(variable.source() + "." + variable.name() + "=" + variable.get());
-      }
-      motion = motion(gvh.plat.moat);
-    }
-    return new UnfinishedRobot(
+    return UnfinishedRobot.of(
         spec.id(),
-        AppFrame.of(strand.appStack()),
+        runner,
+        strand.appStack(),
         strand.appWaitsSinceNs(),
-        app == null ? "the start of the program" : app.awaited(),
         changedNs(),
-        variables,
-        waits(),
-        motion,
         body == null ? List.of() : body.touches());
-  }
-
-  private static String motion(MotionController moat) {
-    return switch (moat.motionflag().get()) {
-      case IDLE -> "";
-      case MOVING -> "moving to " + moat.target().get();
-      case DONE -> "done";
-      case FAIL -> "failed: " + moat.failure();
-    };
   }
 
   boolean isFinished() {

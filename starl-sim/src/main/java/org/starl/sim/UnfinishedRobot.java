@@ -2,8 +2,14 @@ package org.starl.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotRunner;
+import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionController;
+import org.starl.sim.kernel.AppFrame;
 import org.starl.time.Time;
 
 /**
@@ -11,7 +17,7 @@ import org.starl.time.Time;
  *
  * @param place the source line where the app waits, as in {@code Dock.java:42 (callStarL)}; empty
  *     if the app has no thread of its own
- * @param sinceNs when this wait began
+ * @param sinceNs when this wait began; -1 if that is unknown
  * @param condition the name of the awaited condition; empty if it has none
  * @param changedNs when a variable last changed; -1 if the run did not record it
  * @param variables in the form {@code source.name=value}
@@ -36,11 +42,53 @@ public record UnfinishedRobot(
     touches = List.copyOf(touches);
   }
 
+  /**
+   * The state of a robot, read on its strand.
+   *
+   * @param appStack of the waiting app's thread; may be empty
+   */
+  public static UnfinishedRobot of(
+      RobotId robot,
+      RobotRunner runner,
+      StackTraceElement[] appStack,
+      long sinceNs,
+      long changedNs,
+      List<String> touches) {
+    GlobalVarHolder gvh = runner.gvh();
+    LogicThread app = runner.app();
+    List<String> variables = new ArrayList<>();
+    if (gvh != null) {
+      for (GvhVariable<?> variable : gvh.variables()) {
+        variables.add(variable.source() + "." + variable.name() + "=" + variable.get());
+      }
+    }
+    return new UnfinishedRobot(
+        robot,
+        AppFrame.of(appStack),
+        sinceNs,
+        app == null ? "the start of the program" : app.awaited(),
+        changedNs,
+        variables,
+        gvh == null ? List.of() : gvh.waits(),
+        gvh == null ? "" : motion(gvh.plat.moat),
+        touches);
+  }
+
+  private static String motion(MotionController moat) {
+    return switch (moat.motionflag().get()) {
+      case IDLE -> "";
+      case MOVING -> "moving to " + moat.target().get();
+      case DONE -> "done";
+      case FAIL -> "failed: " + moat.failure();
+    };
+  }
+
   /** The state in words: a first line, then details, indented. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     String none = condition.isEmpty() ? "runs" : "waits";
-    String at = place.isEmpty() ? none : "waits at " + place + " since " + Time.text(sinceNs, 3);
+    String since = sinceNs < 0 ? "" : " since " + Time.text(sinceNs, 3);
+    String at = place.isEmpty() ? none : "waits at " + place + since;
     lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
     waits.forEach(wait -> lines.add("  " + wait));
     if (!motion.isEmpty()) {

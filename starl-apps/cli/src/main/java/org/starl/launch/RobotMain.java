@@ -3,10 +3,13 @@ package org.starl.launch;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.starl.id.RobotId;
 import org.starl.robot.DeployedRobot;
+import org.starl.robot.realtime.RealStrand;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
@@ -22,6 +25,8 @@ abstract class RobotMain implements DeployedRobot.Host {
   interface Task {
     void run() throws IOException;
   }
+
+  private static final long STRAND_LIMIT_S = 2;
 
   private final Supplier<SimulationPlan> plans;
   private final int rounds;
@@ -59,6 +64,25 @@ abstract class RobotMain implements DeployedRobot.Host {
         .filter(spec -> spec.id().equals(id))
         .findFirst()
         .orElseThrow(() -> new IllegalArgumentException("there is no robot " + id));
+  }
+
+  /**
+   * Runs {@code task} on a strand, and returns when it has run.
+   *
+   * @return false if the app does not release the strand, or the strand is closed
+   */
+  static boolean runOn(RealStrand strand, Runnable task) {
+    CountDownLatch hasRun = new CountDownLatch(1);
+    strand.post(() -> {
+      task.run();
+      hasRun.countDown();
+    });
+    try {
+      return !strand.isClosed() && hasRun.await(STRAND_LIMIT_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
   }
 
   /** Runs posted tasks until {@link #endLoop}. */

@@ -3,6 +3,7 @@ package org.starl.launch;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
@@ -11,6 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.starl.RobotRunner;
 import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
 import org.starl.robot.DisownedException;
@@ -30,6 +32,7 @@ import org.starl.robot.udp.UdpStatistics;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.UnfinishedRobot;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.time.Time;
 
@@ -212,6 +215,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     DeployedRobot running = robot;
     robot = null;
     if (running != null) {
+      explain(running);
       running.close();
       report(running.strandUse(), running.network());
     }
@@ -221,6 +225,23 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
       }
       world.close();
       world = null;
+    }
+  }
+
+  /** Prints what an app that has not ended waits for, as of an unfinished simulated run. */
+  private void explain(DeployedRobot running) {
+    List<String> lines = new ArrayList<>();
+    runOn(
+        running.strand(),
+        () -> {
+          RobotRunner runner = running.runner();
+          if (runner.app() != null && !runner.isFinished()) {
+            StackTraceElement[] stack = running.strand().appStack();
+            lines.addAll(UnfinishedRobot.of(id, runner, stack, -1, -1, List.of()).lines());
+          }
+        });
+    for (int i = 0; i < lines.size(); i++) {
+      console.accept((i == 0 ? "not finished: " : "") + lines.get(i));
     }
   }
 

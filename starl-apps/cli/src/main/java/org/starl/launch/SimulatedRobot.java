@@ -11,7 +11,6 @@ import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -58,7 +57,6 @@ import org.starl.time.Time;
  */
 final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
-  private static final long WAITS_LIMIT_S = 2;
   private static final long ALIVE_EVERY_NS = 50 * Time.NS_PER_MS;
   private static final Discovery.Settings BEACONS =
       new Discovery.Settings(500, Integer.MAX_VALUE, 0);
@@ -254,27 +252,21 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
    * @return false if the app does not release the strand
    */
   boolean reportWaits() {
-    CountDownLatch reported = new CountDownLatch(1);
-    strand.post(() -> {
-      GlobalVarHolder gvh = runner.gvh();
-      LogicThread app = runner.app();
-      if (gvh != null && app != null && runner.results() == null) {
-        List<Object> args = new ArrayList<>(List.of(app.awaited()));
-        for (Wait wait : gvh.waits()) {
-          args.add(wait.source());
-          args.add(wait.what());
-          args.add(wait.on().stream().map(RobotId::name).collect(Collectors.joining(" ")));
-        }
-        trace.report(clock, ProcessWord.WAITS, args.toArray());
-      }
-      reported.countDown();
-    });
-    try {
-      return reported.await(WAITS_LIMIT_S, TimeUnit.SECONDS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return false;
-    }
+    return RobotMain.runOn(
+        strand,
+        () -> {
+          GlobalVarHolder gvh = runner.gvh();
+          LogicThread app = runner.app();
+          if (gvh != null && app != null && runner.results() == null) {
+            List<Object> args = new ArrayList<>(List.of(app.awaited()));
+            for (Wait wait : gvh.waits()) {
+              args.add(wait.source());
+              args.add(wait.what());
+              args.add(wait.on().stream().map(RobotId::name).collect(Collectors.joining(" ")));
+            }
+            trace.report(clock, ProcessWord.WAITS, args.toArray());
+          }
+        });
   }
 
   /** Ends it. Its body stays where it is. */

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -26,6 +27,7 @@ import org.starl.LogicThread;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
+import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.create.Wheelbase;
@@ -51,6 +53,7 @@ class RobotRunTest {
   private final List<String> happened = new CopyOnWriteArrayList<>();
 
   private Consumer<String> teller = line -> {};
+  private Function<GlobalVarHolder, LogicThread> app = Brief::new;
   private @Nullable RobotRun run;
 
   @TempDir private Path folder;
@@ -90,7 +93,7 @@ class RobotRunTest {
             deployment,
             deployment.robot("bot0"),
             null,
-            () -> Simulation.builder().robots(1, Brief::new).seed(1).build().plan(),
+            () -> Simulation.builder().robots(1, app).seed(1).build().plan(),
             wheels,
             folder.resolve("storage"),
             rounds);
@@ -146,6 +149,26 @@ class RobotRunTest {
     early.run();
 
     assertThat(happened).doesNotContain("wheels");
+  }
+
+  @Test
+  void aStoppedRobotPrintsWhatItsAppWaitedFor() throws IOException {
+    app = Endless::new;
+    teller =
+        line -> {
+          if (line.endsWith("begins to wait")) {
+            run().stop();
+          }
+        };
+
+    run((strand, clock, log, onFailure) -> new Standing(), 1).run();
+
+    assertThat(happened)
+        .anyMatch(line ->
+            line.matches(
+                "bot0: not finished: bot0 waits at RobotRunTest.java:[0-9]+ .callStarL. for: a sign"
+                    + " that never comes"))
+        .contains("bot0:   test: holds [S] from [bot1]");
   }
 
   @Test
@@ -239,6 +262,21 @@ class RobotRunTest {
 
     @Override
     public List<Object> callStarL() {
+      return List.of();
+    }
+  }
+
+  /** Waits for ever. */
+  private static final class Endless extends LogicThread {
+    Endless(GlobalVarHolder gvh) {
+      super(gvh);
+      gvh.explain(() -> new Wait("test", "holds [S]", List.of(new RobotId("bot1"))));
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      gvh.log.i("app", "begins to wait");
+      await("a sign that never comes", () -> false);
       return List.of();
     }
   }

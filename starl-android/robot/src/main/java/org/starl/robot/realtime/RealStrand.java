@@ -157,6 +157,12 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     return isClosed;
   }
 
+  /** The stack of the app's thread; empty if there is none. From any thread. */
+  public StackTraceElement[] appStack() {
+    RealApp mine = app;
+    return mine == null ? new StackTraceElement[0] : mine.thread().getStackTrace();
+  }
+
   /** The use of the strand's time so far. From any thread. */
   public StrandUse use() {
     return lockedGet(tally::use);
