@@ -13,12 +13,15 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
 import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SetAgreement;
 import org.starl.primitives.barrier.Barrier;
 import org.starl.primitives.election.Election;
 import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.registration.Registration;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.Diagnosis.Kind;
@@ -31,7 +34,7 @@ import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 
-/** A run that does not finish says why: ten planted faults. */
+/** A run that does not finish says why: twelve planted faults. */
 class UnfinishedRunTest {
 
   /** An app whose body is a lambda, with the waits of an app. */
@@ -69,6 +72,19 @@ class UnfinishedRunTest {
 
     void pause(long ms) {
       sleep(ms);
+    }
+
+    void waitFor(DistributedPathPlanning paths) {
+      paths.goTo(new ItemPosition("goal", 0, 1000));
+      await("at the goal", () -> !paths.isUnderWay());
+    }
+
+    void waitForAFix() {
+      await(gvh.gps::hasFix);
+    }
+
+    void waitForOrders() {
+      await("orders of the leader", () -> false);
     }
 
     void waitForEver() {
@@ -350,6 +366,49 @@ class UnfinishedRunTest {
           assertThat(diagnosis.graph().of(new RobotId("bot0"))).contains(new RobotId("bot1"));
           assertThat(result.diagnosis(violation)).isEqualTo(diagnosis);
         });
+  }
+
+  @Test
+  void theRobotWhoseTubeIsInTheWayIsNamed() {
+    Diagnosis diagnosis =
+        run(
+            2,
+            app -> {
+              DistributedPathPlanning paths =
+                  new DistributedPathPlanning(
+                      app.gvh(),
+                      "floor",
+                      new OptimalPlanner(),
+                      new Rectangle(-3000, -3000, 3000, 4000));
+              app.waitForAFix();
+              if (app.is(1)) {
+                app.waitForEver();
+              }
+              app.waitFor(paths);
+            });
+    assertThat(diagnosis.cause()).contains("bot1 waits at UnfinishedRunTest.java");
+    assertThat(diagnosis.graph().of(new RobotId("bot0"))).containsExactly(new RobotId("bot1"));
+    assertThat(diagnosis.lines())
+        .anyMatch(line -> line.matches(".*refused [0-9]+ times; needs room from .bot1."));
+  }
+
+  @Test
+  void aLeaderThatHasCrashedIsNamed() {
+    Diagnosis diagnosis =
+        run(
+            3,
+            app -> {
+              Election election = new Election(app.gvh(), "chief");
+              if (app.is(2)) {
+                app.waitFor(election);
+                app.waitForEver();
+              }
+              app.waitForOrders();
+            },
+            crash(2, 5));
+    assertThat(diagnosis.cause())
+        .startsWith("stuck: nothing has changed since ")
+        .endsWith(" for: orders of the leader; crashed: [bot2]");
   }
 
   @Test

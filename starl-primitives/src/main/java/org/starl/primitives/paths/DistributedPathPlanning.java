@@ -56,6 +56,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private boolean computing;
   private boolean pausing;
   private int refusals;
+  private List<RobotId> inTheWay = List.of();
   private long deadlineNs;
 
   /** The granted tube, until the body is certainly inside it. */
@@ -186,6 +187,14 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return claims.unplaced();
   }
 
+  /**
+   * Robots whose tubes were in the way of the latest try of the drive that is under way; empty if
+   * none were.
+   */
+  public List<RobotId> inTheWay() {
+    return inTheWay;
+  }
+
   /** The radius of the tubes around the path, in mm. */
   public int radiusMm() {
     return radiusMm;
@@ -234,14 +243,18 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   private @Nullable Wait waitsFor() {
+    if (!claims.isPlaced() && !claims.inTheWay().isEmpty()) {
+      return new Wait(source, "stands too near for its first tube; needs room", claims.inTheWay());
+    }
     List<RobotId> unplaced = claims.unplaced();
     if (!unplaced.isEmpty()) {
       return new Wait(source, "waits for the first place", unplaced);
     }
-    return isUnderWay()
-        ? new Wait(
-            source, flag.get() + " to " + target + ", refused " + refusals + " times", List.of())
-        : null;
+    if (!isUnderWay()) {
+      return null;
+    }
+    String what = flag.get() + " to " + target + ", refused " + refusals + " times";
+    return new Wait(source, what + (inTheWay.isEmpty() ? "" : "; needs room"), inTheWay);
   }
 
   private void begin() {
@@ -250,6 +263,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
     call++;
     refusals = 0;
+    inTheWay = List.of();
     pausing = false;
     failure.set(TubeFailure.NONE);
     deadlineNs = nowNs() + settings.deadlineNs();
@@ -344,7 +358,9 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
     if (found.among() instanceof Plan.Found way) {
       claim(way.path());
-    } else if (found.alone() instanceof Plan.Found) {
+    } else if (found.alone() instanceof Plan.Found way) {
+      Tube tube = Tracking.tube(way.path(), radiusMm, settings.maxLegMm());
+      inTheWay = tube == null ? List.of() : claims.meeting(tube);
       tryLater();
     } else {
       fail(TubeFailure.NO_PATH);
@@ -436,6 +452,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     public void granted(Tube tube) {
       if (flag.get() == TubeFlag.CLAIMING) {
         entering = tube;
+        inTheWay = List.of();
         enter();
       } else {
         giveBack(tube);
@@ -445,6 +462,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     @Override
     public void refused() {
       if (flag.get() == TubeFlag.CLAIMING) {
+        inTheWay = claims.inTheWay();
         tryLater();
       }
     }

@@ -1,8 +1,11 @@
 package org.starl.primitives.paths;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -35,6 +38,9 @@ final class TubeClaims {
 
   /** The disc at this robot's place, until it is granted. */
   private @Nullable Tube standing;
+
+  /** Robots whose tubes met the tube of the latest request, as told by refusals. */
+  private final SortedSet<RobotId> inTheWay = new TreeSet<>();
 
   private long placeAgainNs;
   private int writes;
@@ -104,21 +110,42 @@ final class TubeClaims {
     return held.get().tubes();
   }
 
+  /** Robots whose tubes met the tube of the latest request, as far as known. */
+  List<RobotId> inTheWay() {
+    return List.copyOf(inTheWay);
+  }
+
+  /** Robots whose tubes meet {@code tube}, as far as this robot knows. */
+  List<RobotId> meeting(Tube tube) {
+    List<RobotId> robots = new ArrayList<>();
+    latest().forEach((robot, holding) -> {
+      if (Tube.meet(List.of(tube), holding.all())) {
+        robots.add(robot);
+      }
+    });
+    return robots;
+  }
+
   List<RobotId> unplaced() {
     return voter.unplaced();
   }
 
   /** All parts of tubes that others hold or want, as far as this robot knows. */
   List<Capsule> taken() {
-    SortedMap<RobotId, Holding> latest = voter.others(gvh.id.name());
-    reported.forEach((robot, holding) -> latest.merge(robot, holding, TubeClaims::newer));
-    return latest.values().stream()
+    return latest().values().stream()
         .flatMap(holding -> holding.all().stream())
         .flatMap(tube -> tube.capsules().stream())
         .collect(Collectors.toList());
   }
 
+  private SortedMap<RobotId, Holding> latest() {
+    SortedMap<RobotId, Holding> latest = voter.others(gvh.id.name());
+    reported.forEach((robot, holding) -> latest.merge(robot, holding, TubeClaims::newer));
+    return latest;
+  }
+
   void ask(Tube tube) {
+    inTheWay.clear();
     claimant.ask(tube, nowNs());
     rearm();
   }
@@ -186,6 +213,9 @@ final class TubeClaims {
       case TubeMessage.Refuse m -> {
         if (m.theirs().version() > 0) {
           reported.merge(m.who(), m.theirs(), TubeClaims::newer);
+        }
+        if (m.version() == claimant.holding().version()) {
+          inTheWay.add(m.who());
         }
         claimant.refused(from, m.version(), nowNs());
       }
