@@ -95,6 +95,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     request.plan(range.first()).simulation().build();
+    request.unusedRobots(range.first()).ifPresent(err()::println);
     try (ReportFile page = ReportFile.of(report, range)) {
       return run(campaign, request, range, page);
     }

@@ -114,6 +114,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
     RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     Plan plan = request.plan(seedNumber);
+    request.unusedRobots(seedNumber).ifPresent(err()::println);
     String app = request.demo().name();
     if (result != null && plan.story().products().isEmpty()) {
       throw new BadInput("--result cannot be used with " + app + ": it writes no result files");

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.stream.Stream;
@@ -18,6 +19,7 @@ import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
@@ -76,6 +78,30 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
       plan.simulation().countedByScenario();
     }
     return plan;
+  }
+
+  /** A line if the user gave a number of robots that changes nothing; else empty. */
+  Optional<String> unusedRobots(long seed) {
+    if (robots().isEmpty()) {
+      return Optional.empty();
+    }
+    int given = robots().getAsInt();
+    SimulationPlan plan = plan(seed).simulation().build().plan();
+    int planned = plan.robots().size();
+    // A director may let any number of robots join.
+    if (planned == given || plan.director() != null) {
+      return Optional.empty();
+    }
+    try {
+      RunRequest more = withSettings(settings.with(Setting.ROBOTS, given + 1));
+      if (more.plan(seed).simulation().build().plan().robots().size() != planned) {
+        return Optional.empty();
+      }
+    } catch (BadInput refused) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        "starl: --robots " + given + " changes nothing: " + demo.name() + " has " + planned);
   }
 
   /** The command line that runs this request with one seed. */

@@ -168,6 +168,21 @@ class ShrinkingTest {
   }
 
   @Test
+  void aNumberOfRobotsThatChangesNothingIsTold() {
+    Demos ofFour = new Demos(List.of(new OfFour(), new Fragile()));
+    String picture = folder.resolve("a.png").toString();
+    String told = "starl: --robots 6 changes nothing: of-four has 4";
+    assertThat(Cli.run(ofFour, "run", "of-four", "--robots", "6", "--png", picture).err())
+        .contains(told);
+    assertThat(Cli.run(ofFour, "campaign of-four --seeds 1..2 --robots 6".split(" ")).err())
+        .contains(told);
+    for (String used : List.of("run of-four --robots 4", "run fragile --robots 6", "run of-four")) {
+      assertThat(Cli.run(ofFour, (used + " --png " + picture).split(" ")).err())
+          .noneMatch(line -> line.contains("changes nothing"));
+    }
+  }
+
+  @Test
   void aGoodCampaignIsNotShrunk() {
     Cli cli = Cli.run(FRAGILE, "campaign fragile --seeds 1..2 --shrink".split(" "));
     assertThat(cli.status()).isZero();
