@@ -12,6 +12,7 @@ import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
+import org.starl.sim.check.RunOutcome;
 import org.starl.sim.export.CsvTable;
 import org.starl.sim.export.McapRecorder;
 import org.starl.sim.record.GifRecorder;
@@ -133,7 +134,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         };
     SimResult result;
     try (written) {
-      result = source.show().apply(written.observer());
+      result = show(source, written.observer());
     }
     String name = source.app() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
@@ -154,6 +155,17 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
    */
   private record Source(
       String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String replay) {}
+
+  private static SimResult show(Source source, SimObserver observer) {
+    try {
+      return source.show().apply(observer);
+    } catch (RuntimeException e) {
+      if (observer instanceof Recording recording) {
+        recording.failed(RunOutcome.failed(e).detail());
+      }
+      throw e;
+    }
+  }
 
   private Source source() {
     return TraceFile.isTrace(options.name()) ? ofTrace() : ofSimulation();
@@ -177,6 +189,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     Plan plan = request.plan(seedNumber);
+    request.unusedRobots(seedNumber).ifPresent(err()::println);
     plan.simulation().carriers(Carriers.select(null, err()));
     RunProgress.of(plan.simulation(), err());
     return new Source(

@@ -4,11 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.InflaterInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.Demos;
@@ -104,6 +109,27 @@ class ViolationTest {
                 + " purpose (--stacktrace shows details)");
     assertThat(trace).isNotEmptyFile();
     assertThat(cli.out()).isEmpty();
+  }
+
+  @Test
+  void thePageOfAThrowingRunShowsTheError() throws Exception {
+    Path page = folder.resolve("a.html");
+    Cli cli =
+        Cli.run(
+            new Demos(List.of(new Throwing())),
+            "record throwing --seed 3 --html %s".formatted(page).split(" "));
+    assertThat(cli.status()).isEqualTo(1);
+    Matcher packed =
+        Pattern.compile("<script id=\"run\" type=\"text/plain\">([^<]*)")
+            .matcher(Files.readString(page));
+    assertThat(packed.find()).isTrue();
+    byte[] bytes = Base64.getDecoder().decode(packed.group(1));
+    JsonNode run =
+        new ObjectMapper().readTree(new InflaterInputStream(new ByteArrayInputStream(bytes)));
+    assertThat(run.get("failure").asText())
+        .isEqualTo(
+            "throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
+                + " purpose");
   }
 
   /** A scenario with a bug. */

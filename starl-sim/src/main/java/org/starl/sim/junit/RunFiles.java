@@ -1,6 +1,7 @@
 package org.starl.sim.junit;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,35 +34,54 @@ record RunFiles(Path folder, boolean isShown) {
   /** The file for a trace; its folder exists. */
   Path trace(String test, long seed) throws IOException {
     Files.createDirectories(folder);
-    return folder.resolve(test.replace('#', '.') + "-seed-" + seed + ".trace");
+    return folder.resolve(beginning(test) + seed + ".trace");
   }
 
-  /** Draws the run of a trace; returns a line for each file. */
-  List<String> draw(Path trace, SimulationPlan plan) throws IOException {
-    Optional<RunArtifacts> viewer = RunArtifacts.installed();
+  /** Removes the files that earlier runs of a test left. */
+  void removeOld(String test) {
+    String[] files = folder.toFile().list((dir, file) -> file.startsWith(beginning(test)));
+    try {
+      for (String file : files == null ? new String[0] : files) {
+        Files.deleteIfExists(folder.resolve(file));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static String beginning(String test) {
+    return test.replace('#', '.') + "-seed-";
+  }
+
+  /**
+   * Draws the run of a trace; returns a line for each file.
+   *
+   * @param failure what was wrong with the run
+   */
+  List<String> draw(
+      Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure)
+      throws IOException {
     if (viewer.isEmpty()) {
       return List.of("for a picture, add org.starl:starl-sim-view to the test's dependencies");
     }
     List<String> lines = new ArrayList<>();
-    for (Path file : viewer.get().write(trace, plan)) {
+    for (Path file : viewer.get().write(trace, plan, failure)) {
       lines.add("shown in: " + file);
     }
     return lines;
   }
 
-  boolean canShow() {
-    return RunArtifacts.installed().isPresent();
-  }
-
   /**
    * Opens the viewer if the user asked for it, until it is closed.
    *
+   * @param failure what was wrong with the run
    * @param atNs the time to begin at; -1 if unknown
    */
-  void showIfAsked(Path trace, SimulationPlan plan, long atNs)
+  void showIfAsked(
+      Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure, long atNs)
       throws IOException, InterruptedException {
-    if (isShown && canShow()) {
-      RunArtifacts.installed().orElseThrow().show(trace, plan, Math.max(0, atNs));
+    if (isShown && viewer.isPresent()) {
+      viewer.get().show(trace, plan, failure, Math.max(0, atNs));
     }
   }
 }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
@@ -17,6 +18,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.Campaign;
+import org.starl.sim.check.RunArtifacts;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
@@ -86,6 +88,7 @@ record SeededRuns(
    * @throws InterruptedException if the test's thread is interrupted
    */
   void run(long firstSeed, long lastSeed) throws InterruptedException {
+    files.removeOld(name);
     Campaign campaign = new Campaign(firstSeed, lastSeed);
     List<Run> runs = new ArrayList<>();
     for (long seed = firstSeed; seed <= lastSeed; seed++) {
@@ -182,24 +185,26 @@ record SeededRuns(
             diagnosis.lines().forEach(line -> lines.add("  " + line));
           });
     }
-    lines.addAll(filesOf(bad.get(0)));
+    Optional<RunArtifacts> viewer = RunArtifacts.installed();
+    lines.addAll(filesOf(bad.get(0), viewer));
     lines.add(replay(first.seed));
-    if (files.canShow()) {
+    if (viewer.isPresent()) {
       lines.add("watch: " + command(first.seed) + " -D" + RunFiles.VIEW + "=true");
     }
     return String.join("\n", lines);
   }
 
   /** Repeats a bad run to write the files that show it; the lines name them. */
-  private List<String> filesOf(Bad bad) throws InterruptedException {
+  private List<String> filesOf(Bad bad, Optional<RunArtifacts> viewer)
+      throws InterruptedException {
     long seed = bad.run().seed;
     List<String> lines = new ArrayList<>();
     try {
       Path trace = files.trace(name, seed);
       SimulationPlan plan = writeTrace(seed, trace);
       lines.add("trace: " + trace);
-      lines.addAll(files.draw(trace, plan));
-      files.showIfAsked(trace, plan, bad.atNs());
+      lines.addAll(files.draw(viewer, trace, plan, bad.what()));
+      files.showIfAsked(viewer, trace, plan, bad.what(), bad.atNs());
     } catch (IOException e) {
       lines.add("the run of seed " + seed + " cannot be shown: " + e.getMessage());
     }

@@ -262,6 +262,17 @@ class StarlTestTest {
   }
 
   @Test
+  void filesOfAnEarlierFailureOfTheTestAreRemoved() throws IOException {
+    Path old = folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.good-seed-3.html");
+    Path ofAnother = folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.goodish-seed-3.html");
+    Files.createFile(old);
+    Files.createFile(ofAnother);
+    run("good", "");
+    assertThat(old).doesNotExist();
+    assertThat(ofAnother).exists();
+  }
+
+  @Test
   void aTestWhoseAppThrowsLeavesATraceToo() {
     assertThat(failureLines("throwing", "")).anyMatch(line -> line.startsWith("trace: "));
   }

@@ -89,6 +89,7 @@ public record IllustratedRun(
             diagnoses(result));
       } catch (RuntimeException e) {
         shots = shots(film);
+        recording.failed(RunOutcome.failed(e).detail());
         page = page(recording, momentNs);
         throw e;
       }

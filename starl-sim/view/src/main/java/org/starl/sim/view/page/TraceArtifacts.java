@@ -33,12 +33,12 @@ public final class TraceArtifacts implements RunArtifacts {
   public TraceArtifacts() {}
 
   @Override
-  public List<Path> write(Path trace, SimulationPlan plan) throws IOException {
+  public List<Path> write(Path trace, SimulationPlan plan, String failure) throws IOException {
     PictureRecorder violation =
         new PictureRecorder(plan.obstacles(), Layer.NONE, new PictureTime.Violation());
     Filmstrip last = new Filmstrip(plan.obstacles(), Layer.NONE, List.of(Long.MAX_VALUE));
     Recording recording = new Recording(plan.obstacles(), Layer.NONE);
-    show(trace, plan, recording, List.of(violation, last, recording));
+    show(trace, plan, failure, recording, List.of(violation, last, recording));
     last.cut();
     Path picture = beside(trace, ".png");
     try (OutputStream out = Files.newOutputStream(picture)) {
@@ -56,26 +56,30 @@ public final class TraceArtifacts implements RunArtifacts {
   }
 
   @Override
-  public void show(Path trace, SimulationPlan plan, long atNs)
+  public void show(Path trace, SimulationPlan plan, String failure, long atNs)
       throws IOException, InterruptedException {
     if (!Window.isPossible()) {
       throw new IOException("no display for a window: use a desktop session, or xvfb-run");
     }
     Recording recording = new Recording(plan.obstacles(), Layer.NONE);
-    show(trace, plan, recording, List.of(recording));
+    show(trace, plan, failure, recording, List.of(recording));
     Window.showAt(recording, atNs);
   }
 
   private static void show(
-      Path trace, SimulationPlan plan, Recording recording, List<SimObserver> observers)
+      Path trace,
+      SimulationPlan plan,
+      String failure,
+      Recording recording,
+      List<SimObserver> observers)
       throws IOException {
     try (TraceReader reader =
         new TraceReader(trace.toString(), new BufferedInputStream(Files.newInputStream(trace)))) {
       TracePlayer.show(
           trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
     } catch (BadInput truncated) {
-      // The observers have the events before the error.
-      recording.failed(String.valueOf(truncated.getMessage()));
+      // The observers have the events before the error that ended the run.
+      recording.failed(failure);
     }
   }
 

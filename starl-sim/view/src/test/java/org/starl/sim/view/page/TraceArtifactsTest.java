@@ -2,11 +2,17 @@ package org.starl.sim.view.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Base64;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,7 +60,7 @@ class TraceArtifactsTest {
 
   private static List<Path> written(Path trace) throws IOException {
     SimulationPlan plan = simulation().build().plan();
-    return RunArtifacts.installed().orElseThrow().write(trace, plan);
+    return RunArtifacts.installed().orElseThrow().write(trace, plan, "bot0 fell over");
   }
 
   @Test
@@ -74,5 +80,13 @@ class TraceArtifactsTest {
     Files.write(trace, lines.subList(0, lines.size() / 2));
 
     assertThat(written(trace)).allMatch(Files::exists).isNotEmpty();
+    Matcher packed =
+        Pattern.compile("<script id=\"run\" type=\"text/plain\">([^<]*)")
+            .matcher(Files.readString(folder.resolve("seed-3.html")));
+    assertThat(packed.find()).isTrue();
+    byte[] run = Base64.getDecoder().decode(packed.group(1));
+    assertThat(new InflaterInputStream(new ByteArrayInputStream(run)))
+        .asString(StandardCharsets.UTF_8)
+        .contains("\"failure\":\"bot0 fell over\"");
   }
 }
