@@ -47,6 +47,23 @@ class RecipePagesTest {
     }
   }
 
+  @Test
+  void theBlocksAboutThePatrolAreItsCode() throws IOException {
+    StringBuilder patrol = new StringBuilder();
+    for (String part : List.of("App", "Spec", "Demo")) {
+      patrol.append(withoutSpace(Files.readString(RECIPES.resolve("Patrol" + part + ".java"))));
+    }
+    String page = Files.readString(ROOT.resolve("docs/your-own-app.md"));
+    int from = page.indexOf("## Variables, a monitor and a demo");
+    Matcher block = JAVA.matcher(page.substring(from, page.indexOf("\n## ", from + 1)));
+    int blocks = 0;
+    while (block.find()) {
+      assertThat(patrol).contains(withoutSpace(block.group(1)));
+      blocks++;
+    }
+    assertThat(blocks).isEqualTo(5);
+  }
+
   private static String withoutSpace(String code) {
     return code.replaceAll("\\s+", "");
   }
