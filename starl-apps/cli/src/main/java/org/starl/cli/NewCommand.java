@@ -16,6 +16,7 @@ import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.starl.Version;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -29,6 +30,9 @@ import picocli.CommandLine.Parameters;
             + " builds for Maven and Gradle, and a guided tour.",
     footer = {"", "Example: starl new my-robots"})
 final class NewCommand extends BaseCommand implements Callable<Integer> {
+
+  /** Maven's property for another local repository. */
+  static final String REPOSITORY = "maven.repo.local";
 
   private static final int LONGEST_NAME = 40;
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9]*(-[a-z0-9]+)*");
@@ -69,16 +73,27 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
     write(Path.of(shown).toAbsolutePath().normalize(), shown, files);
     out.println(shown + ": " + files.size() + " files");
     files.keySet().forEach(path -> out.println("  " + path));
+    if (!isInstalled()) {
+      out.println(
+          "first: ./starl install          # in StarL's folder: once, and after each change of"
+              + " StarL");
+    }
     out.printf(
         """
-        next: ./starl install           # in StarL's folder: once, and after each change of StarL
-              cd %s
+        next: cd %s
               mvn test                  # or: gradle test
               ./%s run %s --seed 7
         then read README.md: a tour of half an hour
         """,
         Shell.quote(shown), name, name);
     return ExitStatus.GOOD;
+  }
+
+  /** Whether the local Maven repository has the libraries of this version. */
+  private static boolean isInstalled() {
+    String usual = System.getProperty("user.home") + "/.m2/repository";
+    String repository = System.getProperty(REPOSITORY, usual);
+    return Files.isDirectory(Path.of(repository, "org/starl/starl-apps-cli", Version.STARL));
   }
 
   private void check(List<String> apps) {

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.Version;
 
 /** A project of {@code starl new} compiles, passes its test, and does as its README says. */
 @Tag("long")
@@ -215,12 +216,30 @@ class NewCommandTest {
   }
 
   @Test
-  void theLastLinesNameEveryStepToAGreenTest(@TempDir Path empty) {
-    Cli cli = Cli.run("new", NAME, "--folder", empty.toString());
-    assertThat(cli.out())
-        .anyMatch(line -> line.startsWith("next: ./starl install "))
-        .contains("      cd " + empty)
+  void theLastLinesNameEveryStepToAGreenTest(@TempDir Path temporary) throws IOException {
+    Path repository = Files.createDirectory(temporary.resolve("repository"));
+    assertThat(lastLines(repository, temporary.resolve("one")))
+        .anyMatch(line -> line.startsWith("first: ./starl install "))
+        .contains("next: cd " + temporary.resolve("one"))
         .anyMatch(line -> line.startsWith("      mvn test "));
+    Files.createDirectories(repository.resolve("org/starl/starl-apps-cli/" + Version.STARL));
+    assertThat(lastLines(repository, temporary.resolve("two")))
+        .noneMatch(line -> line.contains("install"))
+        .contains("next: cd " + temporary.resolve("two"));
+  }
+
+  private static List<String> lastLines(Path repository, Path project) {
+    String before = System.getProperty(NewCommand.REPOSITORY);
+    System.setProperty(NewCommand.REPOSITORY, repository.toString());
+    try {
+      return Cli.run("new", NAME, "--folder", project.toString()).out();
+    } finally {
+      if (before == null) {
+        System.clearProperty(NewCommand.REPOSITORY);
+      } else {
+        System.setProperty(NewCommand.REPOSITORY, before);
+      }
+    }
   }
 
   @ParameterizedTest
