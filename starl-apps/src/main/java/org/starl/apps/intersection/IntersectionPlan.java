@@ -117,7 +117,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
 
   private Simulation.Builder simulation(IntersectionSpec spec, List<RobotId> cars) {
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
-    spec.monitors(XID, cars, settings.strayRobots(cars)).forEach(simulation::monitor);
+    spec.monitors(XID, settings.strayRobots(cars)).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     return simulation.monitor(() -> new MotionSpec(motion));
   }

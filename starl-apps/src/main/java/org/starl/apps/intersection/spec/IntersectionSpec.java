@@ -89,18 +89,17 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
 
   /** Creates the monitors of one run each, of the intersection {@code xid}. */
   public List<Supplier<? extends Monitor>> monitors(String xid) {
-    return monitors(xid, List.of(), List.of());
+    return monitors(xid, List.of());
   }
 
   /**
    * Creates the monitors of one run each, of the intersection {@code xid}.
    *
-   * @param all all cars; unused if there are no stray ones
    * @param stray cars that leave their way after a bump, or at random: they enter zones of others,
    *     and may hold theirs for long
    */
   public List<Supplier<? extends Monitor>> monitors(
-      String xid, List<RobotId> all, List<RobotId> stray) {
+      String xid, List<RobotId> stray) {
     SortedMap<String, Rectangle> regions = Crossing.regions(places);
     int participants = Math.max(1, cars);
     MutexBounds zones = MutexBounds.of(participants, DRIVE_NS + TURNS_NS, deltaNs);
@@ -110,10 +109,8 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
             new TrafficSafety(regions), stray, TrafficSafety.OF_BODIES, "leave their way"));
     monitors.add(() -> new ListCrit(xid));
     monitors.add(() -> {
-      TrafficProgress progress = new TrafficProgress(trafficNs());
-      List<RobotId> late = stray.isEmpty() ? stray : all;
-      return new ExceptRobots(
-          progress, late, progress.lemmas(), "share zones with cars that leave their way");
+      TrafficProgress progress = new TrafficProgress(trafficNs(), stray);
+      return new ExceptRobots(progress, stray, progress.lemmas(), "leave their way");
     });
     monitors.add(() -> new MutexSpec(zones).only(xid));
     monitors.add(RegistrationSpec::new);

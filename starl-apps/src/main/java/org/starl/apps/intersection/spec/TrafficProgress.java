@@ -1,5 +1,6 @@
 package org.starl.apps.intersection.spec;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -18,8 +19,8 @@ import org.starl.trace.TraceEvent.Left;
 /**
  * {@code traffic_progress} (paper, section 3): every approaching vehicle departs within a bound. The
  * bound runs from the time at which a car comes onto the floor until it leaves. It does not run while a
- * fault is active or a car is dead, because cars behind a dead car cannot depart. Parked cars and
- * roadside units need not depart.
+ * fault is active, a car is dead, or a stray car holds a zone, because cars behind these cannot depart.
+ * Parked cars and roadside units need not depart.
  */
 final class TrafficProgress extends LemmaMonitor {
 
@@ -31,8 +32,14 @@ final class TrafficProgress extends LemmaMonitor {
   // Robots on a trip; a car that comes onto the floor may write its trip before or after that.
   private final Set<RobotId> cars = new TreeSet<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
+  private final Collection<RobotId> stray;
+  private final HeldZones held = new HeldZones();
 
-  TrafficProgress(long boundNs) {
+  /**
+   * @param stray cars that leave their way: they may hold their zones for long
+   */
+  TrafficProgress(long boundNs, Collection<RobotId> stray) {
+    this.stray = stray;
     departures = new Within<>(boundNs);
     lemma(LEMMA, "Every car that has come onto the floor leaves it within the bound.");
   }
@@ -42,6 +49,7 @@ final class TrafficProgress extends LemmaMonitor {
     expire(event.timeNs(), report);
     RobotId robot = event.robot();
     faults.observe(event);
+    held.observe(event);
     switch (event) {
       case Joined joined -> onFloor.add(robot);
       case Left left -> {
@@ -56,7 +64,8 @@ final class TrafficProgress extends LemmaMonitor {
         }
       }
     }
-    departures.assumeAll(faults.isFaultFree() && dead.isEmpty(), event.timeNs());
+    boolean isHeldUp = !dead.isEmpty() || stray.stream().anyMatch(held.holders()::contains);
+    departures.assumeAll(faults.isFaultFree() && !isHeldUp, event.timeNs());
     if (event instanceof Left
         || CrossingTrace.location(event).filter(Location.DONE::equals).isPresent()) {
       cars.remove(robot);

@@ -236,7 +236,7 @@ class MonitorsTest {
     after(20);
     events.add(new TraceEvent.Left(nowNs, BOT0));
     after(1000);
-    assertThat(report(new TrafficProgress(80 * SECOND_NS)).holds()).isTrue();
+    assertThat(report(new TrafficProgress(80 * SECOND_NS, List.of())).holds()).isTrue();
   }
 
   @Test
@@ -245,7 +245,7 @@ class MonitorsTest {
     sets(BOT0, "[]");
     joins(BOT0, 0, 0);
     after(1000);
-    Monitors monitors = new Monitors(List.of(new TrafficProgress(80 * SECOND_NS)));
+    Monitors monitors = new Monitors(List.of(new TrafficProgress(80 * SECOND_NS, List.of())));
     events.forEach(monitors::observe);
     monitors.finish(nowNs);
     assertThat(monitors.report().holds()).isTrue();
@@ -260,6 +260,6 @@ class MonitorsTest {
     after(10);
     events.add(new TraceEvent.Left(nowNs, BOT1));
     after(1000);
-    assertRed(report(new TrafficProgress(130 * SECOND_NS)), "traffic_progress", 130, BOT0);
+    assertRed(report(new TrafficProgress(130 * SECOND_NS, List.of())), "traffic_progress", 130, BOT0);
   }
 }
