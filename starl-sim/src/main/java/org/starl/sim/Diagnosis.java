@@ -126,7 +126,8 @@ public record Diagnosis(
       closed.add(circle.get(0));
       cause = "deadlock: robots wait in a circle: " + String.join(" -> ", names(closed));
     }
-    if (!moment.down().isEmpty() && moment.down().stream().allMatch(robot -> graph.waiters(robot) == 0)) {
+    if (!moment.down().isEmpty()
+        && moment.down().stream().allMatch(robot -> graph.waiters(robot) == 0)) {
       cause += "; crashed: " + text(moment.down());
     }
     explained.addAll(moment.important());

@@ -118,11 +118,12 @@ final class TubeClaims {
   /** Robots whose tubes meet {@code tube}, as far as this robot knows. */
   List<RobotId> meeting(Tube tube) {
     List<RobotId> robots = new ArrayList<>();
-    latest().forEach((robot, holding) -> {
-      if (Tube.meet(List.of(tube), holding.all())) {
-        robots.add(robot);
-      }
-    });
+    latest()
+        .forEach((robot, holding) -> {
+          if (Tube.meet(List.of(tube), holding.all())) {
+            robots.add(robot);
+          }
+        });
     return robots;
   }
 

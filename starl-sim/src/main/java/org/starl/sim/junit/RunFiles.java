@@ -58,8 +58,7 @@ record RunFiles(Path folder, boolean isShown) {
    *
    * @param failure what was wrong with the run
    */
-  List<String> draw(
-      Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure)
+  List<String> draw(Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure)
       throws IOException {
     if (viewer.isEmpty()) {
       return List.of("for a picture, add org.starl:starl-sim-view to the test's dependencies");

@@ -195,8 +195,7 @@ record SeededRuns(
   }
 
   /** Repeats a bad run to write the files that show it; the lines name them. */
-  private List<String> filesOf(Bad bad, Optional<RunArtifacts> viewer)
-      throws InterruptedException {
+  private List<String> filesOf(Bad bad, Optional<RunArtifacts> viewer) throws InterruptedException {
     long seed = bad.run().seed;
     List<String> lines = new ArrayList<>();
     try {

@@ -264,7 +264,8 @@ class StarlTestTest {
   @Test
   void filesOfAnEarlierFailureOfTheTestAreRemoved() throws IOException {
     Path old = folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.good-seed-3.html");
-    Path ofAnother = folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.goodish-seed-3.html");
+    Path ofAnother =
+        folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.goodish-seed-3.html");
     Files.createFile(old);
     Files.createFile(ofAnother);
     run("good", "");

@@ -98,8 +98,7 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
    * @param stray cars that leave their way after a bump, or at random: they enter zones of others,
    *     and may hold theirs for long
    */
-  public List<Supplier<? extends Monitor>> monitors(
-      String xid, List<RobotId> stray) {
+  public List<Supplier<? extends Monitor>> monitors(String xid, List<RobotId> stray) {
     SortedMap<String, Rectangle> regions = Crossing.regions(places);
     int participants = Math.max(1, cars);
     MutexBounds zones = MutexBounds.of(participants, DRIVE_NS + TURNS_NS, deltaNs);

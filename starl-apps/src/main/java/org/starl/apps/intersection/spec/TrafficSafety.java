@@ -123,11 +123,7 @@ final class TrafficSafety extends LemmaMonitor {
       String where = "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
       String detail = "is in zone " + zone.name() + " around " + where;
       report.violatedIn(
-          zone.region(),
-          HELD,
-          timeNs,
-          List.of(robot),
-          detail + " and holds " + held.held(robot));
+          zone.region(), HELD, timeNs, List.of(robot), detail + " and holds " + held.held(robot));
     }
   }
 }

@@ -260,6 +260,7 @@ class MonitorsTest {
     after(10);
     events.add(new TraceEvent.Left(nowNs, BOT1));
     after(1000);
-    assertRed(report(new TrafficProgress(130 * SECOND_NS, List.of())), "traffic_progress", 130, BOT0);
+    assertRed(
+        report(new TrafficProgress(130 * SECOND_NS, List.of())), "traffic_progress", 130, BOT0);
   }
 }

@@ -69,12 +69,14 @@ final class Page {
     page.setStroke(new BasicStroke(3));
     page.draw(region);
     for (RobotId robot : violation.robots()) {
-      scene.pose(robot).ifPresent(pose -> {
-        double ringPx = scene.radiusMm(robot) * viewport.pxPerMm() + 6;
-        double x = viewport.xPx(pose.at()) - ringPx;
-        double y = viewport.yPx(pose.at()) - ringPx;
-        page.draw(new Ellipse2D.Double(x, y, 2 * ringPx, 2 * ringPx));
-      });
+      scene
+          .pose(robot)
+          .ifPresent(pose -> {
+            double ringPx = scene.radiusMm(robot) * viewport.pxPerMm() + 6;
+            double x = viewport.xPx(pose.at()) - ringPx;
+            double y = viewport.yPx(pose.at()) - ringPx;
+            page.draw(new Ellipse2D.Double(x, y, 2 * ringPx, 2 * ringPx));
+          });
     }
     page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
     List<String> lines =
@@ -96,8 +98,7 @@ final class Page {
       case Circle circle -> {
         Point center = circle.center();
         double r = circle.radiusMm();
-        path.append(
-            new Ellipse2D.Double(center.xMm() - r, center.yMm() - r, 2 * r, 2 * r), false);
+        path.append(new Ellipse2D.Double(center.xMm() - r, center.yMm() - r, 2 * r, 2 * r), false);
       }
       case Rectangle r ->
           path.append(
