@@ -125,7 +125,7 @@ final class Page {
   private static List<String> wrapped(String text, FontMetrics font, int widthPx) {
     List<String> lines = new ArrayList<>();
     StringBuilder line = new StringBuilder();
-    for (String word : text.split(" ")) {
+    for (String word : text.split(" ", -1)) {
       if (line.length() > 0 && font.stringWidth(line + " " + word) > widthPx) {
         lines.add(line.toString());
         line.setLength(0);
