@@ -12,5 +12,10 @@ public enum CollisionPolicy {
    */
   USE_COLAVOID,
   /** Backs off; the next steps depend on the {@link RobotType}. */
-  USE_COLBACK
+  USE_COLBACK;
+
+  /** Whether the motion of a robot of type GOAL fails after a bump. */
+  public boolean fails() {
+    return this == STOP_ON_COLLISION || this == USE_COLBACK;
+  }
 }

@@ -3,6 +3,7 @@ package org.starl.motion;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
@@ -53,6 +54,7 @@ public final class MotionController {
   private WheelCommand commanded = WheelCommand.STOP;
   private boolean bumped;
   private Consumer<Contact> contactListener = contact -> {};
+  private Supplier<Region> retreatAvoid = Nowhere::new;
   private long dueNs;
   private @Nullable MotionRun run;
 
@@ -91,7 +93,7 @@ public final class MotionController {
     }
     begin(
         new MotionTask.GoTo(target, avoid),
-        MotionRun.goTo(target.at(), avoid, parameters, rng, clock.nowNs()));
+        MotionRun.goTo(target.at(), avoid, retreatAvoid, parameters, rng, clock.nowNs()));
   }
 
   /** Turns on the spot until the robot faces {@code target}, replacing any earlier command. */
@@ -99,7 +101,7 @@ public final class MotionController {
     trace.action(SOURCE, "turnTo", MotionTask.text(target));
     begin(
         new MotionTask.TurnTo(target),
-        MotionRun.turnTo(target.at(), new Nowhere(), parameters, rng, clock.nowNs()));
+        MotionRun.turnTo(target.at(), retreatAvoid, parameters, rng, clock.nowNs()));
   }
 
   /** Stops the wheels and cancels the motion. */
@@ -152,6 +154,15 @@ public final class MotionController {
    */
   public void onContact(Consumer<Contact> listener) {
     contactListener = listener;
+  }
+
+  /**
+   * Sets the region that the body stays out of while it backs off after a bump, besides that of its
+   * motion: such as the zones that others hold. It is read on the strand, when the body begins to back
+   * off; a part in which the body is then holds it where it is. Default: nowhere.
+   */
+  public void setRetreatAvoid(Supplier<Region> region) {
+    retreatAvoid = region;
   }
 
   private void begin(MotionTask newTask, MotionRun newRun) {

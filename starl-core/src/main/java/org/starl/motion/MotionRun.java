@@ -2,6 +2,8 @@ package org.starl.motion;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
@@ -10,6 +12,7 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.geometry.Union;
 import org.starl.random.Rng;
 
 /**
@@ -28,6 +31,8 @@ final class MotionRun {
   private final Point target;
   private final MotionParameters p;
   private final MotionAutomaton automaton;
+  private final Region avoid;
+  private final Supplier<Region> retreatAvoid;
   private final AvoidGuard guard;
   private final ProgressWatch watch;
   private final long startNs;
@@ -37,13 +42,21 @@ final class MotionRun {
   private long lastStepNs;
   private long lastCertainNs;
   private long deadlineNs = Long.MAX_VALUE;
+  private @Nullable AvoidGuard retreatGuard;
   private boolean heldBack;
   private long heldBackNs;
   private boolean wheelsTurn;
 
   private MotionRun(
-      Point target, Region avoid, MotionParameters p, MotionAutomaton automaton, long nowNs) {
+      Point target,
+      Region avoid,
+      Supplier<Region> retreatAvoid,
+      MotionParameters p,
+      MotionAutomaton automaton,
+      long nowNs) {
     this.target = target;
+    this.avoid = avoid;
+    this.retreatAvoid = retreatAvoid;
     this.p = p;
     this.automaton = automaton;
     this.guard = new AvoidGuard(avoid, p);
@@ -53,17 +66,28 @@ final class MotionRun {
     this.lastCertainNs = nowNs;
   }
 
-  static MotionRun goTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
+  /**
+   * @param retreatAvoid also to be avoided while it backs off after a bump; read when it begins to
+   */
+  static MotionRun goTo(
+      Point target,
+      Region avoid,
+      Supplier<Region> retreatAvoid,
+      MotionParameters p,
+      Rng rng,
+      long nowNs) {
     MotionAutomaton automaton = MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
-    MotionRun run = new MotionRun(target, avoid, p, automaton, nowNs);
+    MotionRun run = new MotionRun(target, avoid, retreatAvoid, p, automaton, nowNs);
     if (run.guard.forbids(target)) {
       run.fail("the target is in the region to avoid");
     }
     return run;
   }
 
-  static MotionRun turnTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
-    return new MotionRun(target, avoid, p, MotionAutomaton.turnTo(target, p, rng), nowNs);
+  static MotionRun turnTo(
+      Point target, Supplier<Region> retreatAvoid, MotionParameters p, Rng rng, long nowNs) {
+    MotionAutomaton automaton = MotionAutomaton.turnTo(target, p, rng);
+    return new MotionRun(target, new Nowhere(), retreatAvoid, p, automaton, nowNs);
   }
 
   MotionFlag status() {
@@ -147,7 +171,21 @@ final class MotionRun {
     }
     return status == MotionFlag.MOVING && updateWatch(at)
         ? fail(automaton.goesOnAfterBump() ? BUMPED : "no progress")
-        : keepOut(guard.limit(wanted, at, bumps, lingering), wanted, nowNs);
+        : keepOut(guardOf(wanted).limit(wanted, at, bumps, lingering), wanted, nowNs);
+  }
+
+  /** The region of a retreat is that of its begin: what it leaves on its way stays allowed. */
+  private AvoidGuard guardOf(WheelCommand wanted) {
+    if (wanted.linearMmPerS() >= 0) {
+      retreatGuard = null;
+      return guard;
+    }
+    if (retreatGuard == null) {
+      Region others = retreatAvoid.get();
+      boolean isAlone = others instanceof Nowhere;
+      retreatGuard = isAlone ? guard : new AvoidGuard(Union.of(avoid, others), p);
+    }
+    return retreatGuard;
   }
 
   private WheelCommand waitForFix(long sinceNs, String why) {
@@ -181,7 +219,7 @@ final class MotionRun {
       heldBack = false;
       return WheelCommand.STOP;
     }
-    return fail("the region to avoid is in the way");
+    return fail(wanted.linearMmPerS() < 0 ? BUMPED : "the region to avoid is in the way");
   }
 
   private WheelCommand fail(String why) {

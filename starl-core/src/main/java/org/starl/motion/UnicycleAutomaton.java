@@ -83,7 +83,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
   public boolean goesOnAfterBump() {
     return collision.hasBumped()
         && p.robotType() != RobotType.GOAL
-        && p.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION;
+        && p.collisionPolicy().fails();
   }
 
   @Override

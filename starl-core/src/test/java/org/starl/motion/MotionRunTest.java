@@ -17,6 +17,7 @@ import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
 import org.starl.random.Rng;
 
 /** A motion that cannot be done says so; nothing else counts as an arrival. */
@@ -46,6 +47,25 @@ class MotionRunTest {
     assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
     assertThat(world.run().failure()).isEqualTo("bumped into something");
     assertThat(world.seconds()).isLessThan(3);
+  }
+
+  @Test
+  void aRobotBacksOffAsFarAsItMay() {
+    MotionParameters parameters =
+        MotionParameters.builder().collisionPolicy(CollisionPolicy.USE_COLBACK).build();
+    double bodyMm = parameters.robotRadiusMm();
+    double contactMm = 800 - bodyMm;
+    for (double roomMm : new double[] {0, 40, 1000}) {
+      MotionWorld world = new MotionWorld(1, parameters, new Pose(0, 0, 0));
+      world.wallMm = 800;
+      double borderMm = contactMm - bodyMm - roomMm;
+      world.retreatAvoid = () -> new Rectangle(-2000, -2000, borderMm, 2000);
+      assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+      assertThat(world.run().failure()).isEqualTo("bumped into something");
+      double backMm = contactMm - world.truth.xMm();
+      assertThat(backMm).as("room %s", roomMm).isBetween(Math.min(20, roomMm), roomMm);
+      assertThat(backMm).isLessThan(110);
+    }
   }
 
   @Test
@@ -143,7 +163,7 @@ class MotionRunTest {
     MotionWorld world = new MotionWorld(3, parameters, new Pose(0, 0, 0));
     world.wallMm = 800;
     assertThat(world.goTo(TARGET, new Nowhere(), 300_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("no progress");
+    assertThat(world.run().failure()).isEqualTo("bumped into something");
   }
 
   @Test
@@ -213,7 +233,7 @@ class MotionRunTest {
             .robotType(RobotType.values()[rng.nextInt(3)])
             .build();
     MotionRun run =
-        MotionRun.goTo(new Point(900, 900), new Nowhere(), parameters, rng.fork("moat"), 0);
+        MotionRun.goTo(new Point(900, 900), new Nowhere(), Nowhere::new, parameters, rng.fork("moat"), 0);
     List<String> commands = new ArrayList<>();
     long nowNs = 0;
     for (int i = 0; i < 200; i++) {

@@ -3,6 +3,7 @@ package org.starl.motion;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
@@ -71,6 +72,9 @@ final class MotionWorld {
   /** The bound that stood beside the position of the latest step. */
   double errorBoundMm = Double.POSITIVE_INFINITY;
 
+  /** To be avoided while it backs off. */
+  Supplier<Region> retreatAvoid = Nowhere::new;
+
   private final Rng rng;
   private final TreeMap<Long, Pose> past = new TreeMap<>();
   private @Nullable Wheels wheels;
@@ -87,7 +91,7 @@ final class MotionWorld {
     this.truth = start;
     filter.assume(parameters.speedError(), parameters.reactionMs() * NS_PER_MS);
     past.put(0L, start);
-    run = MotionRun.turnTo(start.at(), avoid, parameters, rng.fork("moat"), 0);
+    run = MotionRun.turnTo(start.at(), retreatAvoid, parameters, rng.fork("moat"), 0);
   }
 
   MotionRun run() {
@@ -107,7 +111,7 @@ final class MotionWorld {
   void begin(Point target, Region region) {
     avoid = region;
     nearestToAvoidMm = avoid.distanceMm(truth.at());
-    run = MotionRun.goTo(target, region, parameters, rng.fork("moat"), nowNs);
+    run = MotionRun.goTo(target, region, retreatAvoid, parameters, rng.fork("moat"), nowNs);
     nextStepNs = nowNs;
     lateNs = 0;
   }

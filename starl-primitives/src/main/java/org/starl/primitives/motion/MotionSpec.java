@@ -4,7 +4,6 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -215,7 +214,7 @@ public final class MotionSpec extends LemmaMonitor {
         || why.equals("no position fix")
         || why.equals("fixes contradict the commands")
         || why.equals("the position is too uncertain")
-        || (isHeldUp && p.collisionPolicy() != CollisionPolicy.STOP_ON_COLLISION);
+        || (isHeldUp && !p.collisionPolicy().fails());
   }
 
   private void failing(Fault fault) {
