@@ -2,16 +2,21 @@ package org.starl.apps.intersection.logic;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+import org.starl.geometry.Union;
 
 /**
  * The floor plan of Figure 2: a two by two square of critical zones, four arms of two lanes, with an
@@ -52,9 +57,27 @@ public final class Crossing {
 
   private Crossing() {}
 
-  /** Motion parameters of a car with the body of {@code body}. */
+  /** Motion parameters of a car with the body of {@code body}: it backs off where it would stop. */
   public static MotionParameters motion(MotionParameters body) {
-    return body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build();
+    boolean stops = body.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION;
+    return body.toBuilder()
+        .goalRadiusMm(GOAL_RADIUS_MM)
+        .collisionPolicy(stops ? CollisionPolicy.USE_COLBACK : body.collisionPolicy())
+        .build();
+  }
+
+  /**
+   * The zones and places, except those in {@code own}, that the robot's body is certainly outside of:
+   * it may not back into them.
+   */
+  static Region others(GlobalVarHolder gvh, Collection<String> own) {
+    List<Region> others = new ArrayList<>();
+    REGIONS.forEach((name, region) -> {
+      if (!own.contains(name) && isClearOf(gvh, name)) {
+        others.add(region);
+      }
+    });
+    return others.isEmpty() ? new Nowhere() : new Union(others);
   }
 
   /** The point so many zone widths east and north of the middle of the intersection. */

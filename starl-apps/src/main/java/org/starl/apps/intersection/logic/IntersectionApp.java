@@ -1,5 +1,6 @@
 package org.starl.apps.intersection.logic;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -11,6 +12,7 @@ import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RegPrim;
 import org.starl.primitives.registration.Registration;
+import org.starl.random.Rng;
 
 /**
  * One car at the automatic intersection: the paper's Figure 4, with its locations, which are also those
@@ -23,6 +25,9 @@ import org.starl.primitives.registration.Registration;
  *       something is not in motion either, and still stands in the zone. Here a zone is released only
  *       when the motion is DONE <em>and</em> the whole body is proven to be outside, position error
  *       included. After a FAIL the car keeps its zones and tries again.
+ *   <li>A car that bumps backs off along the way that it came, up to 100 mm, but into no zone or place
+ *       that it does not hold. It tries again after a random time: of two cars that have bumped into
+ *       each other, one then goes first.
  *   <li>The figure's first release is of a zone that was never requested. Here nothing is released
  *       before the first critical zone is behind the car.
  *   <li>The car drives past its departure zone before it releases it, so the next car finds it free.
@@ -54,12 +59,15 @@ public final class IntersectionApp extends LogicThread {
 
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1000;
+  private static final long LATEST_AFTER_BUMP_MS = 6000;
 
   private final GvhCell<Location> location;
   private final Course myseq;
   private final Lane lane;
   private final RegPrim reg;
   private final MutexPrim mutex;
+  private final Rng rng;
+  private boolean hasBumped;
   private Participants plist = Participants.of();
 
   /**
@@ -76,7 +84,10 @@ public final class IntersectionApp extends LogicThread {
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
     location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));
     myseq = new Course(gvh, trip);
+    rng = gvh.plat.entropy.fork(CrossingTrace.SOURCE);
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
+    gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));
+    gvh.plat.moat.onContact(contact -> hasBumped = true);
   }
 
   @Override
@@ -185,10 +196,18 @@ public final class IntersectionApp extends LogicThread {
   private boolean hasArrived(ItemPosition destination) {
     MotionFlag flag = gvh.plat.moat.motionflag().get();
     if (flag == MotionFlag.FAIL) {
-      sleep(RETRY_MS);
+      sleep(hasBumped ? rng.nextLong(RETRY_MS, LATEST_AFTER_BUMP_MS) : RETRY_MS);
+      hasBumped = false;
       gvh.plat.moat.doMove(destination);
     }
     return flag == MotionFlag.DONE;
+  }
+
+  /** The zones and places that the car holds. */
+  private List<String> own() {
+    List<String> own = new ArrayList<>(lane.held());
+    own.addAll(mutex.held());
+    return own;
   }
 
   /** Releases the zones and places behind that the whole body has left. */

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.id.Participants;
@@ -57,7 +58,12 @@ public final class Lane {
   }
 
   boolean holds() {
-    return claims.stream().anyMatch(Claim::isHeld);
+    return !held().isEmpty();
+  }
+
+  /** The places that are held. */
+  List<String> held() {
+    return claims.stream().filter(Claim::isHeld).map(Claim::place).collect(Collectors.toList());
   }
 
   /**
