@@ -5,12 +5,16 @@
 #
 #   scenarios/deployment/four.sh [ROUNDS] [KILL]     5 rounds each; bot2 is killed after KILL seconds
 #   scenarios/deployment/four.sh search              or lightpaint: one round, to its end
+#   scenarios/deployment/four.sh soak [MINUTES]      cars cross again and again for 30 minutes, with the
+#       memory and threads of each process each minute: in soak.txt, the first and last also printed
 #
 # Needs root for the namespaces; without it everything runs over the loopback interface.
 set -u
 name=crossing
 rounds=5
+soak_minutes=
 case ${1:-} in
+  soak) soak_minutes=${2:-30}; set -- 1000000 ;;
   [a-z]*) name=$1; rounds=1; shift ;;
 esac
 rounds=${1:-$rounds}
@@ -78,7 +82,28 @@ begin_world "$work/$name.yaml" "$work"
 for each in $robots; do begin_robot "$each" "$work/$name.yaml" "$work" "$rounds"; done
 echo "4 robots run, each in its process; traces and logs are in $work"
 
+# sample MINUTE NAME PROCESS: a line of soak.txt. jcmd counts the live objects, after a full collection,
+# and the fillers that this collection leaves in place of dead ones.
+sample() {
+  local live
+  live=$("$(dirname "$(readlink "/proc/$3/exe")")/jcmd" "$3" GC.class_histogram |
+    awk '/FillerElement|FillerArray/ { fill += $3 } /^Total/ { print int(($3 - fill) / 1024) }')
+  awk -v minute="$1" -v name="$2" -v live="$live" '/^VmRSS:/ { rss = $2 } /^Threads:/ { threads = $2 }
+    END { printf "%6s %-11s %8s %8s %8s\n", minute, name, rss, live, threads }' "/proc/$3/status" >>"$work/soak.txt"
+}
+# Each robot's process has started its guard.
+sample_all() {
+  local each
+  sample "$1" world "${pids[world]}"
+  for each in $robots; do
+    sample "$1" "$each" "${pids[$each]}"
+    sample "$1" "$each-guard" "$(pgrep -P "${pids[$each]}" -x java)"
+  done
+}
+[ -z "$soak_minutes" ] || printf '%6s %-11s %8s %8s %8s\n' minute process 'RSS kB' 'live kB' threads >"$work/soak.txt"
+
 began=$SECONDS
+minute=1
 killed=
 while :; do
   sleep 1
@@ -90,8 +115,15 @@ while :; do
   fi
   # A robot waits for ever for the zones that a dead one may hold: 40 s show what there is to see.
   [ -n "$killed" ] && [ $((SECONDS - killed)) -ge 40 ] && break
-  [ $((SECONDS - began)) -ge $((60 * rounds + 540)) ] && { echo "not through in time"; break; }
+  if [ -z "$soak_minutes" ]; then
+    [ $((SECONDS - began)) -ge $((60 * rounds + 540)) ] && { echo "not through in time"; break; }
+  elif [ $((SECONDS - began)) -ge $((60 * minute)) ]; then
+    sample_all $minute
+    [ $minute -ge "$soak_minutes" ] && break
+    minute=$((minute + 1))
+  fi
 done
+[ -z "$soak_minutes" ] || grep -E '^ *(minute|1|'"$minute"') ' "$work/soak.txt"
 echo "$(cat "$work"/bot?.log | grep -c 'end of round') runs of the app ended, in $((SECONDS - began)) s"
 [ -z "$killed" ] || grep -h 'fences bot2' "$work"/bot?.log
 end_all
