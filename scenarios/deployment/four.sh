@@ -83,13 +83,14 @@ for each in $robots; do begin_robot "$each" "$work/$name.yaml" "$work" "$rounds"
 echo "4 robots run, each in its process; traces and logs are in $work"
 
 # sample MINUTE NAME PROCESS: a line of soak.txt. jcmd counts the live objects, after a full collection,
-# and the fillers that this collection leaves in place of dead ones.
+# and the fillers that this collection leaves in place of dead ones. None if the process has just ended:
+# a robot has another guard in each round.
 sample() {
   local live
-  live=$("$(dirname "$(readlink "/proc/$3/exe")")/jcmd" "$3" GC.class_histogram |
+  live=$("$(dirname "$(readlink "/proc/$3/exe")")/jcmd" "$3" GC.class_histogram 2>/dev/null |
     awk '/FillerElement|FillerArray/ { fill += $3 } /^Total/ { print int(($3 - fill) / 1024) }')
   awk -v minute="$1" -v name="$2" -v live="$live" '/^VmRSS:/ { rss = $2 } /^Threads:/ { threads = $2 }
-    END { printf "%6s %-11s %8s %8s %8s\n", minute, name, rss, live, threads }' "/proc/$3/status" >>"$work/soak.txt"
+    END { printf "%6s %-11s %8s %8s %8s\n", minute, name, rss, live, threads }' "/proc/$3/status" >>"$work/soak.txt" 2>/dev/null
 }
 # Each robot's process has started its guard.
 sample_all() {
