@@ -47,6 +47,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final RunObservers observers;
   private final World world;
   private final SimNetwork network;
+  private final @Nullable OrderObserver order;
   private final Participants deployment;
   private final StartNeedsCheck startNeeds;
   private final Obstacles knownObstacles;
@@ -80,6 +81,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
+    order = plan.orderObserver();
+    if (order != null) {
+      network.watch(order);
+    }
     deployment = plan.deployment();
     startNeeds = new StartNeedsCheck(plan, this::moveStarts);
     knownObstacles = plan.obstacles().known();
@@ -140,7 +145,11 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     }
   }
 
+  /** Called after each event. */
   private boolean isOver() {
+    if (order != null) {
+      order.ran(kernel.nowNs(), kernel.lastStrand());
+    }
     Director director = plan.director();
     return running == 0 && restartsDue == 0 && (director == null || director.isOver());
   }

@@ -64,6 +64,20 @@ public record SimulationPlan(
     observers = List.copyOf(observers);
   }
 
+  /** The observer of the order of events, or null. */
+  @Nullable OrderObserver orderObserver() {
+    OrderObserver found = null;
+    for (SimObserver observer : observers) {
+      if (observer instanceof OrderObserver order) {
+        if (found != null) {
+          throw new IllegalStateException("two observers of the order of events: expected one");
+        }
+        found = order;
+      }
+    }
+    return found;
+  }
+
   /** The initial robots, by name. */
   Participants deployment() {
     return deployment(robots);

@@ -34,6 +34,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ListCommand.class,
       RunCommand.class,
       CampaignCommand.class,
+      ExploreCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,
       ReplayCommand.class,

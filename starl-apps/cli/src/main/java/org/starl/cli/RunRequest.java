@@ -21,6 +21,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.view.ViewSettings;
@@ -61,6 +62,12 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   /** The same request with other settings. */
   RunRequest withSettings(SimSettings newSettings) {
     return new RunRequest(demo, parameters, newSettings);
+  }
+
+  /** The same request with these faults too. */
+  RunRequest withFaults(List<Fault> more) {
+    FaultPlan all = settings.get(Setting.FAULTS).plus(new FaultPlan(more));
+    return more.isEmpty() ? this : withSettings(settings.with(Setting.FAULTS, all));
   }
 
   /**

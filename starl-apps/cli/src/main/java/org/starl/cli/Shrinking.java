@@ -10,12 +10,16 @@ import java.util.Set;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.Shrink;
 import org.starl.sim.check.Trial;
+import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Copy;
+import org.starl.sim.explore.Why;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
@@ -28,6 +32,10 @@ import picocli.CommandLine.Mixin;
 final class Shrinking {
 
   private static final int MOST_RUNS = 500;
+  private static final int MOST_WHY_RUNS = 200;
+  private static final long WHY_BEFORE_NS = 5 * Time.NS_PER_S;
+  private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
+  private static final long MOST_DELAY_NS = 100 * Time.NS_PER_MS;
 
   /** Settings that a {@link Trial} has as values of its own. */
   private static final Set<Setting<?>> OF_TRIAL =
@@ -43,24 +51,28 @@ final class Shrinking {
    * The shrunk run.
    *
    * @param words of its command line, after {@code ./starl}
+   * @param why single changes that avoid the failure, in lines
    */
-  record Shrunk(Trial from, Shrink.Result result, List<String> words) {
+  record Shrunk(Trial from, Shrink.Result result, List<String> words, List<String> why) {
 
     String command() {
       return Shell.starl(words);
     }
 
     List<String> lines() {
-      return List.of(
+      List<String> lines = new ArrayList<>();
+      lines.add(
           "shrunk in "
               + result.runs()
               + " runs: "
               + from
               + " -> "
               + result.trial()
-              + (result.isSmallest() ? "" : " (a smaller one may exist)"),
-          "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail(),
-          "replay: " + command());
+              + (result.isSmallest() ? "" : " (a smaller one may exist)"));
+      lines.add("seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
+      lines.add("replay: " + command());
+      lines.addAll(why);
+      return lines;
     }
 
     Map<String, Object> json() {
@@ -71,6 +83,7 @@ final class Shrinking {
       json.put("runs", result.runs());
       json.put("bad", result.outcome().detail());
       json.put("replay", command());
+      json.put("why", why);
       return json;
     }
   }
@@ -100,7 +113,7 @@ final class Shrinking {
   }
 
   /** Shrinks the run, with a line for each trial; then checks the printed command by running it. */
-  Shrunk run(PrintWriter err) {
+  Shrunk run(PrintWriter err) throws InterruptedException {
     Shrink shrink =
         new Shrink(
             trial -> outcome(request(trial).plan(seed), trial),
@@ -115,7 +128,52 @@ final class Shrinking {
       throw new IllegalStateException(
           "'" + String.join(" ", words) + "' ends differently: " + again.detail());
     }
-    return new Shrunk(from, result, words);
+    return new Shrunk(from, result, words, why(result));
+  }
+
+  private List<String> why(Shrink.Result result) throws InterruptedException {
+    long atNs = result.outcome().atNs();
+    if (atNs < 0) {
+      return List.of();
+    }
+    Bounds bounds =
+        new Bounds(
+            Math.max(0, atNs - WHY_BEFORE_NS), LEAST_DELAY_NS, MOST_DELAY_NS, 0, 0, 0, atNs + 1);
+    RunRequest request = request(result.trial());
+    Why why =
+        Why.of(
+            bounds,
+            atNs,
+            (schedule, order) -> {
+              Plan plan = request.withFaults(schedule).plan(seed);
+              plan.simulation().observer(order);
+              return outcome(plan, result.trial());
+            },
+            MOST_WHY_RUNS);
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        why.cures().isEmpty()
+            ? "why: none of %d changes of one datagram in the %s before avoids it"
+                .formatted(why.tried(), Quantities.durationText(WHY_BEFORE_NS))
+            : "why: it does not happen if");
+    for (Why.Cure cure : why.cures()) {
+      Copy copy = cure.copy();
+      lines.add(
+          "  %s's datagram %d to %s%s %s"
+              .formatted(
+                  copy.from(),
+                  copy.datagram(),
+                  copy.to(),
+                  cure.message().isEmpty() ? "" : " (" + cure.message() + ")",
+                  cure.isLoss()
+                      ? "is lost, which arrived at " + Time.text(copy.arrivesAtNs(), 3)
+                      : "arrives at "
+                          + Time.text(cure.arrivesAtNs(), 3)
+                          + ", not at "
+                          + Time.text(copy.arrivesAtNs(), 3)));
+      lines.add("    then: " + request.withFaults(List.of(cure.change())).replay(seed));
+    }
+    return lines;
   }
 
   private static String text(RunOutcome outcome, boolean isKept) {

@@ -87,6 +87,11 @@ final class TraceFile {
     return header;
   }
 
+  /** The request of its run, without the user's interventions. */
+  RunRequest request() {
+    return request;
+  }
+
   /** The plan of its run, a new one at each call, without the user's interventions. */
   Plan plan() {
     try {
@@ -133,6 +138,33 @@ final class TraceFile {
    * @throws BadInput if its robots were processes: such a run cannot be repeated
    */
   ReplayCheck replay() {
+    Plan plan = plan();
+    List<Intervention> interventions = interventions();
+    if (!interventions.isEmpty()) {
+      plan.simulation().stepListener(new InterventionReplayer(interventions));
+    }
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(Path.of(name)), 1 << 16)) {
+      return ReplayCheck.of(plan.simulation(), in);
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  /**
+   * @throws BadInput unless the header alone makes the run again
+   */
+  void requireRepeatable() {
+    if (!interventions().isEmpty()) {
+      throw new BadInput(name + ": a person changed its run; expected a run without interventions");
+    }
+  }
+
+  /**
+   * The user's interventions in its run.
+   *
+   * @throws BadInput if its robots were processes: such a run cannot be repeated
+   */
+  private List<Intervention> interventions() {
     List<Intervention> interventions = new ArrayList<>();
     boolean[] isOfProcesses = new boolean[1];
     SimObserver finder =
@@ -152,15 +184,7 @@ final class TraceFile {
               + ": its robots were processes in real time, so it cannot be repeated; expected a"
               + " trace of a simulation ('starl replay' without --headless shows this one)");
     }
-    Plan plan = plan();
-    if (!interventions.isEmpty()) {
-      plan.simulation().stepListener(new InterventionReplayer(interventions));
-    }
-    try (InputStream in = new BufferedInputStream(Files.newInputStream(Path.of(name)), 1 << 16)) {
-      return ReplayCheck.of(plan.simulation(), in);
-    } catch (IOException e) {
-      throw unreadable(name, e);
-    }
+    return interventions;
   }
 
   private static TraceReader reader(String name) throws IOException {

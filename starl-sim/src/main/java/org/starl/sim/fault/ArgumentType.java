@@ -11,6 +11,7 @@ import org.starl.geometry.Region;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.net.Latency;
+import org.starl.sim.net.Verdict;
 import org.starl.sim.world.Unsynced;
 
 /**
@@ -20,6 +21,8 @@ import org.starl.sim.world.Unsynced;
  * @param writer writes a value in its canonical form, which the reader reads back
  */
 record ArgumentType<T>(Function<String, T> reader, Function<T, String> writer) {
+
+  private static final String LOST = "lost";
 
   static final ArgumentType<RobotSelector> ROBOTS =
       new ArgumentType<>(RobotSelector::parse, RobotSelector::toString);
@@ -45,6 +48,19 @@ record ArgumentType<T>(Function<String, T> reader, Function<T, String> writer) {
       new ArgumentType<>(ArgumentType::positiveSpeed, Quantities::speedText);
   static final ArgumentType<Latency> LATENCY =
       new ArgumentType<>(Latency::parse, Latency::toString);
+  static final ArgumentType<Long> COUNT =
+      new ArgumentType<>(
+          text -> Quantities.whole(text, 0, Long.MAX_VALUE), number -> Long.toString(number));
+  static final ArgumentType<Verdict> FATE =
+      new ArgumentType<>(
+          text ->
+              text.equals(LOST)
+                  ? Verdict.drop("loss")
+                  : Verdict.exactly(Quantities.durationNs(text)),
+          fate ->
+              fate instanceof Verdict.Exactly exactly
+                  ? Quantities.durationText(exactly.delayNs())
+                  : LOST);
   static final ArgumentType<Unsynced> UNSYNCED =
       new ArgumentType<>(
           ArgumentType::unsynced, value -> value == Unsynced.KEPT ? "nothing" : "some");

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.Partition;
@@ -47,6 +48,11 @@ final class NetworkFaults {
               "groups hear only their own members; also bot0>bot1 (one way), area=rect(0,0,2m,1m),"
                   + " area=circle(0,0,2m)",
               NetworkFaults::partition),
+          row(
+              "datagram(bot0>bot1,17,30ms)",
+              "the copy to bot1 of bot0's datagram number 17, counted from 0, takes exactly this"
+                  + " time; 'lost' instead of a time: it does not arrive",
+              NetworkFaults::datagram),
           row("range(3m)", "the radio range, between centres", NetworkFaults::range),
           row(
               "sight",
@@ -110,6 +116,26 @@ final class NetworkFaults {
                   ? Verdict.later(rng.nextLong(0, mostNs))
                   : Verdict.PASS;
             });
+  }
+
+  private static FaultAction datagram(FaultArguments call) {
+    String link = call.nextText("two robots");
+    List<String> ends = call.split(link, '>');
+    if (ends.size() != 2) {
+      throw call.bad(BadInput.quote(link) + ": expected a sender and a recipient, as in bot0>bot1");
+    }
+    RobotSelector from = call.read("from", ends.get(0), ArgumentType.ROBOTS);
+    RobotSelector to = call.read("to", ends.get(1), ArgumentType.ROBOTS);
+    call.write(from + ">" + to);
+    long number = call.next("the number of a datagram", ArgumentType.COUNT);
+    Verdict fate = call.next("a duration, or 'lost'", ArgumentType.FATE);
+    return Link.install(context ->
+        copy ->
+            copy.datagram() == number
+                    && from.named().contains(copy.from())
+                    && to.named().contains(copy.to())
+                ? fate
+                : Verdict.PASS);
   }
 
   private static FaultAction range(FaultArguments call) {

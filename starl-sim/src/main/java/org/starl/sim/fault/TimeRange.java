@@ -22,7 +22,8 @@ public record TimeRange(long leastNs, long mostNs) {
     return new TimeRange(ns, ns);
   }
 
-  static TimeRange parse(String text) {
+  /** @throws BadInput if {@code text} is not {@code 5s} or {@code 5s..20s} */
+  public static TimeRange parse(String text) {
     int dots = text.indexOf("..");
     if (dots < 0) {
       return exactly(Quantities.durationNs(text));

@@ -20,8 +20,13 @@ import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.check.RunArtifacts;
 import org.starl.sim.check.RunOutcome;
+import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Explorer;
+import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultPlan;
+import org.starl.time.Time;
 
 /**
  * The runs of one test, for consecutive seeds.
@@ -30,6 +35,7 @@ import org.starl.sim.fault.FaultPlan;
  * @param faults of every run, in addition to those of the scenario
  * @param chaos envelope to draw from; {@link Envelope#NONE} for the scenario's own
  * @param atMostNs end of runs whose scenario sets no end
+ * @param schedules to explore for each seed, if all runs went well
  * @param files where a bad run is written
  * @param scenario the test's method
  */
@@ -38,11 +44,16 @@ record SeededRuns(
     FaultPlan faults,
     Envelope chaos,
     long atMostNs,
+    int schedules,
     RunFiles files,
     Scenario scenario) {
 
   /** The maximum number of bad runs in the failure message. */
   private static final int MOST_REPORTED = 5;
+
+  private static final int CHANGES = 3;
+  private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
+  private static final long MOST_DELAY_NS = 100 * Time.NS_PER_MS;
 
   /** Configures the builder of one seed, and declares the checks. */
   @FunctionalInterface
@@ -53,13 +64,19 @@ record SeededRuns(
   /** One run: written by its thread, read after all runs. */
   private static final class Run {
     private final long seed;
+    private final List<Fault> schedule;
     private final Simulation simulation;
     private final List<Consumer<SimResult>> checks;
     private @Nullable SimResult result;
     private @Nullable Throwable error;
 
-    Run(long seed, Simulation simulation, List<Consumer<SimResult>> checks) {
+    Run(
+        long seed,
+        List<Fault> schedule,
+        Simulation simulation,
+        List<Consumer<SimResult>> checks) {
       this.seed = seed;
+      this.schedule = schedule;
       this.simulation = simulation;
       this.checks = checks;
     }
@@ -92,7 +109,7 @@ record SeededRuns(
     Campaign campaign = new Campaign(firstSeed, lastSeed);
     List<Run> runs = new ArrayList<>();
     for (long seed = firstSeed; seed <= lastSeed; seed++) {
-      runs.add(planned(seed));
+      runs.add(planned(seed, List.of()));
     }
     List<Bad> bad = new ArrayList<>();
     campaign
@@ -100,17 +117,52 @@ record SeededRuns(
         .runs()
         .forEach(finished ->
             judge(runs.get((int) (finished.seed() - firstSeed)), finished.outcome(), bad));
+    for (Run run : runs) {
+      if (bad.isEmpty() && schedules > 0) {
+        explore(run, bad);
+      }
+    }
     if (!bad.isEmpty()) {
       throw new AssertionError(report(bad, runs.size()), bad.get(0).run().error);
     }
   }
 
-  private Run planned(long seed, SimObserver... observers) {
+  /** Runs the seed with other orders of its events. */
+  private void explore(Run run, List<Bad> bad) throws InterruptedException {
+    long seed = run.seed;
+    long drawnNs = run.simulation.plan().settings().get(Setting.MESSAGE_DELAY).longestNs();
+    Bounds bounds =
+        new Bounds(
+            0, LEAST_DELAY_NS, MOST_DELAY_NS, Math.max(0, MOST_DELAY_NS - drawnNs), 0, 0, 1);
+    Explorer explorer =
+        new Explorer(
+            bounds,
+            (schedule, order) -> {
+              List<Bad> wrong = new ArrayList<>();
+              Run other = planned(seed, schedule, order);
+              RunOutcome outcome = other.go();
+              judge(other, outcome, wrong);
+              return wrong.isEmpty() || !outcome.isGood()
+                  ? outcome
+                  : RunOutcome.failed(new IllegalStateException(wrong.get(0).what()));
+            },
+            schedules,
+            (finished, planned) -> {});
+    Explorer.Found found = explorer.draw(Strategy.PCT, CHANGES, seed).found();
+    if (found != null) {
+      Run again = planned(seed, found.schedule());
+      judge(again, again.go(), bad);
+    }
+  }
+
+  // On several threads at once while schedules are explored: the method of the test is called by
+  // one of them at a time.
+  private synchronized Run planned(long seed, List<Fault> schedule, SimObserver... observers) {
     Simulation.Builder builder = Simulation.builder().name(name).seed(seed);
     List.of(observers).forEach(builder::observer);
     List<Consumer<SimResult>> checks = new ArrayList<>();
     try {
-      return planned(seed, builder, checks);
+      return planned(seed, schedule, builder, checks);
     } catch (AssertionError | RuntimeException wrong) {
       // Rethrown unchanged, because JUnit handles some types; the seed is added as suppressed.
       wrong.addSuppressed(new IllegalStateException("seed " + seed + "; " + replay(seed)));
@@ -118,7 +170,11 @@ record SeededRuns(
     }
   }
 
-  private Run planned(long seed, Simulation.Builder builder, List<Consumer<SimResult>> checks) {
+  private Run planned(
+      long seed,
+      List<Fault> schedule,
+      Simulation.Builder builder,
+      List<Consumer<SimResult>> checks) {
     scenario.fill(seed, builder, checks);
     SimSettings.Builder settings = builder.settings().toBuilder();
     if (!builder.settings().has(Setting.DURATION)) {
@@ -127,9 +183,10 @@ record SeededRuns(
     if (chaos != Envelope.NONE) {
       settings.set(Setting.CHAOS, chaos);
     }
-    Simulation simulation = builder.settings(settings.build()).faults(faults).build();
+    FaultPlan all = faults.plus(new FaultPlan(schedule));
+    Simulation simulation = builder.settings(settings.build()).faults(all).build();
     requireARun(seed, simulation.plan());
-    return new Run(seed, simulation, checks);
+    return new Run(seed, schedule, simulation, checks);
   }
 
   private void requireARun(long seed, SimulationPlan plan) {
@@ -200,7 +257,7 @@ record SeededRuns(
     List<String> lines = new ArrayList<>();
     try {
       Path trace = files.trace(name, seed);
-      SimulationPlan plan = writeTrace(seed, trace);
+      SimulationPlan plan = writeTrace(bad.run(), trace);
       lines.add("trace: " + trace);
       lines.addAll(files.draw(viewer, trace, plan, bad.what()));
       files.showIfAsked(viewer, trace, plan, bad.what(), bad.atNs());
@@ -210,9 +267,9 @@ record SeededRuns(
     return lines;
   }
 
-  private SimulationPlan writeTrace(long seed, Path trace) throws IOException {
+  private SimulationPlan writeTrace(Run bad, Path trace) throws IOException {
     try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(trace))) {
-      Run run = planned(seed, recorder);
+      Run run = planned(bad.seed, bad.schedule, recorder);
       run.go();
       return run.simulation.plan();
     }

@@ -71,6 +71,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
             faults(annotation),
             annotation.chaos(),
             atMostNs(annotation),
+            schedules(annotation),
             files(context),
             (seed, simulation, afterwards) ->
                 ReflectionSupport.invokeMethod(
@@ -144,6 +145,14 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
       }
     }
     return faults;
+  }
+
+  private static int schedules(StarlTest annotation) {
+    if (annotation.explore() < 0) {
+      throw new ExtensionConfigurationException(
+          "explore = " + annotation.explore() + ": expected at least 0");
+    }
+    return annotation.explore();
   }
 
   private static long atMostNs(StarlTest annotation) {

@@ -46,6 +46,13 @@ public @interface StarlTest {
   /** Faults of every run, each as text: {@code crash(bot2,at=12s,restart=5s)}. */
   String[] faults() default {};
 
+  /**
+   * Number of schedules to explore for each seed after all runs went well: orders of its events
+   * that the seed does not draw, with datagrams that take up to 100 ms ({@code starl explore} with
+   * the strategy pct). The failure message names the changes as faults. None by default.
+   */
+  int explore() default 0;
+
   /** Faults drawn by seed from this envelope, ended by half of the run's time, at most 60 s. */
   Envelope chaos() default Envelope.NONE;
 

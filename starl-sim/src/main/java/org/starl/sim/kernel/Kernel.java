@@ -94,6 +94,12 @@ public final class Kernel implements Clock, AutoCloseable {
     add(atNs, strand, piece);
   }
 
+  /** The name of the strand of the last event; empty for an event of the world. */
+  public String lastStrand() {
+    SimStrand strand = queue.strand();
+    return strand == null ? "" : strand.name();
+  }
+
   /** Creates a timer of the world, not yet set. */
   public Timer timer(Runnable action) {
     return new KernelTimer(this, null, action);

@@ -17,7 +17,7 @@ import org.starl.trace.TraceSink;
  */
 public final class SimNetwork {
 
-  private static final long LOST = -1;
+  private static final long LOST = CopyWatch.LOST;
 
   private final Kernel kernel;
 
@@ -27,6 +27,7 @@ public final class SimNetwork {
   private final List<SimRadio> attached = new ArrayList<>();
   private final List<LinkRule> rules = new ArrayList<>();
   private final List<NetworkTap> taps = new ArrayList<>();
+  private @Nullable CopyWatch watch;
   private final DeliveryPool pool = new DeliveryPool();
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
@@ -108,6 +109,11 @@ public final class SimNetwork {
     return () -> taps.remove(own);
   }
 
+  /** Sets the watch, which is told of each copy that a robot sends from now on. */
+  public void watch(CopyWatch newWatch) {
+    watch = newWatch;
+  }
+
   /**
    * Delivers these bytes to {@code to} now, as an attacker would: no robot sends them. No rule and
    * no loss applies. Does nothing if {@code to} has no radio.
@@ -166,7 +172,7 @@ public final class SimNetwork {
   }
 
   private void transmit(SimRadio from, RobotId to, Packet packet, long datagram) {
-    if (!rules.isEmpty()) {
+    if (!rules.isEmpty() || watch != null) {
       transmitByRules(from, to, packet, datagram);
       return;
     }
@@ -184,23 +190,35 @@ public final class SimNetwork {
     Transmission copy =
         new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
     long laterNs = 0;
+    long exactNs = LOST;
     List<Long> againNs = new ArrayList<>(0);
     for (int i = 0; i < rules.size(); i++) {
       switch (rules.get(i).judge(copy)) {
         case Verdict.Pass pass -> {}
         case Verdict.Later later -> laterNs += later.extraNs();
         case Verdict.Again again -> againNs.add(again.afterNs());
+        // The rule that was installed last decides.
+        case Verdict.Exactly exactly -> exactNs = exactNs == LOST ? exactly.delayNs() : exactNs;
         case Verdict.Drop drop -> {
+          tellWatch(copy, LOST);
           dropped(from.id(), to, drop.why());
           return;
         }
       }
     }
-    long delayNs = baseDelayNs(from, to, datagram);
+    long delayNs = exactNs == LOST ? baseDelayNs(from, to, datagram) : exactNs;
     if (delayNs == LOST) {
+      tellWatch(copy, LOST);
       dropped(from.id(), to, "loss");
     } else {
+      tellWatch(copy, delayNs + laterNs);
       deliver(from, to, packet, delayNs + laterNs, againNs);
+    }
+  }
+
+  private void tellWatch(Transmission copy, long delayNs) {
+    if (watch != null) {
+      watch.sent(copy, delayNs);
     }
   }
 

@@ -20,6 +20,14 @@ public sealed interface Verdict {
     return new Again(afterNs);
   }
 
+  /**
+   * The base loss and delay do not apply: the copy arrives {@code delayNs} after it was sent, and
+   * later by what the other rules add.
+   */
+  static Verdict exactly(long delayNs) {
+    return new Exactly(delayNs);
+  }
+
   /** See {@link #PASS}. */
   record Pass() implements Verdict {}
 
@@ -34,6 +42,13 @@ public sealed interface Verdict {
   record Again(long afterNs) implements Verdict {
     public Again {
       requireDelay(afterNs);
+    }
+  }
+
+  /** See {@link #exactly}. */
+  record Exactly(long delayNs) implements Verdict {
+    public Exactly {
+      requireDelay(delayNs);
     }
   }
 

@@ -1,0 +1,283 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
+import org.starl.sim.Setting;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Explorer;
+import org.starl.sim.explore.Order;
+import org.starl.sim.explore.Strategy;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.TimeRange;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.time.Time;
+import org.starl.trace.TraceHeader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code starl explore}. */
+@Command(
+    name = "explore",
+    description =
+        "Repeats one run with other orders of its events, on all cores: datagrams arrive earlier or"
+            + " later within bounds, some are lost, robots crash. Prints the first order that goes"
+            + " wrong, with its replay command.",
+    footer = {
+      "",
+      "Example: starl explore mutex --robots 3 --seed 1",
+      "         starl explore intersection --seed 1 --strategy pct --depth 5 --losses 2",
+      "         starl explore registration --robots 2 --seed 1 --strategy exhaustive --depth 6",
+      "         starl explore intersection --from out/crossing.trace@12.3s --strategy exhaustive"
+    })
+final class ExploreCommand extends BaseCommand implements Callable<Integer> {
+
+  private static final int MOST = 10_000_000;
+  private static final int MOST_FAULTS = 1000;
+  private static final int USUAL_CHANGES = 3;
+  private static final int USUAL_CHOICES = 6;
+
+  @Mixin private RunOptions options = new RunOptions();
+
+  @Mixin private SeedOption seedOption = new SeedOption();
+
+  @Option(
+      names = "--strategy",
+      paramLabel = "NAME",
+      description =
+          "random: delays, losses and crashes are drawn. pct: links get priorities, a few of which"
+              + " change. exhaustive: every order in which the next datagrams can arrive, the"
+              + " smallest changes first. Default: ${DEFAULT-VALUE}.")
+  private String strategyName = "pct";
+
+  @Option(
+      names = "--schedules",
+      paramLabel = "N",
+      description = "The largest number of runs (default: ${DEFAULT-VALUE}).")
+  private String schedules = "1000";
+
+  @Option(
+      names = "--depth",
+      paramLabel = "D",
+      description =
+          "For pct, the changes of priorities (default: 3). For exhaustive, the number of datagrams"
+              + " whose arrival is chosen (default: 6).")
+  private @Nullable String depth;
+
+  @Option(
+      names = "--delays",
+      paramLabel = "A..B",
+      description =
+          "The shortest and the longest delay of a datagram (default: ${DEFAULT-VALUE}). An order"
+              + " that no such delays give is not tried.")
+  private String delays = "1ms..100ms";
+
+  @Option(
+      names = "--losses",
+      paramLabel = "N",
+      description = "The largest number of lost datagrams, besides --loss (default: 0).")
+  private String losses = "0";
+
+  @Option(
+      names = "--crashes",
+      paramLabel = "N",
+      description = "The largest number of crashes (default: 0).")
+  private String crashes = "0";
+
+  @Option(
+      names = "--down",
+      paramLabel = "TIME",
+      description = "Time from a crash to the restart (default: ${DEFAULT-VALUE}).")
+  private String down = "2s";
+
+  @Option(
+      names = "--from",
+      paramLabel = "TIME|TRACE@TIME",
+      description =
+          "Change nothing before this time of the run, or of the run of a trace (default: its"
+              + " start).")
+  private String from = "0s";
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  /** The run to repeat. */
+  private record Subject(RunRequest request, long seed, long fromNs) {}
+
+  @Override
+  public Integer call() throws InterruptedException {
+    Strategy strategy = OptionValues.read("--strategy", strategyName, Strategy::parse);
+    int most = OptionValues.whole("--schedules", schedules, 1, MOST);
+    int usual = strategy == Strategy.EXHAUSTIVE ? USUAL_CHOICES : USUAL_CHANGES;
+    int changes = depth == null ? usual : OptionValues.whole("--depth", depth, 1, MOST_FAULTS);
+    Subject subject = subject();
+    Bounds bounds = bounds(subject);
+    CarrierKind carriers = Carriers.select(null, err());
+    ProgressLine progress = new ProgressLine(err(), "schedules");
+    Explorer explorer =
+        new Explorer(
+            bounds,
+            (schedule, order) -> run(subject, schedule, order, carriers),
+            most,
+            progress::show);
+    Explorer.Result result =
+        strategy == Strategy.EXHAUSTIVE
+            ? explorer.exhaust(changes)
+            : explorer.draw(strategy, changes, subject.seed());
+    progress.end();
+    return print(subject, strategy, changes, result, progress.elapsedNs(), carriers);
+  }
+
+  private Subject subject() {
+    int at = from.lastIndexOf('@');
+    String time = from.substring(at + 1);
+    long fromNs = OptionValues.read("--from", time, Quantities::durationNs);
+    if (at < 0) {
+      return new Subject(options.request(demos()), seedOption.value(), fromNs);
+    }
+    TraceFile trace = TraceFile.open(from.substring(0, at), demos());
+    options.requireNoneFor(trace.name());
+    seedOption.requireNoneFor(trace.name());
+    TraceHeader header = trace.header();
+    if (!header.scenario().equals(options.name())) {
+      throw new BadInput(
+          "--from: " + trace.name() + ": a trace of " + header.scenario() + ", not of "
+              + options.name());
+    }
+    trace.requireRepeatable();
+    if (header.behaviourSeed() != TraceHeader.behaviourSeedOf(header.scenarioSeed())) {
+      throw new BadInput(
+          trace.name() + ": its behaviour has a seed of its own; expected a trace of 'starl run'");
+    }
+    return new Subject(trace.request(), header.scenarioSeed(), fromNs);
+  }
+
+  private Bounds bounds(Subject subject) {
+    TimeRange delay = OptionValues.read("--delays", delays, TimeRange::parse);
+    int lost = OptionValues.whole("--losses", losses, 0, MOST_FAULTS);
+    int crashed = OptionValues.whole("--crashes", crashes, 0, MOST_FAULTS);
+    long downNs = OptionValues.read("--down", down, Quantities::durationNs);
+    if (downNs == 0) {
+      throw new BadInput("--down: " + BadInput.quote(down) + ": expected a time above 0");
+    }
+    RunRequest request = subject.request();
+    Plan plan = request.plan(subject.seed());
+    // A request that cannot be built is bad input, not a failed run.
+    plan.simulation().build();
+    requireTolerated("--losses", lost, request, Envelope.NETWORK);
+    requireTolerated("--crashes", crashed, request, Envelope.LOGICAL);
+    long drawnNs = plan.simulation().settings().get(Setting.MESSAGE_DELAY).longestNs();
+    return new Bounds(
+        subject.fromNs(),
+        delay.leastNs(),
+        delay.mostNs(),
+        Math.max(0, delay.mostNs() - drawnNs),
+        lost,
+        crashed,
+        downNs);
+  }
+
+  /** What an app does not promise to tolerate is no finding. */
+  private static void requireTolerated(
+      String option, int count, RunRequest request, Envelope least) {
+    Envelope envelope = request.demo().envelope();
+    boolean isTolerated =
+        switch (envelope) {
+          case NONE -> false;
+          case NETWORK, SPATIAL -> least == Envelope.NETWORK;
+          case LOGICAL, HOSTILE, MOVING, MORTAL -> true;
+        };
+    if (count > 0 && !isTolerated) {
+      throw new BadInput(
+          option + ": " + request.demo().name() + " does not promise to tolerate them: its faults"
+              + " are '" + envelope + "' (" + envelope.meaning() + ")");
+    }
+  }
+
+  private static RunOutcome run(
+      Subject subject, List<Fault> schedule, Order order, CarrierKind carriers) {
+    Plan plan = subject.request().withFaults(schedule).plan(subject.seed());
+    plan.simulation().carriers(carriers).observer(order);
+    return RunOutcome.of(plan.simulation().build().run());
+  }
+
+  private int print(
+      Subject subject,
+      Strategy strategy,
+      int depthUsed,
+      Explorer.Result result,
+      long elapsedNs,
+      CarrierKind carriers)
+      throws InterruptedException {
+    Explorer.Found found = result.found();
+    Shrinking.Shrunk shrunk =
+        found == null
+            ? null
+            : new Shrinking(
+                    demos(),
+                    subject.request().withFaults(found.schedule()),
+                    subject.seed(),
+                    carriers)
+                .run(err());
+    PrintWriter out = out();
+    if (json.isOn()) {
+      out.println(Json.line(summary(subject, strategy, depthUsed, result, shrunk)));
+    } else {
+      out.println(
+          "%s, seed %d: %,d schedules (%s, depth %d%s), %,d orders, %,d steps; %s"
+              .formatted(
+                  subject.request().demo().name(),
+                  subject.seed(),
+                  result.schedules(),
+                  strategy,
+                  depthUsed,
+                  result.isComplete() ? ", all that there are" : "",
+                  result.orders(),
+                  result.steps(),
+                  found == null ? "none went wrong" : "number " + found.number() + " went wrong"));
+      err().println("%,.0f steps a second".formatted(result.steps() / Time.seconds(elapsedNs)));
+    }
+    if (found == null || shrunk == null) {
+      return ExitStatus.GOOD;
+    }
+    err().println("schedule " + found.number() + ": " + found.outcome().detail());
+    shrunk.lines().forEach(err()::println);
+    return ExitStatus.VIOLATED;
+  }
+
+  private static Map<String, Object> summary(
+      Subject subject,
+      Strategy strategy,
+      int depthUsed,
+      Explorer.Result result,
+      Shrinking.@Nullable Shrunk shrunk) {
+    Map<String, Object> summary = new LinkedHashMap<>();
+    summary.put("app", subject.request().demo().name());
+    summary.put("seed", subject.seed());
+    summary.put("strategy", strategy.toString());
+    summary.put("depth", depthUsed);
+    summary.put("schedules", result.schedules());
+    summary.put("orders", result.orders());
+    summary.put("steps", result.steps());
+    summary.put("complete", result.isComplete());
+    Explorer.Found found = result.found();
+    if (found != null && shrunk != null) {
+      summary.put("bad_schedule", found.number());
+      summary.put("bad", found.outcome().detail());
+      List<String> faults = new ArrayList<>();
+      found.schedule().forEach(fault -> faults.add(fault.toString()));
+      summary.put("faults", faults);
+      summary.put("shrunk", shrunk.json());
+    }
+    return summary;
+  }
+}
