@@ -3,6 +3,7 @@ package org.starl.primitives.specimen;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -18,15 +19,20 @@ import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.specimen.SetMutex.Bug;
 import org.starl.sim.Setting;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.check.Shrink;
 import org.starl.sim.check.Trial;
+import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Explorer;
+import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.spec.Monitor;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -40,8 +46,14 @@ class SpecimenTest {
   private static final int SEEDS = 50;
   private static final int ROBOTS = 5;
   private static final int MOST_RUNS = 400;
+  private static final int MOST_SCHEDULES = 500;
+  private static final int CHANGES = 3;
+  private static final int CHOICES = 8;
   private static final long END_NS = Duration.ofSeconds(60).toNanos();
   private static final long BOUND_NS = Duration.ofSeconds(10).toNanos();
+  private static final Trial CALM = new Trial(ROBOTS, List.of(), List.of(), END_NS);
+  private static final Bounds BOUNDS =
+      new Bounds(0, Time.NS_PER_MS, 100 * Time.NS_PER_MS, 80 * Time.NS_PER_MS, 2, 0, 1);
 
   private interface Maker {
     LogicThread make(GlobalVarHolder gvh, boolean isMended);
@@ -81,13 +93,16 @@ class SpecimenTest {
       return (gvh, isMended) -> new SetMutex(gvh, isMended ? Set.of() : Set.of(bugs), tellsGrants);
     }
 
-    Simulation simulation(long seed, Trial trial, Envelope chaos, boolean isMended) {
+    Simulation simulation(
+        long seed, Trial trial, Envelope chaos, boolean isMended, SimObserver... observers) {
       SimSettings settings =
           SimSettings.builder()
               .duration(Duration.ofNanos(trial.endNs()))
               .set(Setting.CHAOS, chaos)
               .build();
-      return Simulation.builder()
+      Simulation.Builder simulation = Simulation.builder();
+      List.of(observers).forEach(simulation::observer);
+      return simulation
           .name(name())
           .seed(seed)
           .settings(settings)
@@ -99,8 +114,7 @@ class SpecimenTest {
 
     /** The run of one seed, chaos written out. */
     Trial whole(long seed) {
-      Trial calm = new Trial(ROBOTS, List.of(), List.of(), END_NS);
-      FaultPlan chaos = simulation(seed, calm, Envelope.NETWORK, false).faults();
+      FaultPlan chaos = simulation(seed, CALM, Envelope.NETWORK, false).faults();
       return new Trial(ROBOTS, List.of(), chaos.faults(), END_NS);
     }
 
@@ -161,5 +175,45 @@ class SpecimenTest {
     assertThat(specimen.run(caught, least, false)).isEqualTo(shrunk.outcome());
     assertThat(specimen.run(caught, whole, true).verdict()).isNotEqualTo(Verdict.VIOLATED);
     assertThat(specimen.run(caught, least, true).verdict()).isNotEqualTo(Verdict.VIOLATED);
+  }
+
+  /** On a seed whose run without faults does not show the bug, if there is one. */
+  @ParameterizedTest
+  @EnumSource(
+      names = {"SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE", "BARRIER_THAT_LOSES_EARLY_ARRIVALS"})
+  void explorationFindsIt(Specimen specimen, TestReporter reporter) throws InterruptedException {
+    long seed = 1;
+    while (seed < SEEDS && specimen.isCaught(specimen.run(seed, CALM, false))) {
+      seed++;
+    }
+    List<String> found = new ArrayList<>();
+    for (Strategy strategy : Strategy.values()) {
+      Explorer.Found one = explored(specimen, seed, strategy).found();
+      if (one != null) {
+        found.add(strategy + ": schedule " + one.number() + ", " + one.schedule());
+      }
+    }
+    reporter.publishEntry(specimen.name(), "seed " + seed + ": " + found);
+    assertThat(found).isNotEmpty();
+  }
+
+  private static Explorer.Result explored(Specimen specimen, long seed, Strategy strategy)
+      throws InterruptedException {
+    Explorer explorer =
+        new Explorer(
+            BOUNDS,
+            (schedule, order) -> {
+              Trial trial = new Trial(CALM.robots(), List.of(), schedule, END_NS);
+              RunOutcome outcome =
+                  RunOutcome.of(
+                      specimen.simulation(seed, trial, Envelope.NONE, false, order).run());
+              // Only the specimen's lemma counts, not an app that does not end.
+              return specimen.isCaught(outcome) ? outcome : RunOutcome.good(outcome.figures());
+            },
+            MOST_SCHEDULES,
+            (finished, planned) -> {});
+    return strategy == Strategy.EXHAUSTIVE
+        ? explorer.exhaust(CHOICES)
+        : explorer.draw(strategy, CHANGES, seed);
   }
 }

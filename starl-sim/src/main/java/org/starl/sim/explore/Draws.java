@@ -18,13 +18,19 @@ final class Draws {
   private final Bounds bounds;
   private final List<Copy> copies;
   private final List<Link> links;
+  // Delays end here, so that progress is required of a run that takes longer.
+  private final long untilNs;
 
   private record Link(String from, String to) {
-    Fault delayed(long extraNs, long atNs) {
+    Fault delayed(long extraNs, long atNs, long untilNs) {
       return FaultGrammar.parse(
-          "delay(%s,from=%s,to=%s,at=%s)"
+          "delay(%s,from=%s,to=%s,at=%s,until=%s)"
               .formatted(
-                  Quantities.durationText(extraNs), from, to, Quantities.durationText(atNs)));
+                  Quantities.durationText(extraNs),
+                  from,
+                  to,
+                  Quantities.durationText(atNs),
+                  Quantities.durationText(untilNs)));
     }
   }
 
@@ -37,6 +43,7 @@ final class Draws {
     Set<Link> seen = new LinkedHashSet<>();
     copies.forEach(copy -> seen.add(new Link(copy.from(), copy.to())));
     links = List.copyOf(seen);
+    untilNs = Math.max(order.endNs(), bounds.fromNs());
   }
 
   /** All links get an additional delay, drawn for each copy. */
@@ -46,9 +53,11 @@ final class Draws {
     if (mostNs > 0) {
       schedule.add(
           FaultGrammar.parse(
-              "delay(uniform(0ms,%s),at=%s)"
+              "delay(uniform(0ms,%s),at=%s,until=%s)"
                   .formatted(
-                      Quantities.durationText(mostNs), Quantities.durationText(bounds.fromNs()))));
+                      Quantities.durationText(mostNs),
+                      Quantities.durationText(bounds.fromNs()),
+                      Quantities.durationText(untilNs))));
     }
     addLossesAndCrashes(rng, schedule);
     return schedule;
@@ -69,7 +78,7 @@ final class Draws {
       byPriority.add(drawn.remove(rng.nextInt(drawn.size())));
     }
     for (int rank = 1; rank < byPriority.size(); rank++) {
-      schedule.add(byPriority.get(rank).delayed(extraNs(rank, byPriority), bounds.fromNs()));
+      schedule.add(byPriority.get(rank).delayed(extraNs(rank, byPriority), bounds.fromNs(), untilNs));
     }
     for (int i = 0; i < changes && !copies.isEmpty(); i++) {
       Copy at = copies.get(rng.nextInt(copies.size()));
@@ -79,7 +88,7 @@ final class Draws {
         long moreNs = bounds.mostExtraNs() - extraNs(rank, byPriority);
         // Another change of this link adds nothing: it has the lowest priority.
         byPriority.set(rank, new Link("", ""));
-        schedule.add(link.delayed(moreNs, at.sentAtNs()));
+        schedule.add(link.delayed(moreNs, at.sentAtNs(), untilNs));
       }
     }
     addLossesAndCrashes(rng, schedule);

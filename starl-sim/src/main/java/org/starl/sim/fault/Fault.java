@@ -6,9 +6,12 @@ import java.util.List;
 /** A fault and its times. Its text can be read by {@link FaultGrammar#parse}. */
 public record Fault(FaultEffect effect, Span span) {
 
-  /** Whether the fault has an end. A crash without restart ends at once. */
+  /**
+   * Whether the fault has an end. A crash without restart and the fate of one datagram count as
+   * ended at once.
+   */
   public boolean isFinite() {
-    return span.isFinite() || effect.isCrash();
+    return span.isFinite() || effect.isSingle();
   }
 
   /** {@code crash(bot2,at=12s,restart=5s)}. */

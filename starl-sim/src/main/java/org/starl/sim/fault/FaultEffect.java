@@ -19,6 +19,7 @@ public record FaultEffect(
     FaultAction action) {
 
   static final String CRASH = "crash";
+  static final String DATAGRAM = "datagram";
 
   private static final List<String> KINDS_OF_TIME = List.of("compute", "drift", "skew");
 
@@ -27,8 +28,9 @@ public record FaultEffect(
     named = List.copyOf(named);
   }
 
-  boolean isCrash() {
-    return name.equals(CRASH);
+  /** Whether the fault needs no end: a crash, or the fate of one datagram. */
+  boolean isSingle() {
+    return name.equals(CRASH) || name.equals(DATAGRAM);
   }
 
   /** Whether the fault changes a robot's time, so that the robot needs its own clock. */

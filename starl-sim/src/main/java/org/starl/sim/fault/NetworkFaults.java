@@ -129,13 +129,19 @@ final class NetworkFaults {
     call.write(from + ">" + to);
     long number = call.next("the number of a datagram", ArgumentType.COUNT);
     Verdict fate = call.next("a duration, or 'lost'", ArgumentType.FATE);
-    return Link.install(context ->
-        copy ->
-            copy.datagram() == number
-                    && from.named().contains(copy.from())
-                    && to.named().contains(copy.to())
-                ? fate
-                : Verdict.PASS);
+    return context -> {
+      context
+          .target()
+          .network()
+          .install(copy ->
+              copy.datagram() == number
+                      && from.named().contains(copy.from())
+                      && to.named().contains(copy.to())
+                  ? fate
+                  : Verdict.PASS);
+      // It decides one copy, and cannot end before.
+      return () -> {};
+    };
   }
 
   private static FaultAction range(FaultArguments call) {
