@@ -1,6 +1,8 @@
 package org.starl.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -108,13 +110,29 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
               + " start).")
   private String from = "0s";
 
+  @Option(
+      names = "--chart",
+      paramLabel = "FILE",
+      description =
+          "Write a message sequence chart of the events before the failure, an SVG picture.")
+  private @Nullable String chart;
+
   @Mixin private JsonOption json = new JsonOption();
 
   /** The run to repeat. */
   private record Subject(RunRequest request, long seed, long fromNs) {}
 
   @Override
-  public Integer call() throws InterruptedException {
+  public Integer call() throws InterruptedException, IOException {
+    if (chart == null) {
+      return explore(null);
+    }
+    try (OutputFile file = new OutputFile("--chart", chart)) {
+      return explore(file);
+    }
+  }
+
+  private int explore(@Nullable OutputFile file) throws InterruptedException, IOException {
     Strategy strategy = OptionValues.read("--strategy", strategyName, Strategy::parse);
     int most = OptionValues.whole("--schedules", schedules, 1, MOST);
     int usual = strategy == Strategy.EXHAUSTIVE ? USUAL_CHOICES : USUAL_CHANGES;
@@ -134,7 +152,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
             ? explorer.exhaust(changes)
             : explorer.draw(strategy, changes, subject.seed());
     progress.end();
-    return print(subject, strategy, changes, result, progress.elapsedNs(), carriers);
+    return print(subject, strategy, changes, result, progress.elapsedNs(), carriers, file);
   }
 
   private Subject subject() {
@@ -216,8 +234,9 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
       int depthUsed,
       Explorer.Result result,
       long elapsedNs,
-      CarrierKind carriers)
-      throws InterruptedException {
+      CarrierKind carriers,
+      @Nullable OutputFile file)
+      throws InterruptedException, IOException {
     Explorer.Found found = result.found();
     Shrinking.Shrunk shrunk =
         found == null
@@ -251,6 +270,10 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     }
     err().println("schedule " + found.number() + ": " + found.outcome().detail());
     shrunk.lines().forEach(err()::println);
+    if (file != null) {
+      file.stream().write(shrunk.chart().getBytes(StandardCharsets.UTF_8));
+      err().println("chart: " + chart);
+    }
     return ExitStatus.VIOLATED;
   }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.cli.report.SequenceChart;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.Setting;
@@ -52,8 +53,10 @@ final class Shrinking {
    *
    * @param words of its command line, after {@code ./starl}
    * @param why single changes that avoid the failure, in lines
+   * @param chart a message sequence chart of its last events, as SVG
    */
-  record Shrunk(Trial from, Shrink.Result result, List<String> words, List<String> why) {
+  record Shrunk(
+      Trial from, Shrink.Result result, List<String> words, List<String> why, String chart) {
 
     String command() {
       return Shell.starl(words);
@@ -123,12 +126,16 @@ final class Shrinking {
     Shrink.Result result = shrink.shrink(from);
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(request(result.trial()).words(seed));
-    RunOutcome again = outcome(parsed(words), result.trial());
+    Plan plan = parsed(words);
+    SequenceChart chart = new SequenceChart();
+    plan.simulation().observer(chart);
+    RunOutcome again = outcome(plan, result.trial());
+    chart.end(again.detail());
     if (!again.equals(result.outcome())) {
       throw new IllegalStateException(
           "'" + String.join(" ", words) + "' ends differently: " + again.detail());
     }
-    return new Shrunk(from, result, words, why(result));
+    return new Shrunk(from, result, words, why(result), chart.svg());
   }
 
   private List<String> why(Shrink.Result result) throws InterruptedException {

@@ -83,6 +83,7 @@ final class BadRunsPart {
     html.open("p", "class", "replay").text("Replay: ");
     html.command(report.description().replay().apply(illustrated.seed())).close();
     shots(illustrated, outcome);
+    chart(illustrated);
     player(illustrated);
     story(illustrated);
     html.close();
@@ -139,6 +140,15 @@ final class BadRunsPart {
       html.element("figcaption", when).close();
     }
     html.close();
+  }
+
+  private void chart(IllustratedRun illustrated) {
+    if (!illustrated.chart().isEmpty()) {
+      html.open("details").element("summary", "The messages before it");
+      String alt = "Seed " + illustrated.seed() + ", message sequence chart";
+      html.empty("img", "src", illustrated.chart(), "alt", alt);
+      html.close();
+    }
   }
 
   /** The browser loads the player when the reader opens it. */

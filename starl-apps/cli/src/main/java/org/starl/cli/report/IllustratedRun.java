@@ -29,6 +29,8 @@ import org.starl.time.Time;
  *
  * @param story in lines; empty if an exception ended the run
  * @param shots ordered by time
+ * @param chart a message sequence chart of the events before the problem, as a data URL; empty if
+ *     there is none
  * @param page an HTML page that plays the seconds around the problem; empty if there is none
  * @param outcome how it ended this time
  * @param diagnoses why robots waited, by the missed deadline, or {@link #AT_THE_END}
@@ -37,6 +39,7 @@ public record IllustratedRun(
     long seed,
     List<String> story,
     List<Shot> shots,
+    String chart,
     String page,
     RunOutcome outcome,
     Map<String, Diagnosis> diagnoses) {
@@ -72,11 +75,12 @@ public record IllustratedRun(
   public static IllustratedRun of(long seed, LongFunction<Plan> plans, long momentNs) {
     List<Shot> shots = new ArrayList<>();
     String page = "";
+    SequenceChart chart = new SequenceChart();
     try {
       Plan plan = plans.apply(seed);
       Filmstrip film = new Filmstrip(plan.obstacles(), plan.layer(), timesNs(momentNs));
       Recording recording = new Recording(plan.obstacles(), plan.layer().copy());
-      plan.simulation().observer(film).observer(recording);
+      plan.simulation().observer(film).observer(recording).observer(chart);
       try {
         SimResult result = plan.simulation().build().run();
         page = page(recording, momentNs);
@@ -84,6 +88,7 @@ public record IllustratedRun(
             seed,
             plan.story().lines(),
             shots(film),
+            address(chart),
             page,
             RunOutcome.of(result),
             diagnoses(result));
@@ -94,7 +99,10 @@ public record IllustratedRun(
         throw e;
       }
     } catch (RuntimeException e) {
-      return new IllustratedRun(seed, List.of(), shots, page, RunOutcome.failed(e), Map.of());
+      RunOutcome outcome = RunOutcome.failed(e);
+      chart.end(outcome.detail());
+      return new IllustratedRun(
+          seed, List.of(), shots, address(chart), page, outcome, Map.of());
     }
   }
 
@@ -106,7 +114,7 @@ public record IllustratedRun(
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));
-    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), "", outcome, Map.of());
+    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), "", "", outcome, Map.of());
   }
 
   private static Map<String, Diagnosis> diagnoses(SimResult result) {
@@ -161,6 +169,13 @@ public record IllustratedRun(
 
   private interface Png {
     void write(OutputStream out) throws IOException;
+  }
+
+  private static String address(SequenceChart chart) {
+    return chart.isEmpty()
+        ? ""
+        : "data:image/svg+xml;base64,"
+            + Base64.getEncoder().encodeToString(chart.svg().getBytes(StandardCharsets.UTF_8));
   }
 
   private static String address(Png png) {

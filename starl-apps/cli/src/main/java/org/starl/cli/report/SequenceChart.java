@@ -43,7 +43,6 @@ public final class SequenceChart implements SimObserver {
   private final ArrayDeque<TraceEvent> last = new ArrayDeque<>();
   private final List<TraceEvent> kept = new ArrayList<>();
   private String problem = "";
-  private long problemNs;
 
   @Override
   public void observed(TraceEvent event) {
@@ -66,16 +65,14 @@ public final class SequenceChart implements SimObserver {
   public void violated(SpecReport.Violation violation) {
     if (problem.isEmpty()) {
       problem = violation.toString();
-      problemNs = violation.timeNs();
       keep(violation.robots());
     }
   }
 
   /** Ends the chart at this problem, unless a specification was violated before. */
-  public void end(String newProblem, long timeNs) {
+  public void end(String newProblem) {
     if (problem.isEmpty()) {
       problem = newProblem;
-      problemNs = timeNs;
       keep(List.of());
     }
   }
@@ -97,6 +94,11 @@ public final class SequenceChart implements SimObserver {
 
   private static boolean isTo(String to, Collection<RobotId> robots) {
     return to.equals("*") || robots.stream().anyMatch(robot -> robot.name().equals(to));
+  }
+
+  /** Whether there is no problem, or no event before it. */
+  public boolean isEmpty() {
+    return kept.isEmpty();
   }
 
   /** The whole picture. */
@@ -203,10 +205,5 @@ public final class SequenceChart implements SimObserver {
 
   private static String escaped(String text) {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
-  }
-
-  /** When the problem was, in ns. */
-  long problemNs() {
-    return problemNs;
   }
 }
