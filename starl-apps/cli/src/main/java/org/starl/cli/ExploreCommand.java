@@ -82,7 +82,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
       description =
           "The shortest and the longest delay of a datagram (default: ${DEFAULT-VALUE}). An order"
               + " that no such delays give is not tried.")
-  private String delays = "1ms..100ms";
+  private String delays = "1ms..800ms";
 
   @Option(
       names = "--losses",

@@ -36,7 +36,7 @@ final class Shrinking {
   private static final int MOST_WHY_RUNS = 200;
   private static final long WHY_BEFORE_NS = 5 * Time.NS_PER_S;
   private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
-  private static final long MOST_DELAY_NS = 100 * Time.NS_PER_MS;
+  private static final long MOST_DELAY_NS = 800 * Time.NS_PER_MS;
 
   /** Settings that a {@link Trial} has as values of its own. */
   private static final Set<Setting<?>> OF_TRIAL =

@@ -5,15 +5,14 @@ import java.util.Collections;
 import java.util.List;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.check.CampaignResult;
-import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 
 /**
  * Why a run went wrong: single copies of datagrams shortly before its failure, without whose
- * arrival, or with another time of whose arrival, the run goes well. A cause in the sense of Lewis:
- * the nearest runs in which the failure does not happen.
+ * arrival, or with another time of whose arrival, the failure does not happen.
  *
- * @param cures the changes that avoid the failure, the one nearest to it first
+ * @param cures changes that avoid the failure, of different copies, the one nearest to it first
  * @param tried the number of changes tried
  */
 public record Why(List<Cure> cures, int tried) {
@@ -98,9 +97,13 @@ public record Why(List<Cure> cures, int tried) {
                 },
                 (finished, planned, bad) -> {});
     for (CampaignResult.Run run : result.runs()) {
-      RunOutcome outcome = run.outcome();
-      if (outcome.isGood()) {
-        cures.add(changes.get((int) run.seed()));
+      Verdict verdict = run.outcome().verdict();
+      // A shrunk run ends soon after its failure, before its apps do.
+      if (verdict == Verdict.GOOD || verdict == Verdict.UNFINISHED) {
+        Cure cure = changes.get((int) run.seed());
+        if (cures.stream().noneMatch(other -> other.copy().equals(cure.copy()))) {
+          cures.add(cure);
+        }
       }
     }
   }

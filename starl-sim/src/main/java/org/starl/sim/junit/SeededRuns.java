@@ -53,7 +53,7 @@ record SeededRuns(
 
   private static final int CHANGES = 3;
   private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
-  private static final long MOST_DELAY_NS = 100 * Time.NS_PER_MS;
+  private static final long MOST_DELAY_NS = 800 * Time.NS_PER_MS;
 
   /** Configures the builder of one seed, and declares the checks. */
   @FunctionalInterface

@@ -48,7 +48,7 @@ public @interface StarlTest {
 
   /**
    * Number of schedules to explore for each seed after all runs went well: orders of its events
-   * that the seed does not draw, with datagrams that take up to 100 ms ({@code starl explore} with
+   * that the seed does not draw, with datagrams that take up to 800 ms ({@code starl explore} with
    * the strategy pct). The failure message names the changes as faults. None by default.
    */
   int explore() default 0;
