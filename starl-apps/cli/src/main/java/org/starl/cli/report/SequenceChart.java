@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport;
@@ -34,10 +35,13 @@ public final class SequenceChart implements SimObserver {
   private static final int HEAD = 40;
   private static final int MOST_CHARACTERS = 28;
 
+  /** What the arrows show already: both ends of a message, and incarnations. */
+  private static final Pattern SHOWN = Pattern.compile("(from|to)=[^,\\]]*(, )?|#\\d+");
+
   private static final String STYLE =
-      "text{font:11px sans-serif;fill:#222}.time{fill:#777}.lane{stroke:#bbb}.act{fill:#eef3fb;"
+      "text{font:11px sans-serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:3px}.time{fill:#777}.lane{stroke:#bbb}.act{fill:#eef3fb;"
           + "stroke:#7a95c4}.msg{stroke:#333;marker-end:url(#head)}.lost{stroke:#c22}.bad{fill:#c22;"
-          + "font-weight:bold}.back{fill:#fff}@media(prefers-color-scheme:dark){text{fill:#ddd}"
+          + "font-weight:bold}.back{fill:#fff}@media(prefers-color-scheme:dark){text{fill:#ddd;stroke:#1b1d21}"
           + ".back{fill:#1b1d21}.lane{stroke:#555}.act{fill:#26324a}.msg{stroke:#ccc}}";
 
   private final ArrayDeque<TraceEvent> last = new ArrayDeque<>();
@@ -104,7 +108,7 @@ public final class SequenceChart implements SimObserver {
   /** The whole picture. */
   public String svg() {
     Map<String, Integer> lanes = lanes();
-    int width = LEFT + LANE * Math.max(1, lanes.size());
+    int width = LEFT + LANE * Math.max(1, lanes.size()) + LANE / 2;
     int height = HEAD + ROW * (kept.size() + 3);
     StringBuilder svg = new StringBuilder();
     svg.append(
@@ -194,8 +198,9 @@ public final class SequenceChart implements SimObserver {
   /** Text, cut to its place unless it is the problem; the whole of it when pointed at. */
   private static void text(
       StringBuilder svg, int x, int y, String attributes, String words, String whole) {
-    boolean isCut = words.length() > MOST_CHARACTERS && !attributes.contains("bad");
-    String shown = isCut ? words.substring(0, MOST_CHARACTERS - 1) + "\u2026" : words;
+    String brief = SHOWN.matcher(words).replaceAll("");
+    boolean isCut = brief.length() > MOST_CHARACTERS && !attributes.contains("bad");
+    String shown = isCut ? brief.substring(0, MOST_CHARACTERS - 1) + "\u2026" : brief;
     svg.append("<text x=\"%d\" y=\"%d\" %s>".formatted(x, y, attributes))
         .append(escaped(shown))
         .append("<title>")
