@@ -43,6 +43,12 @@ class MutexExplorationTest {
   }
 
   @Test
+  void twoMembersOfWhichOneCrashesAndIsSuspected() {
+    Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 1, 1);
+    assertHolds(shape, MutexProtocol::new);
+  }
+
+  @Test
   void grantingAfterAFenceIsFoundWithItsSteps() {
     Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
     Outcome outcome = new MutexExplorer(shape, Unfenced::new).explore(200_000);

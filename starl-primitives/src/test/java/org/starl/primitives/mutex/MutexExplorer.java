@@ -17,6 +17,8 @@ import org.starl.primitives.mutex.MutexProtocol.Phase;
 /**
  * Explores every behaviour of a few participants breadth first, as the model checker explores the
  * model. Messages stay in a set for ever, which covers loss, delay, duplication and reordering.
+ * Timers are choices without a clock: what a timer may do, it may do at any time. A repeated request
+ * is in the set already, an expired one is a withdrawal, a silent participant is suspected.
  * Protocols cannot be copied, so a state is reached again by replaying its path.
  */
 final class MutexExplorer {
@@ -28,14 +30,27 @@ final class MutexExplorer {
    *     later one learn that view first. Confinements add views
    * @param wants the sets of sections that may be requested
    * @param requests the largest number of requests by one participant
-   * @param suspicions the largest number of wrong suspicions
+   * @param suspicions the largest number of suspicions
+   * @param crashes the largest number of participants that crash and do not come back; their robots
+   *     stay in the sections that they hold
    */
   record Shape(
       List<View> views,
       List<List<String>> wants,
       int requests,
       boolean withdrawals,
-      int suspicions) {}
+      int suspicions,
+      int crashes) {
+
+    Shape(
+        List<View> views,
+        List<List<String>> wants,
+        int requests,
+        boolean withdrawals,
+        int suspicions) {
+      this(views, wants, requests, withdrawals, suspicions, 0);
+    }
+  }
 
   /** The result: the first violation with the steps to it, or none. */
   record Outcome(int states, int entries, List<String> violation) {}
@@ -95,6 +110,7 @@ final class MutexExplorer {
     private final List<View> learned = new ArrayList<>();
     private final List<View> views = new ArrayList<>(shape.views());
     private int suspicions;
+    private int crashes;
 
     Situation() {
       for (ProcessId id : lastView().ids()) {
@@ -121,11 +137,13 @@ final class MutexExplorer {
     List<Runnable> choices() {
       List<Runnable> all = new ArrayList<>();
       for (int i = 0; i < nodes.size(); i++) {
-        addChoices(i, all);
+        if (!nodes.get(i).dead) {
+          addChoices(i, all);
+        }
       }
       messages.forEach((text, message) -> {
         for (MutexNode node : nodes) {
-          if (node.id.equals(message.to())) {
+          if (node.id.equals(message.to()) && !node.dead) {
             all.add(step(text, () -> node.protocol.receive(message, 0)));
           }
         }
@@ -165,6 +183,15 @@ final class MutexExplorer {
                   }));
         }
       }
+      if (crashes < shape.crashes()) {
+        all.add(
+            step(
+                node.id + " crashes",
+                () -> {
+                  crashes++;
+                  node.diesHolding();
+                }));
+      }
       for (Confinement each : node.proposed) {
         if (each.changes(lastView()) && each.hasFencersIn(lastView())) {
           all.add(step(each.toString(), () -> views.add(each.applyTo(lastView().next()))));
@@ -203,6 +230,7 @@ final class MutexExplorer {
           text.append(node.protocol.state())
               .append(node.consentedTo)
               .append(sorted(node.proposed))
+              .append(node.dead ? "dead" : "")
               .append('|'));
       text.append(views).append(suspicions);
       return text.append(new TreeSet<>(messages.keySet())).toString();
