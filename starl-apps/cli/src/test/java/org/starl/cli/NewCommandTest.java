@@ -86,6 +86,8 @@ class NewCommandTest {
         .contains("app my-robots: robots take turns at a dock")
         .anyMatch(line -> line.startsWith("  visits=2 "))
         .anyMatch(line -> line.startsWith("app intersection: "));
+    assertThat(project.run("list", NAME).out())
+        .anyMatch(line -> line.startsWith("  lemma alone_at_the_dock: No two robots "));
     Cli bad = project.run("run", NAME, "--set", "visits=0");
     assertThat(bad.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(project.run("verify-determinism", NAME, "--seed", "7").status()).isZero();
