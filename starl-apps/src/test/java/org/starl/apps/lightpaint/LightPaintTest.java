@@ -272,8 +272,8 @@ class LightPaintTest {
 
   @Test
   void morePaintersThanTheTubesAllowAreRefused() {
-    assertThatThrownBy(() -> plan(1, 129, Map.of(), Map.of()))
+    assertThatThrownBy(() -> plan(1, 201, Map.of(), Map.of()))
         .isInstanceOf(BadInput.class)
-        .hasMessage("robots: 129: expected 1 to 128 painters");
+        .hasMessage("robots: 201: expected 1 to 200 painters");
   }
 }

@@ -11,7 +11,8 @@ import org.starl.primitives.paths.TubeSettings;
 
 /**
  * What all painters know from the start. The floor is the drawing's bounding box and a margin
- * around it, in which every painter has a home. The homes are evenly spread.
+ * around it, in which every painter has a home. The homes are evenly spread on a ring, or on
+ * several rings.
  *
  * @param strokes the drawing, each stroke at the index that is its number
  * @param floor all bodies stay inside
@@ -23,6 +24,9 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
   static final TubeSettings TUBES = new TubeSettings(40, 1_000, 10_000, 200, 2_000, 200, 2_000);
 
   private static final double SPARE_MM = 30;
+
+  /** With homes that are farther from the drawing, no tube reaches all strokes. */
+  private static final double FAR_MM = 10_000;
 
   /** Slower painters with narrower tubes can work nearer to each other. */
   private static final double STEP_MM = 80;
@@ -49,12 +53,27 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
     while (border(drawing.widened(marginMm)).lengthMm() < painters * alongMm) {
       marginMm += apartMm;
     }
-    Polyline border = border(drawing.widened(marginMm));
     List<Point> homes = new ArrayList<>();
-    for (int i = 0; i < painters; i++) {
-      homes.add(Polyline.rounded(border.at(border.lengthMm() / painters * (i + 0.5))));
+    if (marginMm <= FAR_MM) {
+      spread(painters, border(drawing.widened(marginMm)), homes);
+    } else {
+      // Several rings, with room for a tube between two homes and between two rings.
+      double aisleMm = 2 * apartMm;
+      marginMm = apartMm - aisleMm;
+      while (homes.size() < painters) {
+        marginMm += aisleMm;
+        Polyline ring = border(drawing.widened(marginMm));
+        int room = (int) (ring.lengthMm() / aisleMm);
+        spread(Math.min(room, painters - homes.size()), ring, homes);
+      }
     }
     return new Painting(strokes, drawing.widened(marginMm + radiusMm + SPARE_MM), homes);
+  }
+
+  private static void spread(int count, Polyline border, List<Point> homes) {
+    for (int i = 0; i < count; i++) {
+      homes.add(Polyline.rounded(border.at(border.lengthMm() / count * (i + 0.5))));
+    }
   }
 
   /** From the lower left corner counter-clockwise. */

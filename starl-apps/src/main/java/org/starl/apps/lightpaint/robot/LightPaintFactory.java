@@ -31,11 +31,8 @@ public final class LightPaintFactory implements AppFactory {
   public static final Parameter STROKE =
       new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
 
-  /**
-   * Every painter votes on every tube and plans around all tubes. With 200, some homes are farther
-   * from the strokes than a tube is long.
-   */
-  private static final int MAX_PAINTERS = 128;
+  /** Every painter votes on every tube and plans around all tubes. */
+  private static final int MAX_PAINTERS = 200;
 
   private static final int MAX_STROKES = 300;
 
