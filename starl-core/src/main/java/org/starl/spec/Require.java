@@ -77,8 +77,6 @@ public final class Require {
         super.observe(event, report);
         if (event instanceof Joined) {
           deadlines.start(event.robot(), event.timeNs());
-        } else if (event instanceof Left) {
-          deadlines.stop(event.robot());
         }
         if (faults.observe(event)) {
           deadlines.assumeAll(faults.isFaultFree(), event.timeNs());

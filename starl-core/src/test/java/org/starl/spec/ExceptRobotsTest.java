@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Joined;
 
 class ExceptRobotsTest {
@@ -24,6 +25,43 @@ class ExceptRobotsTest {
     assertThat(monitors.report().holds()).isTrue();
     assertThat(monitors.report().checks("alone")).isPositive();
     assertThat(at(List.of(C), A, B).report().violations("alone")).isEqualTo(1);
+  }
+
+  @Test
+  void onlyTheNamedLemmasAreLeftOutAlsoAtTheEnd() {
+    Monitor breaksAll = new BreaksAll();
+    for (String excepted : List.of("late", "ends", "other")) {
+      Monitors monitors =
+          new Monitors(
+              List.of(new ExceptRobots(breaksAll, List.of(A), List.of(excepted), "wander")));
+      monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
+      monitors.finish(1);
+      for (String lemma : breaksAll.lemmas()) {
+        assertThat(monitors.report().violations(lemma))
+            .as("%s, except %s", lemma, excepted)
+            .isEqualTo(lemma.equals(excepted) ? 0 : 1);
+      }
+    }
+  }
+
+  /** One deadline that passes, and one violation at the end, and another one. */
+  private static final class BreaksAll extends LemmaMonitor {
+    BreaksAll() {
+      lemma("late", "Is never in time.");
+      lemma("ends", "Does not end.");
+      lemma("other", "Is not.");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      report.violated("other", event.timeNs(), List.of(A), "is");
+      report.overdue("late", event.timeNs(), List.of(A), "is late");
+    }
+
+    @Override
+    public void finish(long endNs, Report report) {
+      report.violated("ends", endNs, List.of(A), "ends");
+    }
   }
 
   @Test

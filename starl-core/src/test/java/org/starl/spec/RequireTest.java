@@ -106,6 +106,15 @@ class RequireTest {
   }
 
   @Test
+  void theTimeOfEventuallyBeginsAgainAfterARestart() {
+    Fault crash = new Fault(2 * S, A, Fault.CRASH, "");
+    Fault restart = new Fault(5 * S, A, Fault.RESTART, "");
+    Monitor monitor = Require.eventuallyIn("L", DOCK, Duration.ofSeconds(6));
+    List<Violation> found = violations(monitor, 20 * S, joined(0, A, -1000), crash, restart);
+    assertThat(found).extracting(Violation::timeNs).containsExactly(11 * S);
+  }
+
+  @Test
   void aRobotThatHasLeftOwesNothing() {
     Monitor monitor = Require.eventuallyIn("L", DOCK, Duration.ofSeconds(6));
     List<Violation> found =
