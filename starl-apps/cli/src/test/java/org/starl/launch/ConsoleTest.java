@@ -7,6 +7,7 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -21,33 +22,51 @@ class ConsoleTest {
   @Test
   void aPipeThatNothingReadsBlocksNoRobotAndLostLinesAreCounted() throws Exception {
     Process reader = new ProcessBuilder("cat").start();
-    signal(reader, "-STOP");
     try (PrintStream pipe = new PrintStream(reader.getOutputStream(), true)) {
-      Console console = new Console(pipe::println);
-      for (int i = 0; i < LINES; i++) {
-        console.accept(TEXT);
+      try {
+        signal(reader, "-STOP");
+        losesLines(reader, pipe);
+      } finally {
+        // Before the pipe is closed, which would wait for a blocked write.
+        reader.destroyForcibly();
       }
-      console.close();
-      assertThat(console.isStuck()).isTrue();
-
-      signal(reader, "-CONT");
-      try (BufferedReader out =
-          new BufferedReader(
-              new InputStreamReader(reader.getInputStream(), StandardCharsets.UTF_8))) {
-        long lost = 0;
-        for (long told = 0; told < LINES; told++) {
-          String line = out.readLine();
-          if (!line.equals(TEXT)) {
-            assertThat(line).endsWith("lines were lost here, because the output was blocked");
-            lost = Long.parseLong(line.substring(0, line.indexOf(' ')));
-            told += lost - 1;
-          }
-        }
-        assertThat(lost).isPositive();
-      }
-    } finally {
-      reader.destroyForcibly();
     }
+  }
+
+  private static void losesLines(Process reader, PrintStream pipe) throws Exception {
+    Console console = new Console(pipe::println);
+    for (int i = 0; i < LINES; i++) {
+      console.accept(TEXT);
+    }
+    console.close();
+    assertThat(console.isStuck()).isTrue();
+
+    signal(reader, "-CONT");
+    CompletableFuture<Void> closed = CompletableFuture.runAsync(() -> closeAfter(console, pipe));
+    long told = 0;
+    long lost = 0;
+    try (BufferedReader out =
+        new BufferedReader(
+            new InputStreamReader(reader.getInputStream(), StandardCharsets.UTF_8))) {
+      for (String line = out.readLine(); line != null; line = out.readLine()) {
+        if (line.equals(TEXT)) {
+          told++;
+        } else {
+          assertThat(line).endsWith("lines were lost here, because the output was blocked");
+          lost += Long.parseLong(line.substring(0, line.indexOf(' ')));
+        }
+      }
+    }
+    closed.join();
+    assertThat(lost).isPositive();
+    assertThat(told + lost).isEqualTo(LINES);
+  }
+
+  private static void closeAfter(Console console, PrintStream pipe) {
+    while (console.isStuck()) {
+      console.close();
+    }
+    pipe.close();
   }
 
   private static void signal(Process process, String name) throws Exception {
