@@ -81,9 +81,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
 
   @Override
   public boolean goesOnAfterBump() {
-    return collision.hasBumped()
-        && p.robotType() != RobotType.GOAL
-        && p.collisionPolicy().fails();
+    return collision.hasBumped() && p.robotType() != RobotType.GOAL && p.collisionPolicy().fails();
   }
 
   @Override

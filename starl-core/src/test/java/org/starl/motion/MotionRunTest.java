@@ -233,7 +233,8 @@ class MotionRunTest {
             .robotType(RobotType.values()[rng.nextInt(3)])
             .build();
     MotionRun run =
-        MotionRun.goTo(new Point(900, 900), new Nowhere(), Nowhere::new, parameters, rng.fork("moat"), 0);
+        MotionRun.goTo(
+            new Point(900, 900), new Nowhere(), Nowhere::new, parameters, rng.fork("moat"), 0);
     List<String> commands = new ArrayList<>();
     long nowNs = 0;
     for (int i = 0; i < 200; i++) {

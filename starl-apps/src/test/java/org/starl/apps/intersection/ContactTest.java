@@ -90,11 +90,7 @@ class ContactTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "A0 A C C1, C0 C D D1",
-    "A0 A C C1, C0 C D B B1",
-    "D0 D B A A1, B0 B A C C1"
-  })
+  @CsvSource({"A0 A C C1, C0 C D D1", "A0 A C C1, C0 C D B B1", "D0 D B A A1, B0 B A C C1"})
   void twoCarsThatBumpBackAwayFromEachOtherAndCross(String one, String other) {
     int count = 0;
     // A slow start lets the other car come into the first one's zone.
