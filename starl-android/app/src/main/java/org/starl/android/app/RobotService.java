@@ -79,8 +79,11 @@ public final class RobotService extends Service {
   private final Access access = new Access();
   private final Handler main = new Handler(Looper.getMainLooper());
 
-  /** Opens and closes robots, in order. */
-  final ExecutorService worker =
+  /**
+   * Opens and closes robots, in order. Of the process, so that the robot of a service that Android has
+   * destroyed is closed, and its port is free, before the next service opens one.
+   */
+  static final ExecutorService WORKER =
       Executors.newSingleThreadExecutor(work -> new Thread(work, "robot service"));
 
   /** Set before the first start, if at all. */
@@ -148,11 +151,10 @@ public final class RobotService extends Service {
     }
     attempt.incrementAndGet();
     stopWheels();
-    worker.execute(() -> {
+    WORKER.execute(() -> {
       closeRobot();
       main.post(this::releaseLocks);
     });
-    worker.shutdown();
     super.onDestroy();
   }
 
@@ -245,7 +247,7 @@ public final class RobotService extends Service {
     if (locks != null) {
       locks.acquire();
     }
-    worker.execute(() -> open(mine));
+    WORKER.execute(() -> open(mine));
   }
 
   /** Ends the robot, wheels first, and the service if no client is bound. */
@@ -351,7 +353,7 @@ public final class RobotService extends Service {
   /** Leaves the foreground and releases the locks after the robot is closed and its wheels stand. */
   private void leaveSoon() {
     int mine = attempt.get();
-    worker.execute(() -> {
+    WORKER.execute(() -> {
       closeRobot();
       onMain(mine, this::leave);
     });

@@ -154,7 +154,7 @@ public final class RobotServiceTest {
   /** Releases the worker; returns when it has completed and reported all requests. */
   private void goOn() throws Exception {
     mayGoOn.release();
-    service.worker.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
+    RobotService.WORKER.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
     shadowOf(Looper.getMainLooper()).idle();
   }
 
@@ -215,7 +215,7 @@ public final class RobotServiceTest {
   public void aStopStopsTheWheelsFirstAndKeepsThePhoneAwakeUntilTheEnd() throws Exception {
     tell(RobotService.START);
     until(car::turnsItsWheels);
-    service.worker.execute(mayGoOn::acquireUninterruptibly);
+    RobotService.WORKER.execute(mayGoOn::acquireUninterruptibly);
     tell(RobotService.STOP);
     assertThat(isHeldBy(CreateHold.EMERGENCY_STOP)).isTrue();
     until(() -> !car.turnsItsWheels());
@@ -231,7 +231,7 @@ public final class RobotServiceTest {
   public void aStartBeforeTheEndOfThePreviousRobotKeepsThePhoneAwake() throws Exception {
     tell(RobotService.START);
     until(() -> service.phase() == Phase.RUNNING && car.turnsItsWheels());
-    service.worker.execute(mayGoOn::acquireUninterruptibly);
+    RobotService.WORKER.execute(mayGoOn::acquireUninterruptibly);
     tell(RobotService.STOP);
     tell(RobotService.START);
     goOn();
@@ -253,13 +253,9 @@ public final class RobotServiceTest {
 
     // Android kills the process without a call, and then starts the service without an intent.
     ServiceController<RobotService> killed = controller;
-    service.worker.execute(() -> {});
     controller = Robolectric.buildService(RobotService.class).create();
     RobotService next = controller.get();
-    RobotService dead = service;
     killed.destroy();
-    // A dead process holds neither the robot's port nor its link.
-    until(dead.worker::isTerminated);
     service = next;
     service.onStartCommand(null, 0, 1);
     until(() -> service.phase() == Phase.RUNNING && isHeldBy(CreateHold.EMERGENCY_STOP));
@@ -270,6 +266,31 @@ public final class RobotServiceTest {
     service.release();
     until(car::turnsItsWheels);
     assertThat(new Store(application).isEmergency()).isFalse();
+  }
+
+  @Test
+  public void aRobotIsOpenedAfterThatOfADestroyedServiceIsClosed() throws InterruptedException {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    RobotService.WORKER.execute(mayGoOn::acquireUninterruptibly);
+    RobotService dead = service;
+    controller.destroy();
+    controller = Robolectric.buildService(RobotService.class).create();
+    service = controller.get();
+    AtomicInteger opened = new AtomicInteger();
+    service.opener =
+        (mission, links, files, log, onBug) -> {
+          opened.incrementAndGet();
+          assertThat(dead.status()).isNull();
+          return Robot.open(mission, links, files, log, onBug);
+        };
+    tell(RobotService.START);
+    AtomicInteger ticks = new AtomicInteger();
+    until(() -> opened.get() > 0 || ticks.incrementAndGet() > 100);
+    mayGoOn.release();
+    until(() -> service.phase() != Phase.STARTING);
+    assertThat(service.phase()).as(service.problem()).isEqualTo(Phase.RUNNING);
+    until(car::turnsItsWheels);
   }
 
   @Test
