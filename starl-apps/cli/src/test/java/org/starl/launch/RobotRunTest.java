@@ -198,7 +198,7 @@ class RobotRunTest {
 
     assertThat(failure).hasMessageContaining("No space left");
     assertThat(happened)
-        .filteredOn(line -> line.contains("trace cannot be written"))
+        .filteredOn(line -> line.contains("wheels stopped"))
         .containsExactly(
             "bot0: wheels stopped: the trace cannot be written: No space left on device");
   }
@@ -216,8 +216,9 @@ class RobotRunTest {
     assertThat(run(wheels, 1).run()).hasMessageContaining("No space left");
     assertThat(happened).contains("wheels stand");
     assertThat(happened)
-        .filteredOn(line -> line.startsWith("bot0: wheels stopped: " + storage))
-        .hasSize(1);
+        .filteredOn(line -> line.contains("wheels stopped"))
+        .singleElement()
+        .satisfies(line -> assertThat(line).startsWith("bot0: wheels stopped: " + storage));
   }
 
   private static void fillAfterFirstWrite(Path storage) {
