@@ -108,6 +108,15 @@ class RobotRunTest {
     return run;
   }
 
+  private void stopAtTheEndOfTheRound() {
+    teller =
+        line -> {
+          if (line.contains("end of round")) {
+            run().stop();
+          }
+        };
+  }
+
   private RobotRun run() {
     if (run == null) {
       throw new AssertionError("there is no run yet");
@@ -173,12 +182,7 @@ class RobotRunTest {
 
   @Test
   void anEmergencyStopPrecedesItsMessage() throws IOException {
-    teller =
-        line -> {
-          if (line.contains("end of round")) {
-            run().stop();
-          }
-        };
+    stopAtTheEndOfTheRound();
 
     run((strand, clock, log, onFailure) -> new Standing(), 1).run();
 
@@ -201,6 +205,22 @@ class RobotRunTest {
         .filteredOn(line -> line.contains("wheels stopped"))
         .containsExactly(
             "bot0: wheels stopped: the trace cannot be written: No space left on device");
+  }
+
+  @Test
+  void aTraceThatCannotBeClosedIsAFailureOfTheRun() throws IOException {
+    stopAtTheEndOfTheRound();
+    OutputStream trace =
+        new ByteArrayOutputStream() {
+          @Override
+          public void close() throws IOException {
+            throw new IOException("the disk is gone");
+          }
+        };
+
+    Throwable failure = run((strand, clock, log, onFailure) -> new Standing(), 1, trace).run();
+
+    assertThat(failure).hasMessageContaining("the disk is gone");
   }
 
   @Test
