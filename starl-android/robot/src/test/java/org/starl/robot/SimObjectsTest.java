@@ -80,7 +80,7 @@ class SimObjectsTest extends ObjectSensorContract {
   void aRobotWithoutASensorDoesNotStart() {
     assertThatThrownBy(() -> simulation(100).build().run())
         .isInstanceOf(SimulationFailed.class)
-        .hasMessageContaining("bot0", "this robot has no object sensor");
+        .hasMessageContainingAll("bot0", "this robot has no object sensor");
   }
 
   @Test
