@@ -150,7 +150,7 @@ row "many poses" "${answers[poses]}, 200 a second to each robot" \
   "$(($(false_poses) - single)) used, $crossed" $status
 attack hangup
 
-# The second bot0 and the lost storage, at one time. The second bot0's Create starts meanwhile.
+# The Create of the second bot0 starts meanwhile.
 begin create create "$work/second/create.log" $starl simulated-create --pty "$work/second.tty"
 # bot2 has just unregistered when its round ends, so it holds no zone.
 ends=$(count 'end of round' "$run/bot2.log")
@@ -163,15 +163,16 @@ mv "$run/bot2.log" "$run/bot2.before.log"
 begin_robot bot2 "$work/bot2.yaml" "$run" 1000
 told() { grep -hE 'end of round 1 |another storage' "$run/bot2.log"; }
 joined_or_told() { told >/dev/null || ended "${pids[bot2]}"; }
-until_ 20 grep -qs ' at ' "$work/second/create.log"
-begin second bot0 "$work/second/bot0.log" \
-  $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
-second_told() { ended "${pids[second]}" && grep -q 'wheels stopped: .* knows another storage of bot0' "$work/second/bot0.log"; }
 until_ "$limit" joined_or_told
 grep -q 'knows another storage of bot2' "$run/bot2.log"
 status=$?
 row "storage lost" "bot2 killed, its storage deleted, started again" "it stops and says why" \
   "$([ $status = 0 ] && { told || tail -qn1 "$run/bot2.log"; } | head -1 | cut -c1-120 || echo "neither within $limit s")" $status
+# After bot2's end: with its new storage, bot2 would believe the bot0 that it hears first.
+until_ 20 grep -qs ' at ' "$work/second/create.log"
+begin second bot0 "$work/second/bot0.log" \
+  $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
+second_told() { ended "${pids[second]}" && grep -q 'wheels stopped: .* knows another storage of bot0' "$work/second/bot0.log"; }
 # Broadcasts would let both hear each other, and both would stop; here each has a fixed address.
 until_ 20 second_told && ! ended "${pids[bot0]}"
 status=$?
