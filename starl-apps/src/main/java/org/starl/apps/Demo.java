@@ -64,6 +64,14 @@ public interface Demo {
     return Envelope.LOGICAL;
   }
 
+  /**
+   * A request with chaos, varied by its seed: groups of other sizes, other parameters. What the user
+   * gave stays.
+   */
+  default Request varied(Request request) {
+    return request;
+  }
+
   /** The simulator's default settings for this app. */
   default SimSettings.Builder defaultSettings(Request request) {
     return SimSettings.builder();

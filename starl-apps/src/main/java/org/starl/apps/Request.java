@@ -2,9 +2,11 @@ package org.starl.apps;
 
 import java.util.OptionalInt;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Function;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 
 /**
  * A user's request to run an app.
@@ -21,6 +23,23 @@ public record Request(long seed, OptionalInt robots, SortedMap<String, String> p
       throw new IllegalArgumentException("no parameter '" + key + "'");
     }
     return value;
+  }
+
+  /** This request with a number of robots drawn from the seed, unless the user gave one. */
+  public Request drawRobots(int least, int most) {
+    int drawn = least + new Rng(seed).fork("chaos/robots").nextInt(most - least + 1);
+    return robots.isPresent() ? this : new Request(seed, OptionalInt.of(drawn), parameters);
+  }
+
+  /** In half of the seeds this request with another value, unless the user gave one. */
+  public Request drawParameter(Parameter parameter, String other) {
+    boolean isDrawn = new Rng(seed).fork("chaos/" + parameter.key()).nextBoolean(0.5);
+    if (!isDrawn || !parameter(parameter.key()).equals(parameter.defaultValue())) {
+      return this;
+    }
+    SortedMap<String, String> changed = new TreeMap<>(parameters);
+    changed.put(parameter.key(), other);
+    return new Request(seed, robots, changed);
   }
 
   /**

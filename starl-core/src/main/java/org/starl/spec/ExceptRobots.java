@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -56,6 +57,11 @@ public final class ExceptRobots implements Monitor {
   @Override
   public List<String> perRobotLemmas() {
     return monitor.perRobotLemmas();
+  }
+
+  @Override
+  public Map<String, String> inapplicable() {
+    return monitor.inapplicable();
   }
 
   /** One sentence; none without robots. */

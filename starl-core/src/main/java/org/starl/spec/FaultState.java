@@ -19,12 +19,15 @@ public final class FaultState {
   private final Set<RobotId> down = new TreeSet<>();
   // Active faults, each as affected robot and text. A fault may be in the list twice.
   private final List<String> active = new ArrayList<>();
+  // When the last change was; long ago at first.
+  private long changedNs = Long.MIN_VALUE / 2;
 
   /** An independent copy of the current state. */
   public FaultState copy() {
     FaultState copy = new FaultState();
     copy.down.addAll(down);
     copy.active.addAll(active);
+    copy.changedNs = changedNs;
     return copy;
   }
 
@@ -34,12 +37,17 @@ public final class FaultState {
    * @return whether the answer of any method here may have changed
    */
   public boolean observe(TraceEvent event) {
-    return switch (event) {
-      case Fault fault -> fault(fault);
-      case Joined joined -> down.remove(joined.robot());
-      case Left left -> down.add(left.robot());
-      default -> false;
-    };
+    boolean isChange =
+        switch (event) {
+          case Fault fault -> fault(fault);
+          case Joined joined -> down.remove(joined.robot());
+          case Left left -> down.add(left.robot());
+          default -> false;
+        };
+    if (isChange) {
+      changedNs = event.timeNs();
+    }
+    return isChange;
   }
 
   /** Whether the robot runs: it has neither crashed without restart nor left. */
@@ -50,6 +58,15 @@ public final class FaultState {
   /** Whether no fault except crashes is active. */
   public boolean isFaultFree() {
     return active.isEmpty();
+  }
+
+  /**
+   * Whether no fault was active, every robot was up, and none came or left, in the {@code settleNs}
+   * until {@code nowNs}: then messages that were lost before have been repeated. True before the
+   * first fault.
+   */
+  public boolean isCalm(long nowNs, long settleNs) {
+    return active.isEmpty() && down.isEmpty() && nowNs - changedNs >= settleNs;
   }
 
   private boolean fault(Fault fault) {

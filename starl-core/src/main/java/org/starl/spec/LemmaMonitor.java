@@ -1,5 +1,6 @@
 package org.starl.spec;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,10 +9,21 @@ import java.util.Map;
 public abstract class LemmaMonitor implements Monitor {
 
   private final Map<String, String> sentences = new LinkedHashMap<>();
+  private final Map<String, String> inapplicable = new LinkedHashMap<>();
 
   /** Adds a lemma, and the sentence that explains it to a user. For constructors. */
   protected final void lemma(String name, String sentence) {
     sentences.put(name, sentence);
+  }
+
+  /** Declares that runs like this one never check a lemma, with the reason. For constructors. */
+  protected final void never(String name, String reason) {
+    inapplicable.put(name, reason);
+  }
+
+  @Override
+  public final Map<String, String> inapplicable() {
+    return Collections.unmodifiableMap(inapplicable);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.starl.spec;
 
 import java.util.List;
 import org.starl.geometry.Region;
+import java.util.Map;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
@@ -45,6 +46,14 @@ public interface Monitor {
    */
   default List<String> exceptions() {
     return List.of();
+  }
+
+  /**
+   * The {@link #lemmas} that runs like this one never check, each with the reason: {@code the house
+   * has an object}. Of every other lemma that was never checked, users see that.
+   */
+  default Map<String, String> inapplicable() {
+    return Map.of();
   }
 
   /** Processes the next event. */

@@ -23,6 +23,7 @@ public final class Monitors {
       report.expect(monitor.lemmas());
       monitor.lemmas().forEach(lemma -> report.describe(lemma, monitor.description(lemma)));
       report.except(monitor.exceptions());
+      monitor.inapplicable().forEach(report::exempt);
     }
   }
 

@@ -8,6 +8,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;
@@ -71,6 +72,7 @@ public final class SpecReport implements Monitor.Report {
   private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
   private final List<String> exceptions = new ArrayList<>();
+  private final SortedMap<String, String> inapplicable = new TreeMap<>();
 
   /** Sets the sentence that explains {@code lemma}; the first one that is not empty stays. */
   void describe(String lemma, String sentence) {
@@ -92,6 +94,27 @@ public final class SpecReport implements Monitor.Report {
   /** The robots of which a lemma is not required, and why: a line for each group; often none. */
   public List<String> exceptions() {
     return Collections.unmodifiableList(exceptions);
+  }
+
+  /** Adds a lemma of the {@link Monitor#inapplicable} of a monitor. */
+  void exempt(String lemma, String reason) {
+    inapplicable.put(lemma, reason);
+  }
+
+  /** The reason why runs like this one never check {@code lemma}; empty if there is none. */
+  public String inapplicable(String lemma) {
+    return inapplicable.getOrDefault(lemma, "");
+  }
+
+  /** The lemmas without a check, applicable or not: nothing is known of them. */
+  public List<String> neverChecked() {
+    List<String> lemmas = new ArrayList<>();
+    tallies.forEach((lemma, tally) -> {
+      if (tally.checks == 0 && tally.violations == 0) {
+        lemmas.add(lemma);
+      }
+    });
+    return lemmas;
   }
 
   /** Adds lemmas that must be in the report even if they are never checked. */

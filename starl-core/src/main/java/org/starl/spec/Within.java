@@ -59,6 +59,12 @@ public class Within<K> {
     return sinceNs.remove(key) != null || suspended.remove(key);
   }
 
+  /** Ends every deadline: none is required any more. */
+  public void clear() {
+    sinceNs.clear();
+    suspended.clear();
+  }
+
   /**
    * Sets whether the assumption of {@code key}'s deadline holds; without a deadline, does nothing.
    */

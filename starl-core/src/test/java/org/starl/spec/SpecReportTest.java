@@ -35,6 +35,29 @@ class SpecReportTest {
   }
 
   @Test
+  void aLemmaWithoutACheckIsNeitherHeldNorInapplicableUnlessAMonitorSaysSo() {
+    LemmaMonitor monitor =
+        new LemmaMonitor() {
+          {
+            lemma("found", "A thing is found.");
+            lemma("nothing", "Nothing is found.");
+            lemma("checked", "This one is checked.");
+            never("nothing", "an object is there");
+          }
+
+          @Override
+          public void observe(TraceEvent event, Report report) {
+            report.checked("checked");
+          }
+        };
+    Monitors monitors = new Monitors(List.of(new ExceptRobots(monitor, List.of(), List.of(), "")));
+    monitors.observe(new TraceEvent.Left(1, ONE));
+    assertThat(monitors.report().neverChecked()).containsExactly("found", "nothing");
+    assertThat(monitors.report().inapplicable("nothing")).isEqualTo("an object is there");
+    assertThat(monitors.report().inapplicable("found")).isEmpty();
+  }
+
+  @Test
   void violationsThatAreNotKeptAreCounted() {
     SpecReport report = new SpecReport();
     int found = SpecReport.MAX_KEPT_PER_LEMMA + 7;

@@ -29,6 +29,7 @@ import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.WaypointFiles;
+import org.starl.spec.Authentic;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
 
@@ -45,6 +46,9 @@ import org.starl.trace.TraceHeader;
 public final class Simulation {
 
   private static final int DEFAULT_ACTION_LIMIT_S = 10;
+
+  /** A robot suspects another one of a crash after so long. */
+  private static final Duration USUAL_TIMEOUT = Duration.ofSeconds(10);
 
   private final SimulationPlan plan;
 
@@ -106,6 +110,7 @@ public final class Simulation {
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     private Duration actionLimit = Duration.ofSeconds(DEFAULT_ACTION_LIMIT_S);
+    private Duration timeout = USUAL_TIMEOUT;
     private final List<RobotSpec> robots = new ArrayList<>();
     private final List<SimObserver> observers = new ArrayList<>();
     private final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
@@ -252,6 +257,17 @@ public final class Simulation {
       return this;
     }
 
+    /**
+     * Sets the longest timeout of the protocols that the robots use, 10 s unless set: chaos also
+     * draws outages that last longer.
+     *
+     * @param longest zero if there is none: then chaos draws no outages
+     */
+    public Builder timeout(Duration longest) {
+      timeout = longest;
+      return this;
+    }
+
     public Builder observer(SimObserver observer) {
       observers.add(observer);
       return this;
@@ -319,7 +335,7 @@ public final class Simulation {
               all.get(Setting.FAULTS).plus(chaos(start.size())),
               endNs(),
               actionLimit.toNanos(),
-              monitors,
+              allMonitors(),
               observers));
     }
 
@@ -342,7 +358,17 @@ public final class Simulation {
 
     private FaultPlan chaos(int count) {
       Rng rng = new Rng(behaviourSeedOrDerived()).fork("chaos");
-      return FaultPlan.chaos(settings.get(Setting.CHAOS), count, settings.chaosEndNs(), rng);
+      return FaultPlan.chaos(
+          settings.get(Setting.CHAOS), count, timeout.toNanos(), settings.chaosEndNs(), rng);
+    }
+
+    /** With the one of sealed datagrams, if they are sealed. */
+    private List<Supplier<? extends Monitor>> allMonitors() {
+      List<Supplier<? extends Monitor>> all = new ArrayList<>(monitors);
+      if (key() != null) {
+        all.add(Authentic::new);
+      }
+      return all;
     }
 
     /** The key that seals the run's datagrams, or null. */

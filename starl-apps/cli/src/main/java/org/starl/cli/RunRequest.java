@@ -76,11 +76,11 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
    * @throws BadInput if a value is invalid
    */
   Plan plan(long seed) {
-    Request request = new Request(seed, robots(), parameters);
+    Request request = request(seed);
     SimSettings defaults = demo.defaultSettings(request).build();
     Plan plan = demo.plan(request, settings.over(defaults));
     plan.simulation().name(demo.name()).seed(seed);
-    parameters.forEach(plan.simulation()::parameter);
+    request.parameters().forEach(plan.simulation()::parameter);
     if (robots().isEmpty()) {
       plan.simulation().countedByScenario();
     }
@@ -109,6 +109,19 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
     return Optional.of(
         "starl: --robots " + given + " changes nothing: " + demo.name() + " has " + planned);
+  }
+
+  private Request request(long seed) {
+    Request request = new Request(seed, robots(), parameters);
+    return settings.get(Setting.CHAOS) == Envelope.NONE ? request : demo.varied(request);
+  }
+
+  /** This request as {@link #plan} runs it: with what chaos varies. */
+  RunRequest varied(long seed) {
+    Request request = request(seed);
+    SimSettings.Builder more = settings.toBuilder();
+    request.robots().ifPresent(more::robots);
+    return new RunRequest(demo, request.parameters(), more.build());
   }
 
   /** The command line that runs this request with one seed. */

@@ -97,12 +97,13 @@ final class Shrinking {
     this.carriers = carriers;
     Plan plan = request.plan(seed);
     SimSettings settings = plan.simulation().settings();
-    SimSettings kept = request.settings();
+    RunRequest varied = request.varied(seed);
+    SimSettings kept = varied.settings();
     if (settings.get(Setting.CHAOS) == Envelope.HOSTILE) {
       // Hostile chaos also seals datagrams; its faults alone would not.
       kept = kept.with(Setting.SEALED, true);
     }
-    whole = request.withSettings(kept);
+    whole = varied.withSettings(kept);
     Simulation simulation = plan.simulation().build();
     from =
         new Trial(

@@ -13,6 +13,7 @@ import org.starl.primitives.agreement.SetAgreement;
 final class AgreementClient extends Client {
 
   private static final long THINK_MS = 50;
+  private static final long PROMPT_MS = 5_000;
   private static final Codec<Integer> VALUE =
       Codec.of((value, out) -> out.u16(value), WireReader::u16);
 
@@ -22,7 +23,7 @@ final class AgreementClient extends Client {
   private AgreementClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.deadlineMs());
-    for (int i = 0; i < setup.course().rounds(); i++) {
+    for (int i = 0; i < setup.course().allRounds(); i++) {
       agreements.add(new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
     }
   }
@@ -30,6 +31,7 @@ final class AgreementClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new AgreementClient(gvh, setup));
     setup.simulation().monitor(() -> new AgreementSpec(setup.withinNs()));
+    setup.promise(PROMPT_MS, false);
   }
 
   @Override

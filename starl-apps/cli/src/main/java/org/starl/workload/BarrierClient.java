@@ -21,7 +21,8 @@ final class BarrierClient extends Client {
 
   private static final String XID = "yard";
   private static final long THINK_MS = 500;
-  private static final long DEADLINE_MS = 10_000;
+  private static final long PROMPT_MS = 15_000;
+  static final long DEADLINE_MS = 10_000;
 
   /**
    * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
@@ -40,6 +41,7 @@ final class BarrierClient extends Client {
     setup.place(gvh -> new BarrierClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
     setup.simulation().monitor(() -> new BarrierSpec(setup.withinNs(), TOLD_NS));
+    setup.promise(PROMPT_MS, true);
   }
 
   @Override

@@ -46,14 +46,14 @@ abstract class Client extends LogicThread {
   @Override
   public final List<Object> callStarL() {
     int told = 0;
-    for (int round = 0; round < course.rounds(); round++) {
+    for (int round = 0; round < course.allRounds(); round++) {
       sleep(Math.max(0, course.beginMs(round) - gvh.plat.clock.nowNs() / Time.NS_PER_MS));
       while (!isDone(round)) {
         told++;
       }
     }
     leave();
-    return List.of(course.rounds() + " rounds, told " + told + " times");
+    return List.of(course.allRounds() + " rounds, told " + told + " times");
   }
 
   private boolean isDone(int round) {

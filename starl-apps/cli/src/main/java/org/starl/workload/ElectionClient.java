@@ -23,8 +23,9 @@ final class ElectionClient extends Client {
           "how robots elect: random (ballots) or bully",
           Form.choice(STRATEGIES));
 
-  private static final long DEADLINE_MS = 10_000;
+  static final long DEADLINE_MS = 10_000;
   private static final long THINK_MS = 1_000;
+  private static final long PROMPT_MS = 10_000;
 
   /**
    * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
@@ -36,7 +37,7 @@ final class ElectionClient extends Client {
 
   private ElectionClient(GlobalVarHolder gvh, Setup setup, ElectionSettings settings) {
     super(gvh, setup, THINK_MS);
-    for (int i = 0; i < setup.course().rounds(); i++) {
+    for (int i = 0; i < setup.course().allRounds(); i++) {
       elections.add(new Election(gvh, "round" + i, gvh.id.participants(), settings));
     }
   }
@@ -49,6 +50,7 @@ final class ElectionClient extends Client {
             .withDeadlineMs(DEADLINE_MS);
     setup.place(gvh -> new ElectionClient(gvh, setup, settings));
     setup.simulation().monitor(() -> new ElectionSpec(setup.withinNs(), TOLD_NS));
+    setup.promise(PROMPT_MS, false);
   }
 
   @Override

@@ -22,9 +22,10 @@ final class GeocastClient extends Client {
 
   private static final String XID = "news";
   private static final long THINK_MS = 500;
+  private static final long PROMPT_MS = 3_000;
   private static final double REACH_MM = 900;
   private static final long MIN_D_MS = 100;
-  private static final long MAX_D_MS = 2_000;
+  static final long MAX_D_MS = 2_000;
 
   /** With a larger position error a robot owes nothing. */
   private static final double POSITION_ERROR_MM = 50;
@@ -51,7 +52,10 @@ final class GeocastClient extends Client {
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new GeocastClient(gvh, setup));
-    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS));
+    long reachNs =
+        setup.isLossless() ? GeocastSettings.DEFAULT.reachNs(setup.delayNs()) : GeocastSpec.NEVER;
+    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS, reachNs));
+    setup.promise(PROMPT_MS, false);
   }
 
   @Override

@@ -16,6 +16,7 @@ import org.starl.primitives.motion.MotionSpec;
 final class MotionClient extends Client {
 
   private static final long THINK_MS = 500;
+  private static final long PROMPT_MS = 60_000;
   private static final double REACH_MM = 1_000;
   private static final double MAX_RADIUS_MM = 300;
 
@@ -31,6 +32,7 @@ final class MotionClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new MotionClient(gvh, setup));
     setup.simulation().monitor(() -> new MotionSpec(setup.settings().motionParameters(0)));
+    setup.promise(PROMPT_MS, true);
   }
 
   @Override

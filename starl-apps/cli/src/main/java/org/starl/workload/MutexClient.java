@@ -24,7 +24,9 @@ import org.starl.time.Time;
  */
 final class MutexClient extends Client {
 
-  private static final List<String> MEMBERSHIPS = List.of("registered", "fixed");
+  static final String CHANGING = "changing";
+
+  private static final List<String> MEMBERSHIPS = List.of("registered", "fixed", CHANGING);
 
   static final Parameter SECTIONS =
       new Parameter("sections", "4", "how many sections there are, 1 to 26", Form.whole(1, 26));
@@ -32,7 +34,8 @@ final class MutexClient extends Client {
       new Parameter(
           "members",
           MEMBERSHIPS.get(0),
-          "registered: the registered robots; fixed: all robots, which tolerates no crash",
+          "registered: the registered robots; changing: they also leave and come back;"
+              + " fixed: all robots, which tolerates no crash",
           Form.choice(MEMBERSHIPS));
 
   private static final String XID = "crossing";
@@ -46,17 +49,38 @@ final class MutexClient extends Client {
   /** Upper bound of the time to release two sections by a clock that is slow by a tenth. */
   private static final long D1_NS = 2 * Time.NS_PER_S;
 
+  /** The same by a clock without error. */
+  private static final long CALM_D1_NS = MAX_REQUESTED * HOLD_MS * Time.NS_PER_MS;
+
+  /** A robot that waits longer waits for a silent one. */
+  private static final long PATIENCE_MS = MutexTimes.DEFAULT.suspectMs() / 2;
+
+  private static final long SLACK_NS = Time.NS_PER_MS;
+  private static final long PROMPT_MS = 5_000;
+  private static final long PROMPT_EACH_MS = 2_000;
+
+  /** How often a robot leaves after a round, if members change. */
+  private static final double LEAVES = 0.3;
+
   private final int sections;
+  private final boolean leaves;
   private final MutexPrim mux;
   private final @Nullable Registration reg;
 
   /**
+   * @param leaves whether the robot leaves after some rounds
    * @param reg the registration of the members, or null if all robots are members
    */
   private MutexClient(
-      GlobalVarHolder gvh, Setup setup, int sections, MutexPrim mux, @Nullable Registration reg) {
+      GlobalVarHolder gvh,
+      Setup setup,
+      int sections,
+      boolean leaves,
+      MutexPrim mux,
+      @Nullable Registration reg) {
     super(gvh, setup, THINK_MS);
     this.sections = sections;
+    this.leaves = leaves;
     this.mux = mux;
     this.reg = reg;
     if (gvh.id.boot() > 1) {
@@ -67,17 +91,23 @@ final class MutexClient extends Client {
   static void setUp(Setup setup) {
     int sections =
         (int) (long) setup.request().parse(SECTIONS, text -> Quantities.whole(text, 1, 26));
-    boolean isOpen = setup.choice(MEMBERS, MEMBERSHIPS).equals("registered");
+    String members = setup.choice(MEMBERS, MEMBERSHIPS);
+    boolean isOpen = !members.equals("fixed");
     MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
     // After the bounds: a late grant violates the specification before the request fails.
     MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS);
-    setup.simulation().monitor(() -> new MutexSpec(bounds));
+    MutexBounds calm =
+        setup.isLossless()
+            ? MutexBounds.of(setup.robots(), CALM_D1_NS, setup.delayNs() + SLACK_NS)
+            : null;
+    setup.simulation().monitor(() -> new MutexSpec(bounds, calm));
+    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, false);
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;
-      Membership members = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
-      M_Mutex mutex = new M_Mutex(gvh, XID, members, times);
-      return new MutexClient(gvh, setup, sections, mutex, reg);
+      Membership group = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
+      M_Mutex mutex = new M_Mutex(gvh, XID, group, times);
+      return new MutexClient(gvh, setup, sections, members.equals(CHANGING), mutex, reg);
     });
     if (isOpen) {
       setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
@@ -94,8 +124,26 @@ final class MutexClient extends Client {
   @Override
   protected boolean obtain(int round) {
     mux.do_mutex(some());
-    await(() -> mux.crit().get() || mux.failed().get());
+    if (reg != null && leaves && rng.nextBoolean(LEAVES) && !await(this::isAnswered, PATIENCE_MS)) {
+      leaveWithOthers(reg);
+    }
+    await(this::isAnswered);
     return mux.od_mutex();
+  }
+
+  private boolean isAnswered() {
+    return mux.crit().get() || mux.failed().get();
+  }
+
+  /** Gives up and leaves when another change of the list is proposed: that of a silent robot. */
+  private void leaveWithOthers(Registration registration) {
+    await(() -> isAnswered() || !registration.rList().get().isAgreed());
+    if (!isAnswered()) {
+      mux.withdraw();
+      leave();
+      prepare();
+      mux.do_mutex(some());
+    }
   }
 
   private Set<String> some() {
@@ -111,6 +159,9 @@ final class MutexClient extends Client {
     for (String section : List.copyOf(mux.held())) {
       sleep(rng.nextLong(0, HOLD_MS));
       mux.release(section);
+    }
+    if (leaves && rng.nextBoolean(LEAVES)) {
+      leave();
     }
   }
 

@@ -32,11 +32,11 @@ final class PathsClient extends Client {
           "planner", PLANNERS.get(0), "how paths are found: optimal or rrt", Form.choice(PLANNERS));
 
   private static final long THINK_MS = 500;
+  private static final long PROMPT_MS = 300_000;
   private static final double MARGIN_MM = 500;
   private static final double WALL_MM = 1_200;
 
-  private static final TubeSettings TUBES =
-      new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
+  static final TubeSettings TUBES = new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
 
   /** The tubes' deadline, and the longest drive with its stops. */
   private static final long TOLD_NS = 600 * Time.NS_PER_S;
@@ -58,6 +58,7 @@ final class PathsClient extends Client {
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
     setup.simulation().obstacles(walls(setup.sideMm()));
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
+    setup.promise(PROMPT_MS, true);
   }
 
   /** A wall on each corner between four robots, alternately horizontal and vertical. */

@@ -3,6 +3,7 @@ package org.starl.workload;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
@@ -12,6 +13,7 @@ import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantities;
 import org.starl.input.Quantity;
+import org.starl.primitives.mutex.MutexTimes;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -30,59 +32,86 @@ public final class PrimitiveWorkloads {
               "robots agree on one value after another, each proposing its own",
               Envelope.LOGICAL,
               64,
+              Duration.ofSeconds(4),
               parameters(10, "20s"),
+              Map.of(),
               AgreementClient::setUp),
           new Workload(
               "barrier",
               "registered robots meet at a barrier again and again",
               Envelope.LOGICAL,
               32,
+              Duration.ofMillis(BarrierClient.DEADLINE_MS),
               parameters(10, "20s"),
+              Map.of(),
               BarrierClient::setUp),
           new Workload(
               "election",
               "robots elect one leader after another, and follow all of them",
               Envelope.LOGICAL,
               64,
+              Duration.ofMillis(ElectionClient.DEADLINE_MS),
               parameters(5, "20s", ElectionClient.STRATEGY),
+              Map.of(ElectionClient.STRATEGY, "bully"),
               ElectionClient::setUp),
           new Workload(
               "geocast",
               "moving robots send to areas of all shapes, and to all robots",
               Envelope.SPATIAL,
               64,
+              Duration.ofMillis(GeocastClient.MAX_D_MS),
               parameters(12, "20s"),
+              Map.of(),
               GeocastClient::setUp),
           new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",
               Envelope.SPATIAL,
               64,
+              Duration.ofSeconds(2),
               parameters(8, "20s"),
+              Map.of(),
               MotionClient::setUp),
           new Workload(
               "mutex",
               "robots enter sets of sections, each again and again, over a registration",
               Envelope.LOGICAL,
               32,
+              Duration.ofMillis(MutexTimes.DEFAULT.suspectMs()),
               parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS),
+              Map.of(MutexClient.SECTIONS, "2", MutexClient.MEMBERS, MutexClient.CHANGING),
               MutexClient::setUp),
           new Workload(
               "paths",
               "robots drive all over a floor with walls, in tubes that never meet",
-              Envelope.SPATIAL,
+              Envelope.PHYSICAL,
               16,
+              Duration.ofMillis(PathsClient.TUBES.deadlineMs()),
               parameters(6, "60s", PathsClient.PLANNER),
+              Map.of(),
               PathsClient::setUp),
           new Workload(
               "registration",
               "robots register, stay a while, and unregister, again and again",
               Envelope.LOGICAL,
               32,
+              Duration.ofSeconds(10),
               parameters(10, "20s"),
+              Map.of(),
               RegistrationClient::setUp));
 
   private static final int DEFAULT_ROBOTS = 5;
+
+  /** Chaos draws groups of so many robots: even ones and odd ones. */
+  private static final int LEAST_DRAWN = 2;
+
+  private static final int MOST_DRAWN = 12;
+
+  /** In half of its runs chaos lasts longer by so many of the longest timeouts. */
+  private static final int TIMEOUTS = 3;
+
+  /** Chaos that lasts so long is long enough. */
+  private static final long LONG_MS = 60_000;
 
   private PrimitiveWorkloads() {}
 
@@ -109,6 +138,8 @@ public final class PrimitiveWorkloads {
    * A primitive's workload as the command line knows it.
    *
    * @param envelope the faults that the primitive tolerates
+   * @param timeout the longest one of the protocols
+   * @param variants another value of some parameters, for half of the runs with chaos
    * @param preparation adds robots and monitors
    */
   private record Workload(
@@ -116,7 +147,9 @@ public final class PrimitiveWorkloads {
       String summary,
       Envelope envelope,
       int maxRobots,
+      Duration timeout,
       List<Parameter> parameters,
+      Map<Parameter, String> variants,
       Consumer<Setup> preparation)
       implements Demo {
 
@@ -134,6 +167,22 @@ public final class PrimitiveWorkloads {
     }
 
     @Override
+    public Request varied(Request request) {
+      // Fewer of those that take long to simulate.
+      Request varied = request.drawRobots(LEAST_DRAWN, Math.min(MOST_DRAWN, 3 * maxRobots / 8));
+      long busyMs = course(request).busyMs();
+      if (busyMs <= 2 * timeout.toMillis() && busyMs < LONG_MS) {
+        long longMs = busyMs + TIMEOUTS * timeout.toMillis();
+        String text = Quantities.durationText(longMs * Time.NS_PER_MS);
+        varied = varied.drawParameter(parameters.get(1), text);
+      }
+      for (Map.Entry<Parameter, String> variant : variants.entrySet()) {
+        varied = varied.drawParameter(variant.getKey(), variant.getValue());
+      }
+      return varied;
+    }
+
+    @Override
     public SimSettings.Builder defaultSettings(Request request) {
       return SimSettings.builder()
           .set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
@@ -141,13 +190,16 @@ public final class PrimitiveWorkloads {
 
     @Override
     public Plan plan(Request request, SimSettings settings) {
-      Course course = course(request);
+      boolean isChaos = settings.get(Setting.CHAOS) != Envelope.NONE;
+      Course given = course(request);
+      Course course = new Course(given.rounds(), given.busyMs(), isChaos);
       int robots = request.robots().orElse(DEFAULT_ROBOTS);
       if (robots < 1 || robots > maxRobots) {
         throw new BadInput("robots: " + robots + ": expected 1 to " + maxRobots);
       }
       RoundsStory story = new RoundsStory();
-      Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
+      Simulation.Builder simulation =
+          Simulation.builder().settings(settings).timeout(timeout).observer(story);
       preparation.accept(new Setup(request, settings, course, robots, simulation));
       return new Plan(simulation, story, Layer.NONE, simulation.obstacles());
     }

@@ -8,18 +8,24 @@ import org.starl.primitives.registration.RegistrationSpec;
 final class RegistrationClient extends Client {
 
   private static final long THINK_MS = 500;
-  private static final long STAY_MS = 1_000;
+  private static final long PROMPT_MS = 10_000;
+
+  /** A robot stays for at most a twentieth of the busy time, so that some views live long. */
+  private static final int STAYS = 20;
 
   private final Registration reg;
+  private final long stayMs;
 
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     reg = registration("town", setup.registration());
+    stayMs = Math.max(1, setup.course().busyMs() / STAYS);
   }
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new RegistrationClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
+    setup.promise(PROMPT_MS, false);
   }
 
   @Override
@@ -31,7 +37,7 @@ final class RegistrationClient extends Client {
 
   @Override
   protected void use() {
-    sleep(rng.nextLong(0, STAY_MS));
+    sleep(rng.nextLong(0, stayMs));
     unregister(reg);
   }
 }

@@ -33,6 +33,9 @@ record Setup(
   /** Maximum time between two copies of a message that is repeated until answered. */
   private static final long RESEND_NS = 2 * Time.NS_PER_S;
 
+  /** No request waits for more messages one after another. */
+  private static final int MESSAGES = 100;
+
   /** A probability so small that no campaign meets it. */
   private static final double NEVER = 1e-9;
 
@@ -80,6 +83,29 @@ record Setup(
       copies += (long) Math.ceil(StrictMath.log(NEVER) / StrictMath.log(loss));
     }
     return settings.messageDelay().longestNs() + copies * RESEND_NS;
+  }
+
+  /** Whether the network loses nothing without faults. */
+  boolean isLossless() {
+    return settings.get(Setting.MESSAGE_LOSS) == 0;
+  }
+
+  /** The longest delay of a message without faults, in ns. */
+  long delayNs() {
+    return settings.messageDelay().longestNs();
+  }
+
+  /**
+   * Promises service in a calm world, if the network has no loss then.
+   *
+   * @param promptMs the bound on one request, with messages that take no time
+   * @param mayFail whether requests may fail in a calm world, too
+   */
+  void promise(long promptMs, boolean mayFail) {
+    if (isLossless()) {
+      long promptNs = promptMs * Time.NS_PER_MS + MESSAGES * delayNs();
+      simulation.monitor(() -> new ServiceSpec(promptNs, mayFail));
+    }
   }
 
   /** Time within which a primitive that needs a few rounds of messages has answered. */

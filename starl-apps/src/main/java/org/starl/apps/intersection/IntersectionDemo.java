@@ -83,6 +83,11 @@ public final class IntersectionDemo implements Demo {
   }
 
   @Override
+  public Request varied(Request request) {
+    return scenario(request).equals(DRAWN) ? request.drawRobots(2, 12) : request;
+  }
+
+  @Override
   public SimSettings.Builder defaultSettings(Request request) {
     SimSettings.Builder settings = SimSettings.builder();
     settings.set(Setting.FLOOR_HEIGHT, settings.build().get(Setting.FLOOR_WIDTH));

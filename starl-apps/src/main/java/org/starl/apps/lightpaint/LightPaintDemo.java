@@ -96,6 +96,11 @@ public final class LightPaintDemo implements Demo {
   }
 
   @Override
+  public Request varied(Request request) {
+    return request.drawRobots(2, 8);
+  }
+
+  @Override
   public SimSettings.Builder defaultSettings(Request request) {
     return SimSettings.builder().set(Setting.DURATION, Duration.ofHours(2));
   }

@@ -117,6 +117,11 @@ public final class MazeDemo implements Demo {
   }
 
   @Override
+  public Request varied(Request request) {
+    return request.drawRobots(2, 8);
+  }
+
+  @Override
   public SimSettings.Builder defaultSettings(Request request) {
     int robots = robots(request);
     return SimSettings.builder()

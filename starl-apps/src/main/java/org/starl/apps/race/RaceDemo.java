@@ -1,6 +1,7 @@
 package org.starl.apps.race;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -22,6 +23,7 @@ import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.Setting;
@@ -36,6 +38,9 @@ public final class RaceDemo implements Demo {
 
   /** A robot with a larger position error need not deliver a geocast. */
   private static final double POSITION_ERROR_MM = 50;
+
+  /** Chaos ends before a race does, so that progress is required. */
+  private static final Duration CHAOS = Duration.ofSeconds(30);
 
   @Override
   public String name() {
@@ -74,6 +79,11 @@ public final class RaceDemo implements Demo {
   }
 
   @Override
+  public Request varied(Request request) {
+    return request.drawRobots(2, 12).drawParameter(RaceFactory.DRAWN, "10");
+  }
+
+  @Override
   public SimSettings.Builder defaultSettings(Request request) {
     SimSettings defaults = SimSettings.defaults();
     double more = RaceFactory.floorScale(request);
@@ -86,11 +96,13 @@ public final class RaceDemo implements Demo {
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
     RaceFactory.checkRobots(robots);
+    boolean isCut =
+        settings.get(Setting.CHAOS) != Envelope.NONE && !settings.has(Setting.CHAOS_FOR);
     List<RacePoint> points = points(request, settings);
     RaceStory story = new RaceStory(points);
     Simulation.Builder simulation =
         Simulation.builder()
-            .settings(settings)
+            .settings(isCut ? settings.with(Setting.CHAOS_FOR, CHAOS) : settings)
             .robots(robots, RaceFactory.program(points).app())
             .observer(story);
     watch(simulation, points, settings);
@@ -108,7 +120,8 @@ public final class RaceDemo implements Demo {
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
     simulation.monitor(() -> new MotionSpec(motion));
-    simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
+    long reachNs = loss == 0 ? GeocastSettings.DEFAULT.reachNs(delayNs) : GeocastSpec.NEVER;
+    simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS, reachNs));
   }
 
   /** No robot on the floor, or at a point, is farther from any point. */

@@ -87,6 +87,11 @@ public final class SearchDemo implements Demo {
   }
 
   @Override
+  public Request varied(Request request) {
+    return request.drawRobots(2, 8);
+  }
+
+  @Override
   public SimSettings.Builder defaultSettings(Request request) {
     return SimSettings.builder().duration(Duration.ofHours(4));
   }

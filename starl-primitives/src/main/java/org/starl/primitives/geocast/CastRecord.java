@@ -124,12 +124,17 @@ final class CastRecord {
         .collect(Collectors.toList());
   }
 
-  /** Robots that had to deliver: reached by a copy, and always deep inside. */
-  List<RobotId> required() {
+  /**
+   * Robots that had to deliver: reached by a copy, and always deep inside.
+   *
+   * @param reachesAll whether repeated copies reach all robots that take part
+   */
+  List<RobotId> required(boolean reachesAll) {
+    boolean isCertain = copies.isEmpty() || (reachesAll && !originRestarted);
     // If the origin sent no copy, the network is not the cause.
     return owed.stream()
         .filter(robot -> presences.containsKey(robot) && presences.get(robot).alwaysDeep())
-        .filter(robot -> copies.isEmpty() || reached.contains(robot))
+        .filter(robot -> isCertain || reached.contains(robot))
         .collect(Collectors.toList());
   }
 }

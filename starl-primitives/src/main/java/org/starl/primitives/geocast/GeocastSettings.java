@@ -24,6 +24,11 @@ public record GeocastSettings(
     }
   }
 
+  /** In a network without loss a copy reaches every robot in any time of this length, in ns. */
+  public long reachNs(long longestDelayNs) {
+    return maxResendMs * NS_PER_MS + longestDelayNs;
+  }
+
   long firstResendNs() {
     return resendMs * NS_PER_MS;
   }

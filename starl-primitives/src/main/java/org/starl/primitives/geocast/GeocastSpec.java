@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.CastRecord.Copy;
+import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -21,7 +22,8 @@ import org.starl.trace.TraceEvent.Sent;
  * that outlasts the run is not checked.
  *
  * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin
- * never sent a copy): the network decides which copies arrive.
+ * never sent a copy): the network decides which copies arrive. It is owed for all robots, too, if the
+ * interval ends with enough time without faults for one repetition to reach them.
  */
 public final class GeocastSpec extends LemmaMonitor {
 
@@ -30,11 +32,16 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String DEADLINE = "deadline";
   static final String ONCE = "once";
 
+  /** No time is long enough for a copy to arrive certainly. */
+  public static final long NEVER = Long.MAX_VALUE;
+
   private static final String EVERYONE = "*";
 
   private final double positionErrorMm;
   private final long clockSkewNs;
+  private final long reachNs;
   private final Casts casts;
+  private final FaultState faults = new FaultState();
 
   /** The geocast of which each robot's next broadcast datagram is a copy. */
   private final Map<RobotId, CastRecord> announced = new TreeMap<>();
@@ -44,22 +51,30 @@ public final class GeocastSpec extends LemmaMonitor {
     this(50, 0);
   }
 
+  /** Inclusion is owed only for robots that a copy has reached. */
+  public GeocastSpec(double positionErrorMm, long clockSkewNs) {
+    this(positionErrorMm, clockSkewNs, NEVER);
+  }
+
   /**
    * @param positionErrorMm the largest position error for which inclusion is owed, in mm; not for
    *     robots within twice this of the border, since their estimated position must be inside for
    *     certain
    * @param clockSkewNs the largest difference between two clocks, in ns
+   * @param reachNs without faults a copy reaches every robot in any time of this length: the longest
+   *     wait for a repetition, and its delay; {@link #NEVER} where messages are lost without faults
    */
-  public GeocastSpec(double positionErrorMm, long clockSkewNs) {
+  public GeocastSpec(double positionErrorMm, long clockSkewNs, long reachNs) {
     this.positionErrorMm = positionErrorMm;
     this.clockSkewNs = clockSkewNs;
+    this.reachNs = reachNs;
     casts = new Casts(2 * positionErrorMm);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
     lemma(
         INCLUSION,
-        "A robot that is in the area during the whole interval, and that a copy reaches in time,"
-            + " gets the message.");
+        "A robot that is in the area throughout, and that the network lets a copy reach, gets the"
+            + " message.");
     lemma(DEADLINE, "No robot gets the message after its interval is over.");
     lemma(ONCE, "No robot gets the message twice.");
   }
@@ -72,6 +87,7 @@ public final class GeocastSpec extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     casts.observe(event, cast -> judge(cast, report));
+    faults.observe(event);
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
       case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
@@ -140,13 +156,14 @@ public final class GeocastSpec extends LemmaMonitor {
     }
   }
 
-  private static void judge(CastRecord cast, Report report) {
+  private void judge(CastRecord cast, Report report) {
     cast.deliveredNs.keySet().forEach(robot -> report.checked(EXCLUSION));
     for (RobotId robot : cast.intruders()) {
       String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
       report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
     }
-    for (RobotId robot : cast.required()) {
+    boolean reachesAll = faults.isCalm(cast.deadlineNs - 2 * clockSkewNs, reachNs);
+    for (RobotId robot : cast.required(reachesAll)) {
       report.checked(INCLUSION);
       if (!cast.deliveredNs.containsKey(robot)) {
         String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);

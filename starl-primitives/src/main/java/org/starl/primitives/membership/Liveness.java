@@ -43,6 +43,11 @@ public final class Liveness {
     return faults.isUp(robot);
   }
 
+  /** As {@link FaultState#isCalm}. */
+  public boolean isCalm(long nowNs, long settleNs) {
+    return faults.isCalm(nowNs, settleNs);
+  }
+
   /** Whether no fault but crashes is active. */
   public boolean isFair() {
     return faults.isFaultFree();

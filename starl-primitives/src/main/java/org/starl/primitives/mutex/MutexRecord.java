@@ -1,10 +1,15 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
@@ -17,41 +22,54 @@ import org.starl.spec.Monitor.Report;
 /** The part of {@link MutexSpec} for one instance: its requests, their consents and its views. */
 final class MutexRecord {
 
-  private final @Nullable MutexProgress progress;
+  private static final long USUAL_DEADLINE_NS = MutexTimes.DEFAULT.deadlineMs() * NS_PER_MS;
+
+  private final @Nullable MutexBounds bounds;
+  private final List<MutexProgress> progress = new ArrayList<>();
   private final Requests requests = new Requests();
   private final Liveness liveness;
 
   // The latest view that any robot has learned, and the ids of all views.
   private View last = View.NONE;
+  // The latest view that each robot has learned.
+  private final Map<RobotId, View> latest = new TreeMap<>();
+  private boolean isCalm = true;
   private final Set<ProcessId> listed = new TreeSet<>();
 
   /**
    * @param bounds null to check safety only
+   * @param calm the bounds of a calm world, if they are to be checked
    * @param liveness of the run, which the specification keeps
    */
-  MutexRecord(@Nullable MutexBounds bounds, Liveness liveness) {
+  MutexRecord(@Nullable MutexBounds bounds, @Nullable MutexBounds calm, Liveness liveness) {
+    this.bounds = bounds;
     this.liveness = liveness;
-    progress =
-        bounds == null ? null : new MutexProgress(bounds, requests, new ProgressAssumptions());
+    if (bounds != null) {
+      progress.add(new MutexProgress(bounds, requests, new ProgressAssumptions(liveness::isFair)));
+    }
+    if (calm != null) {
+      progress.add(new MutexProgress(calm, requests, new ProgressAssumptions(() -> isCalm)));
+    }
   }
 
   private void progress(Consumer<MutexProgress> step) {
-    if (progress != null) {
-      step.accept(progress);
-    }
+    progress.forEach(step);
   }
 
   /** A robot or a fault has begun or ended. */
   void livenessChanged(long nowNs, Report report) {
-    progress(p -> {
-      p.expire(nowNs, report);
-      p.look(nowNs);
-    });
+    expire(nowNs, report);
+    isCalm = liveness.isCalm(nowNs, MutexSpec.SETTLE_NS);
+    progress(p -> p.look(nowNs));
   }
 
   /** Reports what was due before {@code nowNs}. */
   void expire(long nowNs, Report report) {
     progress(p -> p.expire(nowNs, report));
+    if (isCalm != liveness.isCalm(nowNs, MutexSpec.SETTLE_NS)) {
+      isCalm = !isCalm;
+      progress(p -> p.look(nowNs));
+    }
   }
 
   /** Checks an event of this instance. */
@@ -59,7 +77,7 @@ final class MutexRecord {
     Requests.Request request = requests.of(event.who());
     switch (event) {
       case MutexEvent.DoMutex e -> {
-        requests.begin(request, e);
+        requests.begin(request, e, nowNs);
         checkConnected(request, nowNs, report);
         checkPromises(request, nowNs, report);
         progress(p -> p.began(request, nowNs));
@@ -74,9 +92,12 @@ final class MutexRecord {
         requests.shrink(request, e.left());
         progress(p -> p.shrank(request, e.given(), nowNs));
       }
-      case MutexEvent.Withdraw e -> withdrew(request, nowNs);
+      case MutexEvent.Withdraw e -> withdrew(request, e.why(), nowNs, report);
       case MutexEvent.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
-      case MutexEvent.Learned e -> learned(e.view(), nowNs, report);
+      case MutexEvent.Learned e -> {
+        latest.put(e.who().robot(), e.view());
+        learned(e.view(), nowNs, report);
+      }
       case MutexEvent.StandsIn e -> standsIn(e, nowNs);
       case MutexEvent.Fence e -> {
         // By itself it changes nothing.
@@ -142,13 +163,40 @@ final class MutexRecord {
     }
   }
 
-  private void withdrew(Requests.Request request, long nowNs) {
+  private void withdrew(Requests.Request request, MutexFailure why, long nowNs, Report report) {
     if (!request.isActive()) {
       return; // failed before it began
     }
+    checkReason(request, why, nowNs, report);
     TreeSet<String> wanted = new TreeSet<>(request.want);
     requests.shrink(request, Sections.NONE);
     progress(p -> p.shrank(request, wanted, nowNs));
+  }
+
+  private void checkReason(Requests.Request request, MutexFailure why, long nowNs, Report report) {
+    long waitedNs = nowNs - request.begunNs;
+    View known = latest.getOrDefault(request.who.robot(), View.NONE);
+    boolean isEarly =
+        why == MutexFailure.DEADLINE
+            && bounds != null
+            && waitedNs < Math.min(bounds.d2Ns(), USUAL_DEADLINE_NS / 2);
+    boolean isFree = why == MutexFailure.OCCUPIED && !hasGhostInTheWay(known, request);
+    if (isEarly || isFree) {
+      String told = " was told " + why + " after " + waitedNs / NS_PER_MS + " ms";
+      report.checked(MutexProgress.SERVED);
+      report.violated(
+          MutexProgress.SERVED,
+          nowNs,
+          List.of(request.who.robot()),
+          request + told + (isFree ? ", but no ghost is in its way" : ", before d2"));
+    }
+  }
+
+  private static boolean hasGhostInTheWay(View view, Requests.Request request) {
+    return view.ghosts().entrySet().stream()
+        .anyMatch(ghost ->
+            !ghost.getKey().robot().equals(request.who.robot())
+                && Sections.meet(ghost.getValue().sections(), request.want));
   }
 
   private void checkExclusive(Requests.Request entering, long nowNs, Report report) {
@@ -216,14 +264,17 @@ final class MutexRecord {
   }
 
   private final class ProgressAssumptions implements MutexProgress.Assumptions {
+    private final BooleanSupplier isFair;
+
+    ProgressAssumptions(BooleanSupplier isFair) {
+      this.isFair = isFair;
+    }
+
     @Override
     public boolean isImpeded(Requests.Request request) {
-      return !liveness.isFair()
+      return !isFair.getAsBoolean()
           || request.known.stream().anyMatch(liveness::isDead)
-          || last.ghosts().entrySet().stream()
-              .anyMatch(ghost ->
-                  !ghost.getKey().robot().equals(request.who.robot())
-                      && Sections.meet(ghost.getValue().sections(), request.want));
+          || hasGhostInTheWay(last, request);
     }
 
     @Override

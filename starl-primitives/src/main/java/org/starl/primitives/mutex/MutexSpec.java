@@ -29,6 +29,10 @@ import org.starl.trace.TraceEvent;
  *       while another holds A delays a later request for B.)
  * </ul>
  *
+ * <p>With bounds for a calm world the same two are also required there, within those: while no
+ * fault has been active, and every robot has been up, for {@link #SETTLE_NS}. A request that ends at
+ * its deadline before d2, or as occupied without a ghost, violates {@code Served} at any time.
+ *
  * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a
  * wanted section, and no participant is dead whose consent is needed; {@code Served} only while
  * that holds for all waiting requests. They are owed again, with the whole bound, once it holds
@@ -44,7 +48,11 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   static final String KEPT = "Kept";
   static final String COMPLETE = "Complete";
 
+  /** After so long without faults all lost messages have been repeated, in ns. */
+  public static final long SETTLE_NS = 10_000_000_000L;
+
   private final @Nullable MutexBounds bounds;
+  private final @Nullable MutexBounds calm;
   private final Liveness liveness = new Liveness();
 
   /** Safety only. */
@@ -54,8 +62,19 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   /** Safety, and progress within the bounds, if there are any. */
   public MutexSpec(@Nullable MutexBounds bounds) {
+    this(bounds, null);
+  }
+
+  /**
+   * Safety, and progress within the bounds.
+   *
+   * @param bounds with which lost messages are repeated; may be null
+   * @param calm those of a calm world, in which none is lost; may be null
+   */
+  public MutexSpec(@Nullable MutexBounds bounds, @Nullable MutexBounds calm) {
     super(MutexTrace::isMutex);
     this.bounds = bounds;
+    this.calm = calm;
     lemma(EXCLUSIVE, "No two robots hold a section in common.");
     lemma(
         PROMISE, "Of two overlapping requests, the one that has the other's consent comes first.");
@@ -74,7 +93,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   protected MutexRecord begin(String source) {
-    return new MutexRecord(bounds, liveness);
+    return new MutexRecord(bounds, calm, liveness);
   }
 
   @Override

@@ -22,6 +22,7 @@ final class Requests {
     final ProcessId who;
     long num;
     long ts;
+    long begunNs;
     boolean critical;
     SortedSet<String> want = Sections.NONE;
     SortedSet<ProcessId> known = Collections.emptySortedSet();
@@ -74,8 +75,9 @@ final class Requests {
     return new ArrayList<>(contenders.getOrDefault(section, Set.of()));
   }
 
-  void begin(Request request, MutexEvent.DoMutex event) {
+  void begin(Request request, MutexEvent.DoMutex event, long nowNs) {
     wants(request, event.want());
+    request.begunNs = nowNs;
     request.num = event.num();
     request.ts = event.ts();
     request.critical = false;

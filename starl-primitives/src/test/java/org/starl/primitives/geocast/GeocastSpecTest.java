@@ -20,7 +20,7 @@ class GeocastSpecTest {
   private static final RobotId ORIGIN = new RobotId("bot0");
   private static final RobotId OTHER = new RobotId("bot1");
 
-  private final Monitors monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
+  private Monitors monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
 
   private void see(TraceEvent... events) {
     List.of(events).forEach(monitors::observe);
@@ -46,6 +46,28 @@ class GeocastSpecTest {
     see(new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"));
     monitors.finish(2000);
     assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
+  }
+
+  @Test
+  void inAWorldWithoutFaultsARepeatedCopyReachesEveryRobot() {
+    Monitors strict = new Monitors(List.of(new GeocastSpec(50, 0, 500)));
+    assertThat(withoutFaultsSince(strict, 400)).isEqualTo(1);
+  }
+
+  @Test
+  void whileAFaultIsActiveACopyMayReachNoRobot() {
+    Monitors strict = new Monitors(List.of(new GeocastSpec(50, 0, 500)));
+    assertThat(withoutFaultsSince(strict, 600)).isZero();
+  }
+
+  /** The violations of inclusion if no copy arrives, and a fault ends at {@code endNs} of 1001. */
+  private long withoutFaultsSince(Monitors strict, long endNs) {
+    monitors = strict;
+    see(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
+    castWithoutReceiversAfterTheFirstDatagram();
+    see(new TraceEvent.Fault(endNs, TraceEvent.Fault.WORLD, "end", "loss(1)"));
+    monitors.finish(2000);
+    return monitors.report().violations("inclusion");
   }
 
   @Test

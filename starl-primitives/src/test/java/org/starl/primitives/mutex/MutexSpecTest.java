@@ -32,6 +32,54 @@ class MutexSpecTest {
   }
 
   @Test
+  void aRequestThatGivesUpBeforeItsBoundViolatesServed() {
+    ask(0, I, 1, "A");
+    event(49, new MutexEvent.Withdraw(I, 1, MutexFailure.DEADLINE));
+    assertThat(finish(60).violations("Served")).isEqualTo(1);
+  }
+
+  @Test
+  void aRequestMayGiveUpAfterItsBoundOrBecauseItsRobotWithdraws() {
+    event(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K))));
+    monitors.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
+    ask(0, I, 1, "A");
+    event(50, new MutexEvent.Withdraw(I, 1, MutexFailure.DEADLINE));
+    ask(50, J, 2, "A");
+    event(51, new MutexEvent.Withdraw(J, 1, MutexFailure.WITHDRAWN));
+    assertThat(finish(60).violations()).isEmpty();
+  }
+
+  @Test
+  void onlyAGhostInTheWayExcusesARequestThatIsToldSo() {
+    ask(0, I, 1, "A");
+    event(60, new MutexEvent.Withdraw(I, 1, MutexFailure.OCCUPIED));
+    assertThat(monitors.report().violations("Served")).isEqualTo(2);
+    event(
+        61, new MutexEvent.Learned(J, View.closed(List.of(I, J, K)).next().confined(K, set("A"))));
+    ask(62, J, 2, "A");
+    event(63, new MutexEvent.Withdraw(J, 1, MutexFailure.OCCUPIED));
+    assertThat(finish(70).violations("Served")).isEqualTo(2);
+  }
+
+  @Test
+  void aCalmWorldHasItsOwnBounds() {
+    MutexBounds loose = new MutexBounds(100_000, 50_000, 10_000);
+    MutexBounds calm = new MutexBounds(100, 50, 10);
+    Monitors both = new Monitors(List.of(new MutexSpec(loose, calm)));
+    both.observe(action(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K)))));
+    both.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
+    both.observe(new TraceEvent.Fault(1, TraceEvent.Fault.WORLD, "end", "loss(1)"));
+    both.observe(action(2, new MutexEvent.DoMutex(I, 1, 1, set("A"), ids(I, J, K))));
+    both.observe(action(20, new MutexEvent.OdMutex(I, 1, set("A"))));
+    both.observe(action(21, new MutexEvent.Release(I, 1, set("A"), set(""))));
+    assertThat(both.report().violations()).isEmpty();
+    long settledNs = 2 + MutexSpec.SETTLE_NS;
+    both.observe(action(settledNs, new MutexEvent.DoMutex(I, 2, 2, set("A"), ids(I, J, K))));
+    both.observe(action(settledNs + 11, new MutexEvent.OdMutex(I, 2, set("A"))));
+    assertThat(both.report().violations("NonInterference")).isEqualTo(1);
+  }
+
+  @Test
   void twoHoldersOfOneSectionViolateExclusive() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");

@@ -3,6 +3,7 @@ package org.starl.primitives.paths;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -24,8 +25,20 @@ class TubesRestartTest {
 
   /** Goes to one place after every start of its program. */
   private static final class Traveller extends LogicThread {
+    private final double goalMm;
+    private final @Nullable Double givenMm;
+
     Traveller(GlobalVarHolder gvh) {
+      this(gvh, 4500, null);
+    }
+
+    /**
+     * @param rowMm null to stay in its row
+     */
+    Traveller(GlobalVarHolder gvh, double goalMm, @Nullable Double rowMm) {
       super(gvh);
+      this.goalMm = goalMm;
+      this.givenMm = rowMm;
     }
 
     @Override
@@ -33,10 +46,44 @@ class TubesRestartTest {
       DistributedPathPlanning paths =
           new DistributedPathPlanning(gvh, "floor", new OptimalPlanner(), FLOOR);
       await(gvh.gps::hasFix);
-      paths.goTo(new ItemPosition("goal", 4500, gvh.gps.pose().yMm()));
+      double rowMm = givenMm == null ? gvh.gps.pose().yMm() : givenMm;
+      paths.goTo(new ItemPosition("goal", goalMm, rowMm));
       await(() -> !paths.isUnderWay());
       return List.of(paths.tubeflag().get());
     }
+  }
+
+  /** Storage is slow: while a release is written, no other robot may know of it. */
+  @Test
+  void aTubeIsReleasedOnlyWhenThatIsWritten() {
+    long held = 0;
+    for (long atMs = 9_600; atMs <= 12_000; atMs += 200) {
+      SimSettings settings =
+          SimSettings.builder().set("stableDelay", "500ms").set("duration", "60s").build();
+      RobotId first = new RobotId("bot0");
+      Simulation.Builder builder =
+          Simulation.builder()
+              .seed(1)
+              .settings(settings)
+              .monitor(() -> new TubesSpec(600_000 * MS))
+              .robot(new RobotSpec(first, new Pose(1000, 1500, 0), true, Traveller::new));
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot1"),
+              new Pose(1500, 4500, 0),
+              true,
+              gvh -> new Traveller(gvh, 2000, 1500.0)));
+      // The two that stay up are a majority.
+      builder.robot(
+          new RobotSpec(new RobotId("bot2"), new Pose(5000, 5500, 0), true, Traveller::new));
+      long crashMs = atMs;
+      builder.director(control ->
+          control.at(crashMs * MS, () -> control.crash(first, 8_000 * MS, Unsynced.LOST)));
+      SimResult result = builder.build().run();
+      assertThat(result.spec().violations()).as("crash at %d ms", atMs).isEmpty();
+      held += result.spec().checks("Tubes");
+    }
+    assertThat(held).isGreaterThan(50);
   }
 
   @Test

@@ -158,6 +158,35 @@ class RegistrationProtocolTest {
     assertThat(town.robot(4).protocol().view().number()).isEqualTo(2);
   }
 
+  @Test
+  void aRobotThatMissedItsAdmissionAndItsRemovalAsksUnderAnotherId() {
+    Town town = new Town(9, 5, 5, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(0).do_register();
+    town.runForMs(1_000);
+    town.robot(4).do_register();
+    town.runForMs(15);
+    // The others know its wish. From now on robot 4 hears nothing of them.
+    town.cutAt = 4;
+    ProcessId first = town.robot(4).protocol().me();
+    town.robot(3).do_register();
+    town.runForMs(3_000);
+    assertThat(town.robot(0).protocol().view().contains(first)).isTrue();
+    ProcessId fencer = town.robot(0).protocol().me();
+    town.robot(0)
+        .protocol()
+        .confine(
+            new Confinement(first, new TreeSet<>(), new TreeSet<>(List.of(fencer))), town.nowNs());
+    town.runForMs(1_000);
+    assertThat(town.robot(0).protocol().view().mentions(first)).isFalse();
+    town.cutAt = 0;
+    assertThat(town.runUntil(() -> isIn(town, 4), 10_000)).isTrue();
+    assertThat(town.robot(4).protocol().me()).isNotEqualTo(first);
+    SpecReport report = town.finish();
+    assertThat(report.holds()).as("%s", report).isTrue();
+  }
+
   @Property(tries = 50)
   void aRobotThatLeavesBeforeOthersKnowIsForgotten(@ForAll long seed) {
     Town town = new Town(seed, 5, 5, new RegistrationSpec());

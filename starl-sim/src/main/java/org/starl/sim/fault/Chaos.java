@@ -10,36 +10,47 @@ import org.starl.random.Rng;
 import org.starl.time.Time;
 
 /**
- * Draws fault plans. Each run of a campaign gets a random subset of the kinds of faults, each with
- * random strength: this finds more bugs than runs that all use every kind (Groce et al., "Swarm
- * testing", ISSTA 2012). All faults have ended by the given time.
+ * Draws fault plans. Each run of a campaign gets a random subset of the kinds of faults, and its own
+ * mean times between faults and of faults: this finds more bugs than runs that all use every kind
+ * (Groce et al., "Swarm testing", ISSTA 2012). Most runs that are long enough also have outages:
+ * faults that outlast every timeout of the protocols, so that robots suspect each other, give each
+ * other up, and meet again. All faults have ended by the given time.
  */
 final class Chaos {
 
-  private static final double MEAN_GAP_MS = 1500;
-  private static final double MEAN_LASTING_MS = 2000;
+  private static final double LEAST_MEAN_MS = 400;
+  private static final double MOST_MEAN_MS = 6000;
+  private static final double OUTAGES = 0.8;
+  private static final int MOST_OUTAGES = 4;
   private static final long LEAST_LASTING_MS = 50;
   private static final long MOST_DROPOUT_MS = 1000;
   private static final String DROPOUT = "dropout(any)";
 
   private final Rng rng;
+  private final long timeoutMs;
   private final long untilMs;
   private final List<Fault> faults = new ArrayList<>();
 
-  private Chaos(Rng rng, long untilMs) {
+  private Chaos(Rng rng, long timeoutMs, long untilMs) {
     this.rng = rng;
+    this.timeoutMs = timeoutMs;
     this.untilMs = untilMs;
   }
 
-  static FaultPlan draw(Envelope envelope, int robots, long untilNs, Rng rng) {
-    Chaos chaos = new Chaos(rng, untilNs / Time.NS_PER_MS);
+  static FaultPlan draw(Envelope envelope, int robots, long timeoutNs, long untilNs, Rng rng) {
+    Chaos chaos = new Chaos(rng, timeoutNs / Time.NS_PER_MS, untilNs / Time.NS_PER_MS);
     List<Supplier<String>> kinds = chaos.kinds(envelope);
     if (kinds.isEmpty() || chaos.untilMs <= LEAST_LASTING_MS) {
       return FaultPlan.NONE;
     }
     List<Supplier<String>> some = new ArrayList<>(kinds);
-    some.removeIf(kind -> !rng.nextBoolean(0.6));
+    double share = 0.2 + 0.7 * rng.nextDouble();
+    some.removeIf(kind -> !rng.nextBoolean(share));
     chaos.addFaults(some.isEmpty() ? kinds : some);
+    chaos.addOutages(mayCrash(envelope));
+    if (chaos.faults.isEmpty()) {
+      chaos.add(kinds.get(0).get(), 0, chaos.untilMs / 2);
+    }
     if (envelope == Envelope.MORTAL && rng.nextBoolean(0.7)) {
       chaos.addPermanentCrashes((robots - 1) / 2);
     }
@@ -47,20 +58,54 @@ final class Chaos {
   }
 
   private void addFaults(List<Supplier<String>> kinds) {
+    double meanGapMs = meanMs();
+    double meanLastingMs = meanMs();
     // In some runs a fault lasts for the whole run, in most runs faults begin and end.
     if (rng.nextBoolean(0.3)) {
       add(network().get(rng.nextInt(network().size())).get(), 0, untilMs);
     }
-    long atMs = Math.round(MEAN_GAP_MS / 2 * rng.nextExponential());
+    long atMs = Math.round(meanGapMs / 2 * rng.nextExponential());
     while (atMs < untilMs - LEAST_LASTING_MS) {
-      long lastingMs = LEAST_LASTING_MS + Math.round(MEAN_LASTING_MS * rng.nextExponential());
+      long lastingMs = LEAST_LASTING_MS + Math.round(meanLastingMs * rng.nextExponential());
       String fault = kinds.get(rng.nextInt(kinds.size())).get();
       if (fault.equals(DROPOUT)) {
         lastingMs = Math.min(lastingMs, MOST_DROPOUT_MS);
       }
       add(fault, atMs, Math.min(untilMs, atMs + lastingMs));
-      atMs += 1 + Math.round(MEAN_GAP_MS * rng.nextExponential());
+      atMs += 1 + Math.round(meanGapMs * rng.nextExponential());
     }
+  }
+
+  /** Faults of one robot or half of them, each longer than the longest timeout. */
+  private void addOutages(boolean mayCrash) {
+    long leastMs = timeoutMs + timeoutMs / 10;
+    if (timeoutMs == 0 || untilMs < leastMs || !rng.nextBoolean(OUTAGES)) {
+      return;
+    }
+    List<Supplier<String>> kinds = new ArrayList<>();
+    kinds.add(() -> fault("partition", anyOr("half")));
+    kinds.add(() -> fault("partition", "all>any"));
+    kinds.add(() -> fault("partition", "any>all"));
+    if (mayCrash) {
+      kinds.add(() -> fault("crash", "any", unsynced()));
+      kinds.add(() -> fault("crash", anyOr("half"), unsynced()));
+    }
+    int outages = 1 + rng.nextInt(MOST_OUTAGES);
+    for (int i = 0; i < outages; i++) {
+      long lastingMs = Math.min(untilMs, leastMs + rng.nextLong(0, timeoutMs + timeoutMs / 2));
+      // Some begin with the run, when robots register.
+      long atMs = isDrawn(0.3) ? 0 : rng.nextLong(0, untilMs - lastingMs);
+      add(kinds.get(rng.nextInt(kinds.size())).get(), atMs, atMs + lastingMs);
+    }
+  }
+
+  /** A mean time of this run: short ones and long ones are equally likely. */
+  private double meanMs() {
+    return LEAST_MEAN_MS * StrictMath.pow(MOST_MEAN_MS / LEAST_MEAN_MS, rng.nextDouble());
+  }
+
+  private static boolean mayCrash(Envelope envelope) {
+    return envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL;
   }
 
   private void addPermanentCrashes(int most) {
@@ -83,12 +128,12 @@ final class Chaos {
       return kinds;
     }
     kinds.addAll(network());
-    if (envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL) {
+    if (mayCrash(envelope)) {
       // Crashes are drawn more often than other faults, because they matter most for these
       // envelopes.
       kinds.add(() -> fault("crash", "any", unsynced()));
       kinds.add(() -> fault("crash", anyOr("half"), unsynced()));
-      kinds.add(() -> fault("disk", anyOr("all"), ms(1, 100)));
+      kinds.add(() -> fault("disk", anyOr("all"), isDrawn(0.7) ? ms(1, 100) : ms(100, 2000)));
     }
     if (envelope == Envelope.HOSTILE) {
       kinds.add(() -> fault("forge", anyOr("all"), ms(10, 500)));
@@ -102,11 +147,12 @@ final class Chaos {
       kinds.add(() -> fault("drift", "any", ppm(100_000)));
       kinds.add(() -> fault("skew", "any", ms(-1000, 1000)));
     }
-    if (envelope == Envelope.SPATIAL || envelope == Envelope.MOVING) {
+    boolean drives = envelope == Envelope.SPATIAL || envelope == Envelope.PHYSICAL;
+    if (drives || envelope == Envelope.MOVING) {
       kinds.add(() -> fault("drift", "any", ppm(200)));
-    }
-    if (envelope == Envelope.SPATIAL) {
       kinds.add(() -> fault("noise", anyOr("all"), rng.nextLong(1, 20) + "mm", angle()));
+    }
+    if (drives) {
       kinds.add(() -> DROPOUT);
       kinds.add(() -> fault("slow", "any", percent(50, 100)));
       kinds.add(() -> "stuck(any)");

@@ -32,10 +32,11 @@ public enum Envelope {
   HOSTILE("logical, and forged, replayed and random datagrams; seals datagrams with a key"),
 
   /**
-   * {@link #NETWORK}, and crashes with restarts, slow storage, and clocks with up to 200 ppm of
-   * drift. For robots that drive according to an agreement.
+   * {@link #NETWORK}, and crashes with restarts, slow storage, clocks with up to 200 ppm of drift,
+   * and fixes with up to 20 mm of additional, reported error. For robots that drive according to an
+   * agreement.
    */
-  MOVING("network, and crashes with restarts, slow storage, clocks with up to 200 ppm of drift"),
+  MOVING("network, and crashes with restarts, slow storage, bounded errors of clocks and fixes"),
 
   /** {@link #LOGICAL}, and permanent crashes of a minority of the robots. */
   MORTAL("logical, and a minority of the robots crashes without restart"),
@@ -43,9 +44,12 @@ public enum Envelope {
   /**
    * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, fixes with
    * up to 20 mm of additional, reported error, up to a second without fixes, slow and stuck wheels.
-   * For primitives that rely on bounded drift and error: geocast, motion, paths.
+   * For primitives that rely on bounded drift and error: geocast, motion.
    */
-  SPATIAL("network, and bounded faults of clocks, positioning and wheels");
+  SPATIAL("network, and bounded faults of clocks, positioning and wheels"),
+
+  /** {@link #SPATIAL}, and crashes with restarts, slow storage: for the tubes of paths. */
+  PHYSICAL("spatial, and crashes with restarts, slow storage");
 
   private final String meaning;
 

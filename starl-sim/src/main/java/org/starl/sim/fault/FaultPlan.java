@@ -47,9 +47,12 @@ public record FaultPlan(List<Fault> faults) {
    * primitives must make progress.
    *
    * @param robots the deployment, of which a majority stays up
+   * @param timeoutNs the longest timeout of the protocols: most plans with enough time have outages
+   *     that last longer; 0 for no outages
    */
-  public static FaultPlan chaos(Envelope envelope, int robots, long untilNs, Rng rng) {
-    return Chaos.draw(envelope, robots, untilNs, rng);
+  public static FaultPlan chaos(
+      Envelope envelope, int robots, long timeoutNs, long untilNs, Rng rng) {
+    return Chaos.draw(envelope, robots, timeoutNs, untilNs, rng);
   }
 
   /** These faults, then those of {@code other}. */

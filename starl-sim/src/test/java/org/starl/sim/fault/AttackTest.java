@@ -8,6 +8,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.spec.Authentic;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /** An attacker without the key disturbs only robots without a key. */
@@ -22,6 +25,32 @@ class AttackTest {
         .filter(TraceEvent.Dropped.class::isInstance)
         .filter(event -> event.timeNs() >= fromNs && event.timeNs() < untilNs)
         .count();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"forge(all,5ms)", "replay(all,5ms)"})
+  void withoutAKeyForgedAndReplayedDatagramsAreHandled(String attack) {
+    assertThat(authentic(ProbeRun.of(attack)).violations("Authentic")).isPositive();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "forge(all,5ms)",
+        "replay(all,5ms)",
+        "duplicate(0.5)",
+        "crash(all,at=3s,restart=1s)"
+      })
+  void withAKeyOnlyGenuineDatagramsAreHandled(String fault) {
+    SpecReport report = authentic(ProbeRun.sealed(fault));
+    assertThat(report.violations()).isEmpty();
+    assertThat(report.checks("Authentic")).isGreaterThan(500);
+  }
+
+  private static SpecReport authentic(ProbeRun run) {
+    Monitors monitors = new Monitors(List.of(new Authentic()));
+    run.events.forEach(monitors::observe);
+    return monitors.report();
   }
 
   /** One forged boot number is enough: the robot that it names is dead from then on. */

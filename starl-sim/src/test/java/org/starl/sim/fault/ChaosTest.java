@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.starl.sim.fault.ProbeRun.S;
 
 import java.io.IOException;
+import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
@@ -32,8 +33,8 @@ class ChaosTest {
   @Property(tries = 300)
   void aPlanEndsInTimeAndCanBeWritten(
       @ForAll Envelope envelope, @ForAll long seed, @ForAll @IntRange(max = 100) int seconds) {
-    FaultPlan plan = FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed));
-    assertThat(plan).isEqualTo(FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed)));
+    FaultPlan plan = FaultPlan.chaos(envelope, 5, 10 * S, seconds * S, new Rng(seed));
+    assertThat(plan).isEqualTo(FaultPlan.chaos(envelope, 5, 10 * S, seconds * S, new Rng(seed)));
     assertThat(FaultPlan.parse(plan.toString())).isEqualTo(plan);
     assertThat(plan.isEmpty()).isEqualTo(envelope == Envelope.NONE || plan.faults().isEmpty());
     int deaths = 0;
@@ -59,16 +60,60 @@ class ChaosTest {
     assertThat(logical).containsAll(network).contains("crash", "disk", "compute", "drift", "skew");
     assertThat(logical).hasSize(network.size() + 5);
     assertThat(kinds(Envelope.MORTAL)).isEqualTo(logical);
+    assertThat(kinds(Envelope.MOVING))
+        .containsAll(network)
+        .contains("crash", "disk", "drift", "noise")
+        .hasSize(network.size() + 4);
+    assertThat(kinds(Envelope.PHYSICAL))
+        .containsAll(kinds(Envelope.SPATIAL))
+        .contains("crash", "disk")
+        .hasSize(network.size() + 7);
     assertThat(kinds(Envelope.SPATIAL))
         .containsAll(network)
         .contains("drift", "noise", "dropout", "slow", "stuck")
         .hasSize(network.size() + 5);
   }
 
+  @Test
+  void mostPlansHaveOutagesLongerThanTheLongestTimeout() {
+    long withOutage = 0;
+    Set<String> kinds = new TreeSet<>();
+    for (long seed = 1; seed <= 200; seed++) {
+      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, 5, 3 * S, 60 * S, new Rng(seed));
+      FaultPlan without = FaultPlan.chaos(Envelope.LOGICAL, 5, 0, 60 * S, new Rng(seed));
+      assertThat(plan.faults()).containsAll(without.faults());
+      for (Fault fault : plan.faults().subList(without.faults().size(), plan.faults().size())) {
+        long lastingNs = fault.span().untilNs() - fault.span().at().leastNs();
+        assertThat(lastingNs).as("%s", fault).isBetween(3300 * ProbeRun.MS, 7800 * ProbeRun.MS);
+        kinds.add(fault.effect().toString().replaceAll(".*name=(\\w+), arguments=", "$1"));
+      }
+      withOutage += plan.faults().size() > without.faults().size() ? 1 : 0;
+    }
+    assertThat(withOutage).isBetween(140L, 180L);
+    assertThat(kinds)
+        .anyMatch(kind -> kind.startsWith("crash"))
+        .anyMatch(kind -> kind.contains("all>any"));
+  }
+
+  @Test
+  void eachSeedHasItsOwnKindsOfFaultsAndItsOwnIntensity() {
+    Set<Set<String>> subsets = new LinkedHashSet<>();
+    Set<Integer> sizes = new TreeSet<>();
+    for (long seed = 1; seed <= 200; seed++) {
+      Set<String> kinds = new TreeSet<>();
+      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, 5, 0, 60 * S, new Rng(seed));
+      plan.faults().forEach(fault -> kinds.add(fault.effect().name()));
+      subsets.add(kinds);
+      sizes.add(plan.faults().size());
+    }
+    assertThat(subsets).hasSizeGreaterThan(100);
+    assertThat(sizes).anyMatch(size -> size < 8).anyMatch(size -> size > 80);
+  }
+
   private static Set<String> kinds(Envelope envelope) {
     Set<String> kinds = new TreeSet<>();
     for (long seed = 1; seed <= 100; seed++) {
-      FaultPlan plan = FaultPlan.chaos(envelope, 4, 30 * S, new Rng(seed));
+      FaultPlan plan = FaultPlan.chaos(envelope, 4, 10 * S, 30 * S, new Rng(seed));
       plan.faults().forEach(fault -> kinds.add(fault.effect().name()));
     }
     return kinds;

@@ -44,6 +44,11 @@ final class Findings extends InstanceMonitor<Findings> {
     lemma(
         GAVE_UP,
         "A room is given up only if robots that are down bar some of it, or no robot can enter.");
+    if (this.things.isEmpty()) {
+      never(FOUND, "there is no object");
+    } else {
+      never(NOTHING, "an object is there");
+    }
   }
 
   @Override

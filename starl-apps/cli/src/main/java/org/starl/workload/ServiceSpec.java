@@ -1,0 +1,84 @@
+package org.starl.workload;
+
+import java.util.List;
+import org.starl.id.RobotId;
+import org.starl.primitives.mutex.MutexSpec;
+import org.starl.spec.FaultState;
+import org.starl.spec.LemmaMonitor;
+import org.starl.spec.Within;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+
+/**
+ * The service that a workload's robots get in a calm world: no fault has been active, and every robot
+ * has been up, for {@link MutexSpec#SETTLE_NS}.
+ *
+ * <ul>
+ *   <li>{@code Prompt}: a request that a robot makes then is served, or has failed, within the bound.
+ *   <li>{@code Granted}: it does not fail; only for primitives that need not fail then.
+ * </ul>
+ *
+ * <p>Both are checked of requests during which the world stays calm.
+ */
+final class ServiceSpec extends LemmaMonitor {
+
+  private static final String PROMPT = "Prompt";
+  private static final String GRANTED = "Granted";
+
+  private final boolean mayFail;
+  private final Within<RobotId> requests;
+  private final FaultState faults = new FaultState();
+
+  /**
+   * @param promptNs the bound
+   * @param mayFail whether requests may fail in a calm world, too: no path may exist
+   */
+  ServiceSpec(long promptNs, boolean mayFail) {
+    this.mayFail = mayFail;
+    requests = new Within<>(promptNs);
+    lemma(PROMPT, "In a calm world every request is served, or has failed, within the bound.");
+    if (!mayFail) {
+      lemma(GRANTED, "In a calm world no request fails.");
+    }
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    finish(event.timeNs(), report);
+    faults.observe(event);
+    if (!faults.isCalm(event.timeNs(), MutexSpec.SETTLE_NS)) {
+      requests.clear();
+    } else if (event instanceof Action action && action.source().equals(Client.SOURCE)) {
+      acted(action, report);
+    }
+  }
+
+  private void acted(Action action, Report report) {
+    RobotId robot = action.robot();
+    if (action.name().equals(Client.ASK)) {
+      requests.start(robot, action.timeNs());
+    } else if (requests.stop(robot)) {
+      report.checked(PROMPT);
+      if (!mayFail) {
+        report.checked(GRANTED);
+        if (action.name().equals(Client.TOLD)) {
+          String detail =
+              "its request of round " + action.args().get(0) + " failed in a calm world";
+          report.violated(GRANTED, action.timeNs(), List.of(robot), detail);
+        }
+      }
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    requests.expire(
+        endNs,
+        (robot, sinceNs, deadlineNs) -> {
+          report.checked(PROMPT);
+          String detail = "asked at " + Time.text(sinceNs, 3) + ", and has had no answer";
+          report.overdue(PROMPT, deadlineNs, List.of(robot), detail);
+        });
+  }
+}

@@ -1,0 +1,71 @@
+package org.starl.workload;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_S;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+
+/** The specification on handwritten traces, with a bound of 5 s; the world is calm after 10 s. */
+class ServiceSpecTest {
+
+  private static final RobotId BOT = new RobotId("bot0");
+
+  private Monitors monitors = new Monitors(List.of(new ServiceSpec(5 * NS_PER_S, false)));
+
+  private void act(long atS, String name) {
+    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, BOT, "workload", name, List.of("1")));
+  }
+
+  private void fault(long atS, String name) {
+    monitors.observe(new TraceEvent.Fault(atS * NS_PER_S, TraceEvent.Fault.WORLD, name, "loss(1)"));
+  }
+
+  private SpecReport end(long atS) {
+    monitors.finish(atS * NS_PER_S);
+    return monitors.report();
+  }
+
+  @Test
+  void aRequestWithoutAnAnswerViolatesPrompt() {
+    act(1, "ask");
+    assertThat(end(7).violations("Prompt")).isEqualTo(1);
+  }
+
+  @Test
+  void aFailureViolatesGrantedUnlessThePrimitiveMayFail() {
+    act(1, "ask");
+    act(2, "told");
+    assertThat(end(9).violations("Granted")).isEqualTo(1);
+    assertThat(monitors.report().violations("Prompt")).isZero();
+    monitors = new Monitors(List.of(new ServiceSpec(5 * NS_PER_S, true)));
+    act(1, "ask");
+    act(2, "told");
+    assertThat(end(9).lemmas()).containsExactly("Prompt");
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  @Test
+  void nothingIsOwedToARequestThatAFaultMeets() {
+    act(1, "ask");
+    fault(2, "begin");
+    fault(3, "end");
+    act(14, "told");
+    act(14, "ask");
+    assertThat(end(18).checks("Granted")).isZero();
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  @Test
+  void serviceIsOwedAgainWhenTheWorldHasBeenCalm() {
+    fault(2, "begin");
+    fault(3, "end");
+    act(12, "ask");
+    act(13, "ask");
+    assertThat(end(19).violations("Prompt")).isEqualTo(1);
+  }
+}

@@ -1,0 +1,50 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.View;
+
+/** A view takes the wishes of several robots at once, but not both of these. */
+class ProposalTest {
+
+  private static final ProcessId FENCER = new ProcessId(new RobotId("fencer"), 1);
+  private static final ProcessId SILENT = new ProcessId(new RobotId("silent"), 1);
+  private static final ProcessId OTHER = new ProcessId(new RobotId("other"), 1);
+  private static final View VIEW = View.NONE.next().with(FENCER).with(SILENT).with(OTHER);
+  private static final Change CONFINE =
+      new Change(
+          null,
+          List.of(),
+          List.of(
+              new Confinement(
+                  SILENT, new TreeSet<>(List.of("A")), new TreeSet<>(List.of(FENCER)))));
+  private static final Change LEAVE = new Change(null, List.of(FENCER), List.of());
+
+  @Test
+  void aFencerDoesNotLeaveInTheViewOfItsConfinement() {
+    View next = new Proposal(VIEW).add(CONFINE).add(LEAVE).view();
+    assertThat(next.ghost(SILENT)).isNotNull();
+    assertThat(next.contains(FENCER)).isTrue();
+  }
+
+  @Test
+  void aConfinementWhoseFencerLeavesFirstDoesNotCount() {
+    View next = new Proposal(VIEW).add(LEAVE).add(CONFINE).view();
+    assertThat(next.contains(FENCER)).isFalse();
+    assertThat(next.contains(SILENT)).isTrue();
+  }
+
+  @Test
+  void anotherRobotLeavesInTheViewOfAConfinement() {
+    Change leave = new Change(null, List.of(OTHER), List.of());
+    View next = new Proposal(VIEW).add(CONFINE).add(leave).view();
+    assertThat(next.ghost(SILENT)).isNotNull();
+    assertThat(next.contains(OTHER)).isFalse();
+  }
+}
