@@ -30,6 +30,7 @@ import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
 import org.starl.time.Time;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -108,9 +109,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter err = err();
     CarrierKind carriers = Carriers.select(null, err);
     NavigableMap<Long, Measures> measured = new ConcurrentSkipListMap<>();
+    Chances chances = new Chances();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        campaign.run(seed -> run(request, seed, carriers, measured, page), progress::show);
+        campaign.run(seed -> run(request, seed, carriers, measured, chances, page), progress::show);
     progress.end();
     // With --stop, runs after the first bad one do not count.
     Totals totals = new Totals(measured.headMap(result.runs().getLast().seed(), true).values());
@@ -129,6 +131,8 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     }
     if (json.isOn()) {
       Map<String, Object> summary = summary(request, range, result, totals);
+      summary.put("error_rates", chances.json(result));
+      summary.put("never_checked", List.copyOf(result.neverChecked()));
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
@@ -138,13 +142,24 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       out.println(Json.line(summary));
     } else {
       table(request, result, totals).forEach(out::println);
-      monitors(request, range.first()).report().exceptions().forEach(out::println);
+      SpecReport spec = monitors(request, range.first()).report();
+      spec.exceptions().forEach(out::println);
+      Outcome.inapplicable(spec).forEach(out::println);
+      chances.lines(result).forEach(out::println);
       if (report != null) {
         out.println("report: " + report);
       }
     }
+    if (!result.neverChecked().isEmpty()) {
+      err.println(
+          "never checked in %d runs: %s%s"
+              .formatted(
+                  result.runs().size(),
+                  String.join(" ", result.neverChecked()),
+                  result.leavesUnchecked() ? ": expected a check in some run" : ""));
+    }
     if (bad == null) {
-      return ExitStatus.GOOD;
+      return result.leavesUnchecked() ? ExitStatus.VIOLATED : ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
     sentences(request, result).forEach(err::println);
@@ -215,8 +230,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       long seed,
       CarrierKind carriers,
       Map<Long, Measures> measured,
+      Chances chances,
       @Nullable ReportFile page) {
     Plan plan = plan(request, seed, carriers);
+    chances.watch(seed, plan.simulation());
     MessageCounts messages = page == null ? null : ReportFile.watch(plan);
     SimResult result = correct(seed, () -> plan.simulation().build().run());
     if (page != null && messages != null) {

@@ -127,6 +127,7 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
         && result.violations().isEmpty()
         && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
+      lines.addAll(Outcome.unknown(result.run().spec()));
     }
   }
 

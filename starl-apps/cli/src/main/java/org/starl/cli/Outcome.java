@@ -32,24 +32,51 @@ final class Outcome {
                 result.network().lost()));
     if (result.spec().holds()) {
       lines.add(held(result.spec()));
+      lines.addAll(unknown(result.spec()));
     }
     lines.addAll(result.spec().exceptions());
     lines.addAll(complaints(result));
     return lines;
   }
 
-  /** The line for a run without violations. */
+  /** The line for a run without violations: the specifications that were checked. */
   static String held(SpecReport spec) {
-    long checks = spec.lemmas().stream().mapToLong(spec::checks).sum();
+    List<String> held = new ArrayList<>(spec.lemmas());
+    held.removeAll(spec.neverChecked());
+    long checks = held.stream().mapToLong(spec::checks).sum();
     return "%s specifications held, in %s checks: %s"
-        .formatted(spec.lemmas().size(), checks, String.join(" ", spec.lemmas()));
+        .formatted(held.size(), checks, String.join(" ", held));
+  }
+
+  /** Lines for the specifications without a check, inapplicable ones with their reason. */
+  static List<String> unknown(SpecReport spec) {
+    List<String> never = new ArrayList<>(spec.neverChecked());
+    never.removeIf(lemma -> !spec.inapplicable(lemma).isEmpty());
+    List<String> lines = new ArrayList<>();
+    if (!never.isEmpty()) {
+      lines.add("never checked: " + String.join(" ", never));
+    }
+    lines.addAll(inapplicable(spec));
+    return lines;
+  }
+
+  /** A line for each specification that does not apply, and was not checked. */
+  static List<String> inapplicable(SpecReport spec) {
+    return spec.neverChecked().stream()
+        .filter(lemma -> !spec.inapplicable(lemma).isEmpty())
+        .map(lemma -> "does not apply: " + lemma + ": " + spec.inapplicable(lemma))
+        .toList();
   }
 
   /** A line for each specification: its name, its sentence and its number of checks. */
   static List<String> explanations(SpecReport spec) {
     return spec.lemmas().stream()
-        .map(lemma -> "  %s (%d checks)".formatted(explained(spec, lemma), spec.checks(lemma)))
+        .map(lemma -> "  %s (%s)".formatted(explained(spec, lemma), checks(spec, lemma)))
         .toList();
+  }
+
+  private static String checks(SpecReport spec, String lemma) {
+    return spec.neverChecked().contains(lemma) ? "never checked" : spec.checks(lemma) + " checks";
   }
 
   private static String explained(SpecReport spec, String lemma) {

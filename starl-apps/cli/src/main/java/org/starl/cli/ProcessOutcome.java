@@ -38,6 +38,7 @@ final class ProcessOutcome {
     }
     if (run.spec().holds()) {
       lines.add("safe: " + Outcome.held(run.spec()));
+      lines.addAll(Outcome.unknown(run.spec()));
     }
     lines.addAll(run.spec().exceptions());
     run.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));

@@ -2,7 +2,9 @@ package org.starl.sim.check;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -12,6 +14,8 @@ import org.starl.sim.check.RunOutcome.Verdict;
  * number of threads.
  */
 public record CampaignResult(List<Run> runs) {
+
+  private static final int ENOUGH = 100;
 
   /** One run and its seed. */
   public record Run(long seed, RunOutcome outcome) {}
@@ -32,6 +36,23 @@ public record CampaignResult(List<Run> runs) {
 
   public long count(Verdict verdict) {
     return runs.stream().filter(run -> run.outcome().verdict() == verdict).count();
+  }
+
+  /** The lemmas that some run had to check and no run has checked: they are not held, but unknown. */
+  public SortedSet<String> neverChecked() {
+    SortedMap<String, Long> checks = new TreeMap<>();
+    runs.forEach(run ->
+        run.outcome().checks().forEach((lemma, times) -> checks.merge(lemma, times, Long::sum)));
+    checks.values().removeIf(times -> times > 0);
+    return new TreeSet<>(checks.keySet());
+  }
+
+  /**
+   * Whether the campaign fails because of {@link #neverChecked}: only one of {@value #ENOUGH} runs or
+   * more, since in a smaller one that may be chance.
+   */
+  public boolean leavesUnchecked() {
+    return runs.size() >= ENOUGH && !neverChecked().isEmpty();
   }
 
   /** The names of all figures of all runs, in order. */

@@ -19,9 +19,15 @@ import org.starl.time.Time;
  * @param detail one line: the first violation, the unfinished robots or the exception; empty if
  *     good
  * @param figures finite numbers for statistics, by name
+ * @param checks how often each lemma was checked that its monitor does not declare inapplicable
  */
 public record RunOutcome(
-    Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
+    Verdict verdict,
+    String what,
+    long atNs,
+    String detail,
+    SortedMap<String, Double> figures,
+    SortedMap<String, Long> checks) {
 
   private static final long UNKNOWN = -1;
 
@@ -45,6 +51,13 @@ public record RunOutcome(
       }
     }
     figures = Collections.unmodifiableSortedMap(new TreeMap<>(figures));
+    checks = Collections.unmodifiableSortedMap(new TreeMap<>(checks));
+  }
+
+  /** An outcome of a run without specifications. */
+  public RunOutcome(
+      Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
+    this(verdict, what, atNs, detail, figures, new TreeMap<>());
   }
 
   public static RunOutcome good(SortedMap<String, Double> figures) {
@@ -70,6 +83,18 @@ public record RunOutcome(
     figures.put("datagrams_lost", (double) result.network().lost());
     figures.put("robots_collided", (double) result.collisions().ofRobots());
     figures.put("walls_hit", (double) result.collisions().withWalls());
+    SortedMap<String, Long> checks = new TreeMap<>();
+    for (String lemma : result.spec().lemmas()) {
+      if (result.spec().inapplicable(lemma).isEmpty()) {
+        checks.put(lemma, result.spec().checks(lemma));
+      }
+    }
+    RunOutcome outcome = of(result, figures);
+    return new RunOutcome(
+        outcome.verdict, outcome.what, outcome.atNs, outcome.detail, figures, checks);
+  }
+
+  private static RunOutcome of(SimResult result, SortedMap<String, Double> figures) {
     if (!result.spec().holds()) {
       return violated(result.spec().violations().get(0), figures);
     }
@@ -99,7 +124,7 @@ public record RunOutcome(
 
   /** A copy with other figures. */
   public RunOutcome withFigures(SortedMap<String, Double> newFigures) {
-    return new RunOutcome(verdict, what, atNs, detail, newFigures);
+    return new RunOutcome(verdict, what, atNs, detail, newFigures, checks);
   }
 
   public boolean isGood() {

@@ -18,6 +18,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.Campaign;
+import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunArtifacts;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.explore.Bounds;
@@ -112,8 +113,9 @@ record SeededRuns(
       runs.add(planned(seed, List.of()));
     }
     List<Bad> bad = new ArrayList<>();
-    campaign
-        .run(seed -> runs.get((int) (seed - firstSeed)).go(), (finished, planned, soFar) -> {})
+    CampaignResult result =
+        campaign.run(seed -> runs.get((int) (seed - firstSeed)).go(), (done, planned, soFar) -> {});
+    result
         .runs()
         .forEach(finished ->
             judge(runs.get((int) (finished.seed() - firstSeed)), finished.outcome(), bad));
@@ -124,6 +126,10 @@ record SeededRuns(
     }
     if (!bad.isEmpty()) {
       throw new AssertionError(report(bad, runs.size()), bad.get(0).run().error);
+    }
+    if (result.leavesUnchecked()) {
+      throw new AssertionError(
+          name + ": never checked in " + runs.size() + " runs: " + result.neverChecked());
     }
   }
 

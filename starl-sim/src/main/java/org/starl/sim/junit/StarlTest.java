@@ -23,7 +23,8 @@ import org.starl.sim.fault.Envelope;
  * <p>The method configures the builder, whose seed is already set; it may also have parameters
  * {@link RunChecks}, {@code long} for the seed, and those of other extensions. It is called once
  * per seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
- * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails. The
+ * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails; or if no
+ * run of 100 or more has checked a specification that applies. The
  * failure message tells how to repeat that seed: with the configuration parameter or system
  * property {@code starl.seed}. The first bad run is repeated, and its trace written to the folder
  * {@code target/starl}, or {@code build/starl} under Gradle, or that of {@code starl.artifacts};

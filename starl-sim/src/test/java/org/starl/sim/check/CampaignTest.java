@@ -54,6 +54,23 @@ class CampaignTest {
   }
 
   @Test
+  void aLemmaThatNoRunOfManyHasCheckedFailsTheCampaign() throws InterruptedException {
+    CampaignResult many = new Campaign(1, 100).run(seed -> checked(seed, 0), SILENT);
+    assertThat(many.neverChecked()).containsExactly("quiet");
+    assertThat(many.leavesUnchecked()).isTrue();
+    CampaignResult few = new Campaign(1, 99).run(seed -> checked(seed, 0), SILENT);
+    assertThat(few.neverChecked()).containsExactly("quiet");
+    assertThat(few.leavesUnchecked()).isFalse();
+    CampaignResult one = new Campaign(1, 100).run(seed -> checked(seed, seed / 100), SILENT);
+    assertThat(one.leavesUnchecked()).isFalse();
+  }
+
+  private static RunOutcome checked(long seed, long quiet) {
+    TreeMap<String, Long> checks = new TreeMap<>(Map.of("loud", seed, "quiet", quiet));
+    return new RunOutcome(Verdict.GOOD, "", -1, "", new TreeMap<>(), checks);
+  }
+
+  @Test
   void aCampaignContinuesAfterABadRunUnlessConfiguredToStop() throws InterruptedException {
     CampaignResult all = new Campaign(1, 100, 3, false).run(seed -> outcome(seed, 10), SILENT);
     assertThat(all.runs()).hasSize(100);

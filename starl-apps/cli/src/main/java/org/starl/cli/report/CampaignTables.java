@@ -148,7 +148,7 @@ final class CampaignTables {
       html.close();
     }
     html.close();
-    html.number(checks.checks() == 0 ? "never" : count(checks.checks()));
+    html.number(checks.checks() == 0 ? "never checked" : count(checks.checks()));
     html.number(count(checks.violations())).number(count(inRuns)).close();
   }
 

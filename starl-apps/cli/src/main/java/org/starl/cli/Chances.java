@@ -1,0 +1,112 @@
+package org.starl.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentSkipListMap;
+import org.starl.sim.SimObserver;
+import org.starl.sim.Simulation;
+import org.starl.sim.check.CampaignResult;
+import org.starl.sim.check.CampaignResult.Run;
+import org.starl.sim.check.ErrorRate;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+
+/**
+ * What a campaign shows of the probability that a run is bad, over all runs and over those with each
+ * kind of fault: upper bounds, since seeds are independent samples of what the campaign draws.
+ */
+final class Chances {
+
+  /** Faults that last so long also count under {@link #LONG}: others suspect a silent robot by then. */
+  private static final long LONG_NS = 10_000_000_000L;
+
+  private static final String LONG = "10 s or longer";
+  private static final double CONFIDENCE = 0.95;
+
+  /** The kinds of faults of each run, by seed. */
+  private final NavigableMap<Long, SortedSet<String>> kinds = new ConcurrentSkipListMap<>();
+
+  /** Watches the faults of a run that is about to be built. */
+  void watch(long seed, Simulation.Builder simulation) {
+    SortedSet<String> mine = new TreeSet<>();
+    SortedMap<String, Long> beganNs = new TreeMap<>();
+    kinds.put(seed, mine);
+    simulation.observer(
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            if (event instanceof Fault fault && fault.name().equals(Fault.BEGIN)) {
+              mine.add(fault.detail().split("\\(", 2)[0]);
+              beganNs.put(fault.detail(), fault.timeNs());
+            } else if (event instanceof Fault fault && fault.name().equals(Fault.END)) {
+              long sinceNs = beganNs.getOrDefault(fault.detail(), fault.timeNs());
+              if (fault.timeNs() - sinceNs >= LONG_NS) {
+                mine.add(LONG);
+              }
+            }
+          }
+        });
+  }
+
+  /** Bad runs, all runs. */
+  private record Count(long bad, long runs) {
+    Count plus(boolean isGood) {
+      return new Count(bad + (isGood ? 0 : 1), runs + 1);
+    }
+
+    double below() {
+      return ErrorRate.below(bad, runs, CONFIDENCE);
+    }
+  }
+
+  /** The name of each group of runs: all, then those with one kind of fault. */
+  private Map<String, Count> counts(CampaignResult result) {
+    Count all = new Count(0, 0);
+    SortedMap<String, Count> byKind = new TreeMap<>();
+    for (Run run : result.runs()) {
+      boolean isGood = run.outcome().isGood();
+      all = all.plus(isGood);
+      for (String kind : kinds.getOrDefault(run.seed(), new TreeSet<>())) {
+        byKind.put(kind, byKind.getOrDefault(kind, new Count(0, 0)).plus(isGood));
+      }
+    }
+    Map<String, Count> counts = new LinkedHashMap<>();
+    counts.put("", all);
+    counts.putAll(byKind);
+    return counts;
+  }
+
+  /** A line for each group: {@code bad runs: 0 of 200: below 1.5e-2 at 95 %}. */
+  List<String> lines(CampaignResult result) {
+    List<String> lines = new ArrayList<>();
+    counts(result)
+        .forEach((kind, count) ->
+            lines.add(
+                "%s%d of %d: below %s at 95 %%"
+                    .formatted(
+                        kind.isEmpty() ? "bad runs: " : "  with " + kind + ": ",
+                        count.bad(),
+                        count.runs(),
+                        String.format(Locale.ROOT, "%.1e", count.below()))));
+    return lines;
+  }
+
+  /** For {@code --json}. */
+  Map<String, Object> json(CampaignResult result) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    counts(result)
+        .forEach((kind, count) ->
+            json.put(
+                kind.isEmpty() ? "all" : kind,
+                Json.object("bad", count.bad(), "runs", count.runs(), "below", count.below())));
+    return json;
+  }
+}
