@@ -47,8 +47,9 @@ record SettingType<T>(
           value -> value >= 0 && value <= 1,
           "a number from 0 to 1",
           Form.amount(Quantity.PROBABILITY));
-  static final SettingType<Duration> DURATION = duration(false);
-  static final SettingType<Duration> PERIOD = duration(true);
+  static final SettingType<Duration> DURATION = duration(Duration.ZERO);
+  // A shorter period costs a computer more than it has, and no sensor has one.
+  static final SettingType<Duration> PERIOD = duration(Duration.ofMillis(1));
   static final SettingType<Boolean> YES_NO =
       unlimited(Boolean.class, Quantities::yesOrNo, String::valueOf, Form.YES_NO);
   static final SettingType<String> TEXT =
@@ -99,13 +100,14 @@ record SettingType<T>(
         new Form.Amount(quantity, isAboveZero));
   }
 
-  private static SettingType<Duration> duration(boolean isAboveZero) {
+  private static SettingType<Duration> duration(Duration least) {
     return new SettingType<>(
         Duration.class,
         text -> Duration.ofNanos(Quantities.durationNs(text)),
         value -> Quantities.durationText(value.toNanos()),
-        value -> !value.isNegative() && !(isAboveZero && value.isZero()),
-        "a duration " + (isAboveZero ? "above 0" : "of at least 0"),
-        new Form.Amount(Quantity.DURATION, isAboveZero));
+        value -> value.compareTo(least) >= 0,
+        "a duration of at least "
+            + (least.isZero() ? "0" : Quantities.durationText(least.toNanos())),
+        new Form.Amount(Quantity.DURATION, !least.isZero()));
   }
 }

@@ -168,7 +168,11 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     TraceHeader header = trace.header();
     if (!header.scenario().equals(options.name())) {
       throw new BadInput(
-          "--from: " + trace.name() + ": a trace of " + header.scenario() + ", not of "
+          "--from: "
+              + trace.name()
+              + ": a trace of "
+              + header.scenario()
+              + ", not of "
               + options.name());
     }
     trace.requireRepeatable();
@@ -216,8 +220,15 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
         };
     if (count > 0 && !isTolerated) {
       throw new BadInput(
-          option + ": " + request.demo().name() + " does not promise to tolerate them: its faults"
-              + " are '" + envelope + "' (" + envelope.meaning() + ")");
+          option
+              + ": "
+              + request.demo().name()
+              + " does not promise to tolerate them: its faults"
+              + " are '"
+              + envelope
+              + "' ("
+              + envelope.meaning()
+              + ")");
     }
   }
 

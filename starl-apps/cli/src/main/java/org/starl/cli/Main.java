@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -169,6 +170,11 @@ public final class Main implements Runnable {
       err.print(StackTraces.of(error));
     }
     if (error instanceof BadInput) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    if (error instanceof IOException && error.getMessage() != null) {
+      // A file that cannot be written: nothing was violated.
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }

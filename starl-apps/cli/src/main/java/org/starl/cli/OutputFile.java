@@ -39,7 +39,10 @@ final class OutputFile implements Closeable {
       }
       if (isDevice) {
         written = target;
-        out = new RecordingStream(Files.newOutputStream(target, StandardOpenOption.WRITE));
+        out =
+            new RecordingStream(
+                option + ": " + BadInput.quote(name),
+                Files.newOutputStream(target, StandardOpenOption.WRITE));
         return;
       }
       if (!Files.isDirectory(folder)) {
@@ -47,7 +50,8 @@ final class OutputFile implements Closeable {
       }
       long process = ProcessHandle.current().pid();
       written = folder.resolve("." + target.getFileName() + "." + process + ".part");
-      out = new RecordingStream(create(option, name, written));
+      out =
+          new RecordingStream(option + ": " + BadInput.quote(name), create(option, name, written));
       // If the user stops the run, close is not called.
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
@@ -97,24 +101,54 @@ final class OutputFile implements Closeable {
     }
   }
 
-  /** Records whether anything was written. */
+  /** Records whether anything was written; its errors name the file. */
   private static final class RecordingStream extends FilterOutputStream {
+    private final String name;
     private boolean any;
 
-    RecordingStream(OutputStream file) {
+    RecordingStream(String name, OutputStream file) {
       super(new BufferedOutputStream(file));
+      this.name = name;
     }
 
     @Override
     public void write(int b) throws IOException {
-      any = true;
-      out.write(b);
+      write(new byte[] {(byte) b}, 0, 1);
     }
 
     @Override
     public void write(byte[] bytes, int from, int length) throws IOException {
       any |= length > 0;
-      out.write(bytes, from, length);
+      try {
+        out.write(bytes, from, length);
+      } catch (IOException e) {
+        throw named(e);
+      }
+    }
+
+    @Override
+    public void flush() throws IOException {
+      try {
+        out.flush();
+      } catch (IOException e) {
+        throw named(e);
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      try {
+        out.close();
+      } catch (IOException e) {
+        throw named(e);
+      }
+    }
+
+    private IOException named(IOException error) {
+      String message = String.valueOf(error.getMessage());
+      return message.startsWith(name)
+          ? error
+          : new IOException(name + ": cannot be written (" + message + ")", error);
     }
   }
 }

@@ -72,7 +72,8 @@ final class Shrinking {
               + " -> "
               + result.trial()
               + (result.isSmallest() ? "" : " (a smaller one may exist)"));
-      lines.add("seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
+      lines.add(
+          "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
       lines.add("replay: " + command());
       lines.addAll(why);
       return lines;

@@ -20,7 +20,7 @@ class BadInputTest {
       """
       xyzzy | 'xyzzy' | expected one of list run campaign
       rum | 'rum' | run
-      list more | 'more' | expected nothing more
+      list more | 'more' | did you mean maze?
       run | APP|PRIMITIVE|FILE.yaml | --help
       run nope | 'nope' | expected one of hello, intersection
       run intersecton | 'intersecton' | did you mean intersection?
@@ -74,6 +74,16 @@ class BadInputTest {
       run intersection --set scenario=legacy --set files=/nowhere | no such file
       run intersection --set scenario=figure7 --robots 3 | robots: 3 | expected 4
       run intersection --set obstacleFile=nowhere.wpt | nowhere.wpt: no such file
+      run intersection --set robotRadius=300mm | robotRadius=300mm | below 250mm | lane
+      run intersection --set obstacleFile=/dev/zero | /dev/zero: is longer than 67108864 bytes
+      run maze --set map=/dev/zero | /dev/zero: is longer than 67108864 bytes
+      run hello --set positionPeriod=1ns | positionPeriod=1ns | at least 1ms
+      run hello --fault forge(all,1ns) | 'forge(all,1ns)' | the mean interval | at least 100us
+      run hello --trace /dev/full | --trace: '/dev/full': cannot be written | No space left
+      run hello --fault datagram(bot0,1,lost) | 'bot0' | expected a sender and a recipient
+      run hello --fault datagram(bot0>bot1,-1,lost) | the number of a datagram | '-1'
+      run hello --fault datagram(bot0>bot1,1,soon) | a duration, or 'lost' | 'soon'
+      run hello --fault datagram(bot0>bot9,1,lost) | no robot is called bot9
       run hello --fault crush(bot1) | --fault | 'crush' | did you mean crash?
       run hello --fault crash | --fault | expected a robot's name | as in crash(WHO
       run hello --fault crash(bot1,at=5) | --fault | at: '5' | expected a duration with a unit

@@ -66,8 +66,7 @@ class ExploreTest {
 
     @Override
     public List<Object> callStarL() {
-      Endpoint<Boolean> words =
-          gvh.comms.open(WORDS, (from, isQuestion) -> isHeard = true);
+      Endpoint<Boolean> words = gvh.comms.open(WORDS, (from, isQuestion) -> isHeard = true);
       if (gvh.id.name().name().equals("bot0")) {
         await(() -> isHeard);
         words.send(new RobotId("bot1"), false);

@@ -24,6 +24,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -44,6 +46,17 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
   // A message lost in a fault is repeated some time later, and a dead process is suspected later
   // still.
   private static final long AFTER_FAULTS_NS = 15 * Time.NS_PER_S;
+
+  IntersectionPlan {
+    double mostMm = Crossing.LANE_MM / 2;
+    if (settings.robotRadiusMm() >= mostMm) {
+      throw new BadInput(
+          "robotRadius=%s: expected below %s, half the width of a lane"
+              .formatted(
+                  Quantities.distanceText(settings.robotRadiusMm()),
+                  Quantities.distanceText(mostMm)));
+    }
+  }
 
   /** Of a fixed set of cars. */
   Plan closed(List<Car> cars) {

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads a document in YAML (or JSON, which YAML contains): one mapping, with the line of each part.
- * Refused are duplicate keys, aliases, more than one document, more than 16 levels, and, by the
- * parser, more than 3 million characters. It reads Jackson's stream of tokens, for a phone has no
+ * Refused are duplicate keys, aliases, more than one document, more than 16 levels, and more than 3
+ * million characters, which the parser would refuse too. It reads Jackson's stream of tokens, for a phone has no
  * reflection on records, which data binding needs.
  */
 public final class DocumentReader {
@@ -24,6 +24,8 @@ public final class DocumentReader {
 
   /** Twice as many as any document of StarL needs; it bounds the recursion below. */
   private static final int MAX_DEPTH = 16;
+
+  private static final int MAX_CHARACTERS = 3_000_000;
 
   private final String file;
   private final String expected;
@@ -43,6 +45,9 @@ public final class DocumentReader {
    * @throws BadInput if it is no YAML, no mapping, or has anything that is refused
    */
   public static Node.Mapping read(String file, String text, String expected) {
+    if (text.length() > MAX_CHARACTERS) {
+      throw new BadInput(file + ": is longer than " + MAX_CHARACTERS + " characters; " + expected);
+    }
     try (YAMLParser parser = YAML.createParser(text)) {
       return new DocumentReader(file, expected, parser).document();
     } catch (JsonProcessingException e) {

@@ -1,6 +1,8 @@
 package org.starl.input;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -9,6 +11,11 @@ import java.nio.file.Path;
 
 /** Reads a whole file that a user has named. An error ends with the expected kind of file. */
 public final class TextFile {
+
+  /** More than any input of StarL needs; a device such as /dev/zero has no end. */
+  private static final int MAX_BYTES = 64 << 20;
+
+  private static final int CHUNK_BYTES = 1 << 16;
 
   private TextFile() {}
 
@@ -25,7 +32,7 @@ public final class TextFile {
   /**
    * Its bytes.
    *
-   * @throws BadInput if it is missing, a folder or unreadable
+   * @throws BadInput if it is missing, a folder, unreadable or longer than 64 MiB
    */
   public static byte[] bytes(Path file, String expected) {
     if (Files.isDirectory(file)) {
@@ -34,8 +41,16 @@ public final class TextFile {
     if (!Files.exists(file)) {
       throw new BadInput(file + ": no such file; " + expected);
     }
-    try {
-      return Files.readAllBytes(file);
+    try (InputStream in = Files.newInputStream(file)) {
+      ByteArrayOutputStream all = new ByteArrayOutputStream();
+      byte[] chunk = new byte[CHUNK_BYTES];
+      for (int read = in.read(chunk); read >= 0; read = in.read(chunk)) {
+        all.write(chunk, 0, read);
+        if (all.size() > MAX_BYTES) {
+          throw new BadInput(file + ": is longer than " + MAX_BYTES + " bytes; " + expected);
+        }
+      }
+      return all.toByteArray();
     } catch (IOException e) {
       throw new BadInput(file + ": cannot be read (" + e + "); " + expected);
     }

@@ -94,6 +94,17 @@ class DocumentReaderTest {
   }
 
   @Test
+  void aTextThatIsTooLongIsNamedAsSuch() {
+    StringBuilder text = new StringBuilder("app: hello\n");
+    for (int i = 0; text.length() <= 3_000_000; i++) {
+      text.append("key").append(i).append(": 1\n");
+    }
+    assertThatThrownBy(() -> read(text.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining(": is longer than 3000000 characters; ");
+  }
+
+  @Test
   void everyOtherTextIsRefusedAsBadInput() {
     String deep = "a: " + "[".repeat(100_000);
     String huge = "a: " + "b".repeat(4_000_000);

@@ -34,6 +34,13 @@ final class TextFileTest {
     refuses(file((byte) 'a', (byte) 0), "is not text");
   }
 
+  @Test
+  void aFileWithoutAnEndIsRefused() {
+    assertThatThrownBy(() -> TextFile.read(Path.of("/dev/zero"), EXPECTED))
+        .isInstanceOf(BadInput.class)
+        .hasMessage("/dev/zero: is longer than 67108864 bytes; " + EXPECTED);
+  }
+
   private static void refuses(Path file, String why) {
     assertThatThrownBy(() -> TextFile.read(file, EXPECTED))
         .isInstanceOf(BadInput.class)

@@ -179,8 +179,7 @@ class SpecimenTest {
 
   /** On a seed whose run without faults does not show the bug, if there is one. */
   @ParameterizedTest
-  @EnumSource(
-      names = {"SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE", "BARRIER_THAT_LOSES_EARLY_ARRIVALS"})
+  @EnumSource(names = {"SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE", "BARRIER_THAT_LOSES_EARLY_ARRIVALS"})
   void explorationFindsIt(Specimen specimen, TestReporter reporter) throws InterruptedException {
     long seed = 1;
     while (seed < SEEDS && specimen.isCaught(specimen.run(seed, CALM, false))) {

@@ -78,7 +78,8 @@ final class Draws {
       byPriority.add(drawn.remove(rng.nextInt(drawn.size())));
     }
     for (int rank = 1; rank < byPriority.size(); rank++) {
-      schedule.add(byPriority.get(rank).delayed(extraNs(rank, byPriority), bounds.fromNs(), untilNs));
+      schedule.add(
+          byPriority.get(rank).delayed(extraNs(rank, byPriority), bounds.fromNs(), untilNs));
     }
     for (int i = 0; i < changes && !copies.isEmpty(); i++) {
       Copy at = copies.get(rng.nextInt(copies.size()));

@@ -146,10 +146,7 @@ public final class Explorer {
       for (long arrivesAtNs : copy.isLost() ? List.<Long>of() : order.otherArrivals(copy)) {
         next.add(
             new Node(
-                with(node, copy.arrivingAt(arrivesAtNs)),
-                i + 1,
-                node.losses(),
-                node.crashes()));
+                with(node, copy.arrivingAt(arrivesAtNs)), i + 1, node.losses(), node.crashes()));
       }
       if (node.losses() < bounds.losses() && !copy.isLost()) {
         next.add(new Node(with(node, copy.lost()), i + 1, node.losses() + 1, node.crashes()));

@@ -42,11 +42,7 @@ public final class Order implements OrderObserver {
     long arrivesAtNs = delayNs == LOST ? Copy.NEVER : copy.sentAtNs() + delayNs;
     copies.add(
         new Copy(
-            copy.from().name(),
-            copy.to().name(),
-            copy.datagram(),
-            copy.sentAtNs(),
-            arrivesAtNs));
+            copy.from().name(), copy.to().name(), copy.datagram(), copy.sentAtNs(), arrivesAtNs));
     if (copies.size() == mostCopies) {
       untilNs = copy.sentAtNs() + bounds.mostDelayNs();
     }
@@ -70,9 +66,7 @@ public final class Order implements OrderObserver {
   /** The message in {@code copy} as text; empty if it is not known. */
   String message(Copy copy) {
     String one = messages.get(place(copy.from(), copy.to(), copy.sentAtNs()));
-    return one != null
-        ? one
-        : messages.getOrDefault(place(copy.from(), "*", copy.sentAtNs()), "");
+    return one != null ? one : messages.getOrDefault(place(copy.from(), "*", copy.sentAtNs()), "");
   }
 
   @Override

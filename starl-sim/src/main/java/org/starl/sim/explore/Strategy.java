@@ -17,8 +17,7 @@ public enum Strategy {
         return strategy;
       }
     }
-    throw new BadInput(
-        BadInput.quote(text) + ": expected one of " + Arrays.toString(values()));
+    throw new BadInput(BadInput.quote(text) + ": expected one of " + Arrays.toString(values()));
   }
 
   /** The name as in {@code --strategy pct}. */

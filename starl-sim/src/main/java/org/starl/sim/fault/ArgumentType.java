@@ -32,6 +32,9 @@ record ArgumentType<T>(Function<String, T> reader, Function<T, String> writer) {
       new ArgumentType<>(Quantities::durationNs, Quantities::durationText);
   static final ArgumentType<Long> POSITIVE_DURATION =
       new ArgumentType<>(ArgumentType::positiveNs, Quantities::durationText);
+  // Attacks at shorter intervals would take all of the simulator's time.
+  static final ArgumentType<Long> INTERVAL =
+      new ArgumentType<>(ArgumentType::intervalNs, Quantities::durationText);
   static final ArgumentType<Long> SIGNED_DURATION =
       new ArgumentType<>(
           text ->
@@ -68,6 +71,7 @@ record ArgumentType<T>(Function<String, T> reader, Function<T, String> writer) {
   static final ArgumentType<Region> AREA =
       new ArgumentType<>(ArgumentType::area, ArgumentType::text);
 
+  private static final long LEAST_INTERVAL_NS = 100_000;
   private static final long MOST_PPM = 500_000;
   private static final Pattern AREA_FORM = Pattern.compile("\\s*(rect|circle)\\((.*)\\)\\s*");
 
@@ -75,6 +79,14 @@ record ArgumentType<T>(Function<String, T> reader, Function<T, String> writer) {
     long ns = Quantities.durationNs(text);
     if (ns == 0) {
       throw bad(text, "expected a duration above 0");
+    }
+    return ns;
+  }
+
+  private static long intervalNs(String text) {
+    long ns = Quantities.durationNs(text);
+    if (ns < LEAST_INTERVAL_NS) {
+      throw bad(text, "expected at least " + Quantities.durationText(LEAST_INTERVAL_NS));
     }
     return ns;
   }

@@ -142,7 +142,7 @@ final class RobotFaults {
    * without a key accept them; {@code sealed=yes} gives the robots a key.
    */
   private static FaultAction attack(FaultArguments call, Function<Eavesdropper, byte[]> next) {
-    long meanNs = call.next("the mean interval", ArgumentType.POSITIVE_DURATION);
+    long meanNs = call.next("the mean interval", ArgumentType.INTERVAL);
     return context -> new Attack(context, meanNs, next)::end;
   }
 }

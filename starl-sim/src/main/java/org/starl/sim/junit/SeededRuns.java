@@ -71,11 +71,7 @@ record SeededRuns(
     private @Nullable SimResult result;
     private @Nullable Throwable error;
 
-    Run(
-        long seed,
-        List<Fault> schedule,
-        Simulation simulation,
-        List<Consumer<SimResult>> checks) {
+    Run(long seed, List<Fault> schedule, Simulation simulation, List<Consumer<SimResult>> checks) {
       this.seed = seed;
       this.schedule = schedule;
       this.simulation = simulation;
@@ -138,8 +134,7 @@ record SeededRuns(
     long seed = run.seed;
     long drawnNs = run.simulation.plan().settings().get(Setting.MESSAGE_DELAY).longestNs();
     Bounds bounds =
-        new Bounds(
-            0, LEAST_DELAY_NS, MOST_DELAY_NS, Math.max(0, MOST_DELAY_NS - drawnNs), 0, 0, 1);
+        new Bounds(0, LEAST_DELAY_NS, MOST_DELAY_NS, Math.max(0, MOST_DELAY_NS - drawnNs), 0, 0, 1);
     Explorer explorer =
         new Explorer(
             bounds,

@@ -154,9 +154,10 @@ class ExplorerTest {
     Order order = new Order(new Bounds(0, 0, 0, 0, 0, 0, 1), 100);
     assertThat(run(List.of(), order).isGood()).isTrue();
     assertThat(order.copies()).hasSize(SENDERS);
-    assertThat(order.copies()).allSatisfy(copy -> {
-      long delayNs = copy.arrivesAtNs() - copy.sentAtNs();
-      assertThat(delayNs).isBetween(10 * Time.NS_PER_MS, 20 * Time.NS_PER_MS);
-    });
+    assertThat(order.copies())
+        .allSatisfy(copy -> {
+          long delayNs = copy.arrivesAtNs() - copy.sentAtNs();
+          assertThat(delayNs).isBetween(10 * Time.NS_PER_MS, 20 * Time.NS_PER_MS);
+        });
   }
 }

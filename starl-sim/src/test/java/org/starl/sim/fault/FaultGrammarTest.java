@@ -176,6 +176,7 @@ class FaultGrammarTest {
     Arbitrary<String> at = Combinators.combine(Arbitraries.of("", "-"), mm).as(String::concat);
     Arbitrary<String> t = times().map(Quantities::durationText);
     Arbitrary<String> positive = times().map(ns -> Quantities.durationText(ns + 1));
+    Arbitrary<String> interval = times().map(ns -> Quantities.durationText(ns + 100_000));
     Arbitrary<String> signed = Combinators.combine(Arbitraries.of("", "-"), t).as(String::concat);
     Arbitrary<String> rad =
         Arbitraries.doubles().between(0, 3.14).ofScale(4).map(Quantities::angleText);
@@ -192,6 +193,12 @@ class FaultGrammarTest {
         text("delay", List.of(latencies(), from, to)),
         text("duplicate", List.of(p, t, from, to)),
         text("reorder", List.of(p, t, from, to)),
+        text(
+            "datagram",
+            List.of(
+                Arbitraries.just("bot0>bot1"),
+                Arbitraries.longs().greaterOrEqual(0).map(String::valueOf),
+                Arbitraries.oneOf(t, Arbitraries.just("lost")))),
         robots()
             .list()
             .ofMinSize(1)
@@ -215,9 +222,9 @@ class FaultGrammarTest {
         text("disk", List.of(robots(), t)),
         text("ram", List.of(robots(), speed)),
         text("block", List.of(robots())),
-        text("forge", List.of(robots(), positive)),
-        text("replay", List.of(robots(), positive)),
-        text("flood", List.of(robots(), positive)));
+        text("forge", List.of(robots(), interval)),
+        text("replay", List.of(robots(), interval)),
+        text("flood", List.of(robots(), interval)));
   }
 
   private static Arbitrary<String> text(String name, List<Arbitrary<String>> arguments) {

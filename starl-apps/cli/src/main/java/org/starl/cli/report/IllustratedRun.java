@@ -101,8 +101,7 @@ public record IllustratedRun(
     } catch (RuntimeException e) {
       RunOutcome outcome = RunOutcome.failed(e);
       chart.end(outcome.detail());
-      return new IllustratedRun(
-          seed, List.of(), shots, address(chart), page, outcome, Map.of());
+      return new IllustratedRun(seed, List.of(), shots, address(chart), page, outcome, Map.of());
     }
   }
 

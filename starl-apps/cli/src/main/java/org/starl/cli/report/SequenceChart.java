@@ -161,13 +161,11 @@ public final class SequenceChart implements SimObserver {
         case Delivered message -> {
           Integer fromY = sentAt.get(message.from() + "/" + message.seq());
           Integer fromX = lanes.get(message.from().name());
-          arrow(
-              svg, fromX == null ? x - LANE / 2 : fromX, fromY == null ? y - ROW : fromY, x, y);
+          arrow(svg, fromX == null ? x - LANE / 2 : fromX, fromY == null ? y - ROW : fromY, x, y);
           label(svg, x + 6, y - 3, message.message());
         }
         case Dropped dropped -> {
-          svg.append(
-              "<path class=\"lost\" d=\"M%d %dl8 8m0 -8l-8 8\"/>".formatted(x - 4, y - 4));
+          svg.append("<path class=\"lost\" d=\"M%d %dl8 8m0 -8l-8 8\"/>".formatted(x - 4, y - 4));
           label(svg, x + 8, y + 4, dropped.why() + ", from " + dropped.from());
         }
         case Fault fault -> label(svg, x + 6, y + 4, fault.name() + " " + fault.detail());

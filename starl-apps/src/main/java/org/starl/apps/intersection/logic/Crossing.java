@@ -50,8 +50,11 @@ public final class Crossing {
   // Where the original StarL's intersection lies.
   private static final Point MIDDLE = new Point(2500, 2500);
 
-  /** Width of a critical zone, and of a lane. */
-  private static final double ZONE_MM = 500;
+  /** Width of a lane, in mm. */
+  public static final double LANE_MM = 500;
+
+  /** Width of a critical zone. */
+  private static final double ZONE_MM = LANE_MM;
 
   private static final SortedMap<String, Rectangle> REGIONS = regions(PLACES);
 
