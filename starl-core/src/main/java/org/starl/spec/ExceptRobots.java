@@ -102,6 +102,11 @@ public final class ExceptRobots implements Monitor {
     }
 
     @Override
+    public void reached(String theory, Class<?> action, String guard) {
+      report.reached(theory, action, guard);
+    }
+
+    @Override
     public void violated(String lemma, long timeNs, List<RobotId> involved, String detail) {
       if (isRequired(lemma, involved)) {
         report.violated(lemma, timeNs, involved, detail);

@@ -69,6 +69,15 @@ public interface Monitor {
     void checked(String lemma);
 
     /**
+     * The automaton of a theory took an action, or would not have taken it.
+     *
+     * @param theory its name: {@code Mutex_decls}
+     * @param action the class of the action
+     * @param guard empty if it took the action; else the conjunct that was false, as in the theory
+     */
+    default void reached(String theory, Class<?> action, String guard) {}
+
+    /**
      * {@code lemma} is violated.
      *
      * @param robots the robots involved, in order

@@ -6,6 +6,7 @@ import static org.starl.time.Time.NS_PER_S;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
@@ -63,6 +64,14 @@ public final class SpecReport implements Monitor.Report {
     }
   }
 
+  /**
+   * What a run reached of a theory's automaton.
+   *
+   * @param action the class of the action
+   * @param guard empty if the action was taken; else a conjunct of its guard that was false
+   */
+  public record Reached(String theory, Class<?> action, String guard) {}
+
   private static final class Tally {
     private long checks;
     private long violations;
@@ -71,8 +80,21 @@ public final class SpecReport implements Monitor.Report {
   private final Map<String, Tally> tallies = new TreeMap<>();
   private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
+  private final Map<Reached, long[]> reached = new LinkedHashMap<>();
   private final List<String> exceptions = new ArrayList<>();
   private final SortedMap<String, String> inapplicable = new TreeMap<>();
+
+  @Override
+  public void reached(String theory, Class<?> action, String guard) {
+    reached.computeIfAbsent(new Reached(theory, action, guard), any -> new long[1])[0]++;
+  }
+
+  /** How often the theories' actions were taken, and which conjuncts of their guards were false. */
+  public Map<Reached, Long> reached() {
+    Map<Reached, Long> counts = new LinkedHashMap<>();
+    reached.forEach((what, count) -> counts.put(what, count[0]));
+    return counts;
+  }
 
   /** Sets the sentence that explains {@code lemma}; the first one that is not empty stays. */
   void describe(String lemma, String sentence) {

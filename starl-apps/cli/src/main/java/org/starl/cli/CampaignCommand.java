@@ -19,6 +19,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.apps.Plan;
+import org.starl.cli.report.Coverage;
 import org.starl.cli.report.MessageCounts;
 import org.starl.cli.report.Totals;
 import org.starl.input.BadInput;
@@ -110,9 +111,12 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     CarrierKind carriers = Carriers.select(null, err);
     NavigableMap<Long, Measures> measured = new ConcurrentSkipListMap<>();
     Chances chances = new Chances();
+    Coverage coverage = new Coverage();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        campaign.run(seed -> run(request, seed, carriers, measured, chances, page), progress::show);
+        campaign.run(
+            seed -> run(request, seed, carriers, measured, chances, coverage, page),
+            progress::show);
     progress.end();
     // With --stop, runs after the first bad one do not count.
     Totals totals = new Totals(measured.headMap(result.runs().getLast().seed(), true).values());
@@ -146,6 +150,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       spec.exceptions().forEach(out::println);
       Outcome.inapplicable(spec).forEach(out::println);
       chances.lines(result).forEach(out::println);
+      // With --stop, the threads' timing decides which runs after the first bad one took place.
+      if (!stop) {
+        coverage.lines().forEach(out::println);
+      }
       if (report != null) {
         out.println("report: " + report);
       }
@@ -231,6 +239,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       CarrierKind carriers,
       Map<Long, Measures> measured,
       Chances chances,
+      Coverage coverage,
       @Nullable ReportFile page) {
     Plan plan = plan(request, seed, carriers);
     chances.watch(seed, plan.simulation());
@@ -239,6 +248,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     if (page != null && messages != null) {
       page.put(seed, result, plan, messages);
     }
+    coverage.add(result.spec());
     Measures measures = plan.story().measures();
     measured.put(seed, measures);
     RunOutcome outcome = RunOutcome.of(result);

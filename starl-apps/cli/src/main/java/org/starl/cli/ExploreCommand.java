@@ -216,7 +216,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
         switch (envelope) {
           case NONE -> false;
           case NETWORK, SPATIAL -> least == Envelope.NETWORK;
-          case LOGICAL, HOSTILE, MOVING, MORTAL -> true;
+          case LOGICAL, HOSTILE, MOVING, MORTAL, PHYSICAL -> true;
         };
     if (count > 0 && !isTolerated) {
       throw new BadInput(

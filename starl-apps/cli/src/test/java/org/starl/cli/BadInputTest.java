@@ -79,7 +79,7 @@ class BadInputTest {
       run maze --set map=/dev/zero | /dev/zero: is longer than 67108864 bytes
       run hello --set positionPeriod=1ns | positionPeriod=1ns | at least 1ms
       run hello --fault forge(all,1ns) | 'forge(all,1ns)' | the mean interval | at least 100us
-      run hello --trace /dev/full | --trace: '/dev/full': cannot be written | No space left
+      run hello --trace /dev/full --png /dev/null | --trace: '/dev/full': cannot be written | No space left
       run hello --fault datagram(bot0,1,lost) | 'bot0' | expected a sender and a recipient
       run hello --fault datagram(bot0>bot1,-1,lost) | the number of a datagram | '-1'
       run hello --fault datagram(bot0>bot1,1,soon) | a duration, or 'lost' | 'soon'

@@ -157,7 +157,9 @@ class ExploreTest {
   @Test
   void itStartsFromATrace() throws IOException {
     Path trace = folder.resolve("good.trace");
-    Cli.run(IMPATIENT, "run", "impatient", "--robots", "2", "--seed", "1", "--trace", "" + trace);
+    Path png = folder.resolve("good.png");
+    String run = "run impatient --robots 2 --seed 1 --trace " + trace + " --png " + png;
+    Cli.run(IMPATIENT, run.split(" "));
     Cli cli =
         Cli.run(
             IMPATIENT,

@@ -9,12 +9,14 @@ import java.util.function.Supplier;
 public final class Enabled {
 
   /** For an action that is always enabled. */
-  public static final Enabled TRUE = new Enabled("");
+  public static final Enabled TRUE = new Enabled("", "");
 
-  private final String falseConjunct;
+  private final String conjunct;
+  private final String values;
 
-  private Enabled(String obstacle) {
-    this.falseConjunct = obstacle;
+  private Enabled(String conjunct, String values) {
+    this.conjunct = conjunct;
+    this.values = values;
   }
 
   /**
@@ -29,21 +31,26 @@ public final class Enabled {
 
   /** Adds a conjunct. */
   public Enabled and(String conjunct, boolean holds, Supplier<String> values) {
-    return holds || !isTrue() ? this : new Enabled(conjunct + " is false: " + values.get());
+    return holds || !isTrue() ? this : new Enabled(conjunct, values.get());
   }
 
   public boolean isTrue() {
-    return falseConjunct.isEmpty();
+    return conjunct.isEmpty();
   }
 
   /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
   public String falseConjunct() {
-    return falseConjunct;
+    return isTrue() ? "" : conjunct + " is false: " + values;
+  }
+
+  /** The first false conjunct as in the theory, without its values; empty if it is true. */
+  public String conjunct() {
+    return conjunct;
   }
 
   /** {@code true}, or the {@link #falseConjunct}. */
   @Override
   public String toString() {
-    return isTrue() ? "true" : falseConjunct;
+    return isTrue() ? "true" : falseConjunct();
   }
 }

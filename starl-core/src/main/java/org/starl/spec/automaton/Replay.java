@@ -2,6 +2,7 @@ package org.starl.spec.automaton;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent;
 
@@ -12,10 +13,18 @@ import org.starl.trace.TraceEvent;
  */
 public final class Replay<S, A extends Action> {
 
+  // Each try costs as much as a step. Primes, so that a run that repeats itself does not hide an
+  // action or a state from them.
+  private static final int TRY_EVERY = 7;
+  private static final int CHANGE_EVERY = 11;
+
   private final Automaton<S, A> automaton;
   private final String instance;
   private final AutomatonListener<S, A> steps;
   private S state;
+  // An earlier action, whose guard is tried in later states.
+  private @Nullable A probe;
+  private int taken;
   private boolean hasDeviated;
 
   /**
@@ -47,10 +56,30 @@ public final class Replay<S, A extends Action> {
     report.checked(automaton.theory());
     Enabled enabled = automaton.enabled(action, state);
     state = automaton.trans(action, state);
+    report.reached(automaton.theory(), action.getClass(), enabled.conjunct());
+    tryGuard(action, report);
     steps.onStep(instance, event, action, state);
     if (!enabled.isTrue()) {
       deviate(event, action.text() + " is not enabled: " + enabled.falseConjunct(), report);
     }
+  }
+
+  /**
+   * Tries, now and then, whether an earlier action would be enabled now: so it is known which
+   * conjuncts of the guards made a difference in this run.
+   */
+  private void tryGuard(A action, Report report) {
+    A earlier = probe;
+    if (taken % TRY_EVERY == 0 && earlier != null) {
+      Enabled now = automaton.enabled(earlier, state);
+      if (!now.isTrue()) {
+        report.reached(automaton.theory(), earlier.getClass(), now.conjunct());
+      }
+    }
+    if (taken % CHANGE_EVERY == 0) {
+      probe = action;
+    }
+    taken++;
   }
 
   /**
