@@ -1,8 +1,8 @@
 package org.starl.spec;
 
 import java.util.List;
-import org.starl.geometry.Region;
 import java.util.Map;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 

@@ -72,8 +72,7 @@ class CoverageTest {
 
   private static SpecReport run(Step... steps) {
     SpecReport report = new SpecReport();
-    Replay<Integer, Step> replay =
-        new Replay<>(new Counter(), "counter", AutomatonListener.none());
+    Replay<Integer, Step> replay = new Replay<>(new Counter(), "counter", AutomatonListener.none());
     TraceEvent event = new TraceEvent.Left(0, new RobotId("bot0"));
     for (Step step : steps) {
       replay.step(event, step, report);
