@@ -1,3 +1,4 @@
+// Longer than 500 lines because it answers what directors, faults and robots may ask of a run.
 package org.starl.sim;
 
 import java.util.ArrayList;
@@ -82,9 +83,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
     order = plan.orderObserver();
-    if (order != null) {
-      network.watch(order);
-    }
+    network.watch(order);
     deployment = plan.deployment();
     startNeeds = new StartNeedsCheck(plan, this::moveStarts);
     knownObstacles = plan.obstacles().known();
@@ -145,7 +144,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     }
   }
 
-  /** Called after each event. */
   private boolean isOver() {
     if (order != null) {
       order.ran(kernel.nowNs(), kernel.lastStrand());

@@ -75,6 +75,22 @@ record Allowance(String rule, String path, String reason) {
             "collects the measures of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-apps/cli" + MAIN + "cli/Chances.java",
+            "collects the faults of runs on several threads"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps/cli" + MAIN + "cli/report/Coverage.java",
+            "collects what runs reached on several threads"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-sim" + MAIN + "sim/explore/Explorer.java",
+            "collects the orders of runs on several threads"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-sim" + MAIN + "sim/junit/SeededRuns.java",
+            "explored runs are planned on several threads, by one at a time"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "cli/ReportFile.java",
             "collects the facts of runs on several threads"),
         new Allowance(

@@ -109,8 +109,8 @@ public final class SimNetwork {
     return () -> taps.remove(own);
   }
 
-  /** Sets the watch, which is told of each copy that a robot sends from now on. */
-  public void watch(CopyWatch newWatch) {
+  /** Sets the watch, if any, which is told of each copy that a robot sends from now on. */
+  public void watch(@Nullable CopyWatch newWatch) {
     watch = newWatch;
   }
 
