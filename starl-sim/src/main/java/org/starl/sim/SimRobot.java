@@ -113,7 +113,10 @@ final class SimRobot implements TraceSink {
             engine.sessions.started(spec.id()));
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
-    if (!impairment.equals(Impairment.NONE)) {
+    if (impairment.equals(Impairment.NONE)) {
+      // A fault may have ended while the program was down.
+      applyToStorageAndClock(impairment);
+    } else {
       applyImpairment(impairment);
     }
   }
@@ -157,7 +160,12 @@ final class SimRobot implements TraceSink {
     positioning.setNoise(settings.positionNoise().plus(impairment.noise()));
     positioning.setOffset(impairment.offXMm(), impairment.offYMm());
     positioning.turn(!impairment.isBlind());
-    stable.setFlushDelay(settings.stableDelayNs() + impairment.diskNs());
+    applyToStorageAndClock(impairment);
+  }
+
+  /** Sets the impairment of the parts that outlast a crash of the program. */
+  private void applyToStorageAndClock(Impairment impairment) {
+    stable.setFlushDelay(engine.settings().stableDelayNs() + impairment.diskNs());
     if (impaired != null) {
       impaired.apply(impairment);
     }
