@@ -48,6 +48,9 @@ final class Chaos {
     some.removeIf(kind -> !rng.nextBoolean(share));
     chaos.addFaults(some.isEmpty() ? kinds : some);
     chaos.addOutages(mayCrash(envelope));
+    if (envelope == Envelope.HOSTILE && rng.nextBoolean(0.5)) {
+      chaos.add(chaos.attacks().get(rng.nextInt(2)).get(), 0, chaos.untilMs);
+    }
     if (chaos.faults.isEmpty()) {
       chaos.add(kinds.get(0).get(), 0, chaos.untilMs / 2);
     }
@@ -84,6 +87,8 @@ final class Chaos {
     }
     List<Supplier<String>> kinds = new ArrayList<>();
     kinds.add(() -> fault("partition", anyOr("half")));
+    // A deaf robot is drawn more often: others take it in, and give it up, and it knows of neither.
+    kinds.add(() -> fault("partition", "all>any"));
     kinds.add(() -> fault("partition", "all>any"));
     kinds.add(() -> fault("partition", "any>all"));
     if (mayCrash) {
@@ -136,9 +141,7 @@ final class Chaos {
       kinds.add(() -> fault("disk", anyOr("all"), isDrawn(0.7) ? ms(1, 100) : ms(100, 2000)));
     }
     if (envelope == Envelope.HOSTILE) {
-      kinds.add(() -> fault("forge", anyOr("all"), ms(10, 500)));
-      kinds.add(() -> fault("replay", anyOr("all"), ms(10, 500)));
-      kinds.add(() -> fault("flood", anyOr("all"), ms(5, 100)));
+      kinds.addAll(attacks());
     }
     if (envelope == Envelope.LOGICAL
         || envelope == Envelope.MORTAL
@@ -158,6 +161,13 @@ final class Chaos {
       kinds.add(() -> "stuck(any)");
     }
     return kinds;
+  }
+
+  private List<Supplier<String>> attacks() {
+    return List.of(
+        () -> fault("forge", anyOr("all"), ms(5, 200)),
+        () -> fault("replay", anyOr("all"), ms(5, 200)),
+        () -> fault("flood", anyOr("all"), ms(5, 100)));
   }
 
   private List<Supplier<String>> network() {

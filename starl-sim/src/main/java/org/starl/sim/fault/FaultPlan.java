@@ -84,6 +84,11 @@ public record FaultPlan(List<Fault> faults) {
     }
   }
 
+  /** Whether a robot may crash without a restart. */
+  public boolean mayLeaveDown() {
+    return faults.stream().anyMatch(fault -> fault.effect().isCrash() && !fault.span().isFinite());
+  }
+
   /** Whether a fault changes a robot's time, so that robots need their own clocks. */
   public boolean changesTime() {
     return faults.stream().anyMatch(fault -> fault.effect().changesTime());
