@@ -40,6 +40,7 @@ import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
@@ -131,9 +132,12 @@ public final class SearchDemo implements Demo {
   /** Adds all monitors of a run. */
   static void watch(
       Simulation.Builder simulation, House house, List<ItemPosition> things, SimSettings settings) {
-    SearchSpec.of(house, things).forEach(simulation::monitor);
+    boolean staysDown =
+        settings.get(Setting.CHAOS) == Envelope.MORTAL
+            || settings.get(Setting.FAULTS).mayLeaveDown();
+    SearchSpec.of(house, things, staysDown).forEach(simulation::monitor);
     MotionParameters motion = Drive.motion(settings.motionParameters(0));
-    simulation.monitor(() -> new MotionSpec(motion));
+    simulation.monitor(() -> new MotionSpec(motion).inTubes());
     simulation.monitor(AgreementSpec::new);
     simulation.monitor(ElectionSpec::new);
     simulation.monitor(() -> new TubesSpec(SearchSpec.toldNs(house)));

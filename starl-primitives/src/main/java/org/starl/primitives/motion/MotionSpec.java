@@ -77,6 +77,12 @@ public final class MotionSpec extends LemmaMonitor {
         "A robot that reports done is at its goal; every move reports done or failed in time.");
   }
 
+  /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
+  public MotionSpec inTubes() {
+    never(ARRIVES, "robots drive in tubes, where a move need not succeed at the first try");
+    return this;
+  }
+
   @Override
   public List<Monitor> companions() {
     return List.of(new MotionConformance(p));

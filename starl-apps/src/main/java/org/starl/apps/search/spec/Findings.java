@@ -29,7 +29,10 @@ final class Findings extends InstanceMonitor<Findings> {
   private final TrueView view;
   private final Reach reach;
 
-  Findings(House house, List<ItemPosition> things) {
+  /**
+   * @param staysDown whether a robot may crash for good
+   */
+  Findings(House house, List<ItemPosition> things, boolean staysDown) {
     super(SearchTrace.SOURCE::equals);
     this.house = house;
     this.things = List.copyOf(things);
@@ -44,6 +47,9 @@ final class Findings extends InstanceMonitor<Findings> {
     lemma(
         GAVE_UP,
         "A room is given up only if robots that are down bar some of it, or no robot can enter.");
+    if (!staysDown) {
+      never(GAVE_UP, "every robot that crashes restarts, and bars no room for good");
+    }
     if (this.things.isEmpty()) {
       never(FOUND, "there is no object");
     } else {

@@ -23,9 +23,12 @@ public final class SearchSpec {
    * Suppliers of monitors: each run needs its own.
    *
    * @param things the things to find
+   * @param staysDown whether a robot may crash for good
    */
-  public static List<Supplier<? extends Monitor>> of(House house, List<ItemPosition> things) {
-    return List.of(() -> new Findings(house, things), () -> new Ends(toldNs(house), ASSIGNED_NS));
+  public static List<Supplier<? extends Monitor>> of(
+      House house, List<ItemPosition> things, boolean staysDown) {
+    return List.of(
+        () -> new Findings(house, things, staysDown), () -> new Ends(toldNs(house), ASSIGNED_NS));
   }
 
   /**
