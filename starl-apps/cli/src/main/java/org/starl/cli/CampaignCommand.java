@@ -110,7 +110,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter err = err();
     CarrierKind carriers = Carriers.select(null, err);
     NavigableMap<Long, Measures> measured = new ConcurrentSkipListMap<>();
-    Chances chances = new Chances();
+    Chances chances = new Chances(new ConcurrentSkipListMap<>());
     Coverage coverage = new Coverage();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =

@@ -10,7 +10,6 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentSkipListMap;
 import org.starl.sim.SimObserver;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.CampaignResult;
@@ -32,7 +31,14 @@ final class Chances {
   private static final double CONFIDENCE = 0.95;
 
   /** The kinds of faults of each run, by seed. */
-  private final NavigableMap<Long, SortedSet<String>> kinds = new ConcurrentSkipListMap<>();
+  private final NavigableMap<Long, SortedSet<String>> kinds;
+
+  /**
+   * @param kinds receives them; runs are side by side
+   */
+  Chances(NavigableMap<Long, SortedSet<String>> kinds) {
+    this.kinds = kinds;
+  }
 
   /** Watches the faults of a run that is about to be built. */
   void watch(long seed, Simulation.Builder simulation) {

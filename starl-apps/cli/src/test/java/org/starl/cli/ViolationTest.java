@@ -20,6 +20,8 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.spec.LemmaMonitor;
+import org.starl.trace.TraceEvent;
 
 /** Campaigns, and the messages about violations and about apps that throw. */
 class ViolationTest {
@@ -56,6 +58,49 @@ class ViolationTest {
     }
     words.addAll(List.of("--png", folder.resolve("replay.png").toString()));
     return Cli.run(BROKEN, words.toArray(String[]::new));
+  }
+
+  /** Hello, with a lemma that is never checked. */
+  private static final class Unknown extends HelloWithATwist {
+    Unknown() {
+      super("unknown", "hello that is not watched");
+    }
+
+    @Override
+    Plan twist(Plan plan, Request request) {
+      plan.simulation().monitor(Blind::new);
+      return plan;
+    }
+
+    private static final class Blind extends LemmaMonitor {
+      Blind() {
+        lemma("not_here", "Nothing is known of it.");
+      }
+
+      @Override
+      public void observe(TraceEvent event, Report report) {}
+    }
+  }
+
+  @Test
+  void aCampaignOfAHundredRunsFailsIfALemmaWasNeverChecked() {
+    Demos demos = new Demos(List.of(new Unknown()));
+    Cli many = Cli.run(demos, "campaign unknown --seeds 1..100 --robots 1".split(" "));
+    assertThat(many.err())
+        .contains("never checked in 100 runs: not_here: expected a check in some run");
+    assertThat(many.status()).isEqualTo(1);
+    Cli few = Cli.run(demos, "campaign unknown --seeds 1..2 --robots 1".split(" "));
+    assertThat(few.err()).contains("never checked in 2 runs: not_here");
+    assertThat(few.status()).isZero();
+  }
+
+  @Test
+  void aCampaignBoundsTheProbabilityOfABadRunForEachKindOfFault() {
+    Cli cli = Cli.run("campaign hello --seeds 1..59 --fault loss(0.1,at=0s,for=11s)".split(" "));
+    assertThat(cli.out())
+        .contains(
+            "bad runs: 0 of 59: below 5.0e-02 at 95 %",
+            "  with loss: 0 of 59: below 5.0e-02 at 95 %");
   }
 
   @Test
