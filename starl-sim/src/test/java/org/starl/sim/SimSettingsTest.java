@@ -132,7 +132,7 @@ final class SimSettingsTest {
   void theErrorForABadValueNamesKeyValueAndExpectation() {
     assertBad("robots", "many", "robots='many': expected a whole number of at least 0");
     assertBad("robots", "-1", "robots='-1': expected a whole number of at least 0");
-    assertBad("positionPeriod", "0ms", "positionPeriod=0ms: expected a duration above 0");
+    assertBad("positionPeriod", "0ms", "positionPeriod=0ms: expected a duration of at least 1ms");
     assertBad("robotRadius", "0", "robotRadius=0mm: expected a distance above 0");
     assertBad("idealMotion", "maybe", "idealMotion='maybe': expected true or false");
     assertBad("robotName", "7up", "robotName=7up: expected a letter, then up to 23 of");
