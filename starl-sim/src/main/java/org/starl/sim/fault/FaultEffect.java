@@ -28,9 +28,13 @@ public record FaultEffect(
     named = List.copyOf(named);
   }
 
+  boolean isCrash() {
+    return name.equals(CRASH);
+  }
+
   /** Whether the fault needs no end: a crash, or the fate of one datagram. */
   boolean isSingle() {
-    return name.equals(CRASH) || name.equals(DATAGRAM);
+    return isCrash() || name.equals(DATAGRAM);
   }
 
   /** Whether the fault changes a robot's time, so that the robot needs its own clock. */
