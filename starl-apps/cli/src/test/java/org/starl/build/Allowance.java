@@ -75,10 +75,6 @@ record Allowance(String rule, String path, String reason) {
             "collects the measures of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "cli/Chances.java",
-            "collects the faults of runs on several threads"),
-        new Allowance(
-            "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "cli/report/Coverage.java",
             "collects what runs reached on several threads"),
         new Allowance(
