@@ -8,6 +8,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongFunction;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -99,6 +100,18 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
    */
   public CampaignResult run(LongFunction<RunOutcome> runner, Progress progress)
       throws InterruptedException {
+    return run(runner, progress, run -> false);
+  }
+
+  /**
+   * Executes the campaign until a run decides it.
+   *
+   * @param isLast called on the calling thread for each run of the result, in seed order, as early
+   *     as possible; after the first true the campaign ends
+   */
+  public CampaignResult run(
+      LongFunction<RunOutcome> runner, Progress progress, Predicate<CampaignResult.Run> isLast)
+      throws InterruptedException {
     Shared shared = new Shared(runner);
     List<Thread> threads = new ArrayList<>();
     for (int i = 0; i < Math.min(workers, planned()); i++) {
@@ -108,15 +121,18 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     }
     threads.forEach(Thread::start);
     try {
-      return collect(shared, threads.size(), progress);
+      return collect(shared, threads.size(), progress, isLast);
     } finally {
       shared.endIndex.set(0);
     }
   }
 
-  private CampaignResult collect(Shared shared, int running, Progress progress)
+  private CampaignResult collect(
+      Shared shared, int running, Progress progress, Predicate<CampaignResult.Run> isLast)
       throws InterruptedException {
-    Map<Long, RunOutcome> outcomes = new TreeMap<>();
+    Map<Long, RunOutcome> early = new TreeMap<>();
+    List<CampaignResult.Run> runs = new ArrayList<>();
+    long count = 0;
     long bad = 0;
     int left = running;
     while (left > 0) {
@@ -128,21 +144,37 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
       if (outcome == null) {
         left--;
       } else {
-        outcomes.put(run.seed(), outcome);
+        early.put(run.seed(), outcome);
+        count++;
         bad += outcome.isGood() ? 0 : 1;
-        progress.advanced(outcomes.size(), planned(), bad);
+        progress.advanced(count, planned(), bad);
+        takeInOrder(early, runs, shared.endIndex, isLast);
       }
     }
-    List<CampaignResult.Run> runs = new ArrayList<>();
-    // The threads' timing decides which runs beyond the first bad one were started: they do not
-    // count.
-    long endIndex = shared.endIndex.get();
-    outcomes.forEach((seed, outcome) -> {
-      if (seed - firstSeed < endIndex) {
-        runs.add(new CampaignResult.Run(seed, outcome));
-      }
-    });
     return new CampaignResult(runs);
+  }
+
+  /**
+   * Moves the next runs in seed order from {@code early} to {@code runs}. The threads' timing
+   * decides which runs beyond the last one were started: they do not count.
+   */
+  private void takeInOrder(
+      Map<Long, RunOutcome> early,
+      List<CampaignResult.Run> runs,
+      AtomicLong endIndex,
+      Predicate<CampaignResult.Run> isLast) {
+    while (runs.size() < endIndex.get()) {
+      long seed = firstSeed + runs.size();
+      RunOutcome outcome = early.remove(seed);
+      if (outcome == null) {
+        return;
+      }
+      CampaignResult.Run run = new CampaignResult.Run(seed, outcome);
+      runs.add(run);
+      if (isLast.test(run)) {
+        endIndex.accumulateAndGet(runs.size(), Math::min);
+      }
+    }
   }
 
   private long planned() {

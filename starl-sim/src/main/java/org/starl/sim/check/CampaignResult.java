@@ -43,8 +43,14 @@ public record CampaignResult(List<Run> runs) {
     SortedMap<String, Long> checks = new TreeMap<>();
     runs.forEach(run ->
         run.outcome().checks().forEach((lemma, times) -> checks.merge(lemma, times, Long::sum)));
-    checks.values().removeIf(times -> times > 0);
-    return new TreeSet<>(checks.keySet());
+    return neverChecked(checks);
+  }
+
+  /** The lemmas of {@code checks}, a number for each lemma, that were checked 0 times. */
+  public static SortedSet<String> neverChecked(SortedMap<String, Long> checks) {
+    SortedSet<String> lemmas = new TreeSet<>(checks.keySet());
+    lemmas.removeIf(lemma -> checks.getOrDefault(lemma, 0L) > 0);
+    return lemmas;
   }
 
   /**
@@ -52,7 +58,12 @@ public record CampaignResult(List<Run> runs) {
    * more, since in a smaller one that may be chance.
    */
   public boolean leavesUnchecked() {
-    return runs.size() >= ENOUGH && !neverChecked().isEmpty();
+    return leavesUnchecked(runs.size(), neverChecked());
+  }
+
+  /** As {@link #leavesUnchecked()}, for this number of runs and these lemmas. */
+  public static boolean leavesUnchecked(long runs, SortedSet<String> neverChecked) {
+    return runs >= ENOUGH && !neverChecked.isEmpty();
   }
 
   /** The names of all figures of all runs, in order. */

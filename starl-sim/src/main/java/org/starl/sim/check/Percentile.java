@@ -1,9 +1,6 @@
 package org.starl.sim.check;
 
-/**
- * Exact percentiles by nearest rank. No histogram is needed, because all samples of a campaign are
- * in memory.
- */
+/** Percentiles by nearest rank. */
 public final class Percentile {
 
   private Percentile() {}
@@ -15,9 +12,14 @@ public final class Percentile {
    * @throws IllegalArgumentException if there is no sample, or percent is not from 0 to 100
    */
   public static int index(int count, double percent) {
+    return (int) rank(count, percent) - 1;
+  }
+
+  /** As {@link #index}, counted from 1. */
+  static long rank(long count, double percent) {
     if (count <= 0 || !(percent >= 0 && percent <= 100)) {
       throw new IllegalArgumentException("percentile " + percent + " of " + count + " samples");
     }
-    return Math.max((int) Math.ceil(percent * count / 100), 1) - 1;
+    return Math.max((long) Math.ceil(percent * count / 100), 1);
   }
 }

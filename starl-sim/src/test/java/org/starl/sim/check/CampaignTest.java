@@ -3,6 +3,7 @@ package org.starl.sim.check;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.stream.LongStream;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -135,6 +136,24 @@ class CampaignTest {
     assertThat(bad.seed()).isEqualTo(2);
     assertThat(bad.outcome().verdict()).isEqualTo(Verdict.FAILED);
     assertThat(bad.outcome().detail()).isEqualTo("robot bot0 broke");
+  }
+
+  @Test
+  void theRunThatDecidesEndsTheCampaignOnAnyNumberOfThreads() throws InterruptedException {
+    for (int workers : new int[] {1, 2, 7}) {
+      List<Long> seen = new ArrayList<>();
+      CampaignResult result =
+          new Campaign(5, 500, workers, false)
+              .run(
+                  seed -> outcome(seed, 3),
+                  SILENT,
+                  run -> {
+                    seen.add(run.seed());
+                    return run.seed() >= 40;
+                  });
+      assertThat(result.runs()).hasSize(36);
+      assertThat(seen).isEqualTo(LongStream.rangeClosed(5, 40).boxed().toList());
+    }
   }
 
   @Test
