@@ -8,24 +8,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.NavigableMap;
-import java.util.SortedMap;
 import java.util.SortedSet;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.concurrent.Callable;
-import java.util.concurrent.ConcurrentSkipListMap;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.apps.Measures;
-import org.starl.apps.Plan;
-import org.starl.cli.report.Coverage;
-import org.starl.cli.report.MessageCounts;
-import org.starl.cli.report.Totals;
+import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
-import org.starl.sim.SimResult;
 import org.starl.sim.check.Campaign;
-import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
@@ -54,6 +42,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
   private static final int MAX_THREADS = 1024;
 
+  private static final List<String> FLAGS_OF_OUTPUT = List.of("--json", "--resume", "--shrink");
+  private static final List<String> OPTIONS_OF_OUTPUT =
+      List.of("--out", "--print-job", "--report", "--shard", "--shards", "--threads");
+
   /** The percentiles of waiting times to show. */
   private static final int[] WAITS = {50, 90, 95, 99, 100};
 
@@ -76,6 +68,17 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   private boolean stop;
 
   @Option(
+      names = "--until",
+      paramLabel = "'95%% < P'",
+      defaultValue = "",
+      description =
+          "Stop as soon as the runs show, with this confidence, that a run is bad with a probability"
+              + " below P, or that these seeds cannot show it. The status is then 1.")
+  private String until = "";
+
+  @Mixin private ShardOptions shards = new ShardOptions();
+
+  @Option(
       names = "--shrink",
       description =
           "Reduce the first bad run to a smaller one that fails in the same way: fewer robots and"
@@ -94,83 +97,132 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException, IOException {
     Seeds.Range range = Seeds.Range.of(seeds);
     RunRequest request = options.request(demos());
+    Ending ending = Ending.of(stop, until, range);
+    boolean isShard = shards.isOn();
+    if (isShard && (shrink || report != null)) {
+      throw new BadInput(
+          (shrink ? "--shrink" : "--report") + " cannot be used with --out; expected it at 'merge'");
+    }
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     request.plan(range.first()).simulation().build();
     request.unusedRobots(range.first()).ifPresent(err()::println);
+    if (shards.printJob(out(), request.demo().name(), words(), range)) {
+      return ExitStatus.GOOD;
+    }
+    if (isShard) {
+      return shards.run(this, request, range, workers(), ending, typed(), json);
+    }
     try (ReportFile page = ReportFile.of(report, range)) {
-      return run(campaign, request, range, page);
+      return run(campaign, request, range, ending, page);
     }
   }
 
   private int run(
-      Campaign campaign, RunRequest request, Seeds.Range range, @Nullable ReportFile page)
+      Campaign campaign,
+      RunRequest request,
+      Seeds.Range range,
+      Ending ending,
+      @Nullable ReportFile page)
       throws InterruptedException, IOException {
-    PrintWriter out = out();
-    PrintWriter err = err();
-    CarrierKind carriers = Carriers.select(null, err);
-    NavigableMap<Long, Measures> measured = new ConcurrentSkipListMap<>();
-    Chances chances = new Chances(new ConcurrentSkipListMap<>());
-    Coverage coverage = new Coverage();
-    ProgressLine progress = new ProgressLine(err, "runs");
-    CampaignResult result =
-        campaign.run(
-            seed -> run(request, seed, carriers, measured, chances, coverage, page),
-            progress::show);
+    CarrierKind carriers = Carriers.select(null, err());
+    CampaignTally tally = new CampaignTally();
+    Ending.Watch watch = ending.new Watch();
+    ProgressLine progress = new ProgressLine(err(), "runs");
+    new SeedRuns(request, carriers, page != null)
+        .run(
+            campaign,
+            progress::show,
+            row -> {
+              tally.add(row);
+              if (page != null) {
+                page.add(row);
+              }
+              return watch.isDecided(tally);
+            });
     progress.end();
-    // With --stop, runs after the first bad one do not count.
-    Totals totals = new Totals(measured.headMap(result.runs().getLast().seed(), true).values());
-    CampaignResult.Run bad = result.firstBad();
+    Output output =
+        new Output(this, request, range, ending, carriers, json.isOn(), shrink, report, typed());
+    return print(output, tally, page);
+  }
+
+  /**
+   * How to print a campaign: the options of a command, and what it ran.
+   *
+   * @param report the name of the report's file; null without
+   * @param typed the command of the campaign, as the user typed it
+   */
+  record Output(
+      BaseCommand command,
+      RunRequest request,
+      Seeds.Range range,
+      Ending ending,
+      CarrierKind carriers,
+      boolean isJson,
+      boolean shrinks,
+      @Nullable String report,
+      String typed) {}
+
+  /** Prints a finished campaign and writes its page; returns the exit status. */
+  static int print(Output output, CampaignTally tally, @Nullable ReportFile page)
+      throws InterruptedException, IOException {
+    PrintWriter out = output.command().out();
+    PrintWriter err = output.command().err();
+    RunRequest request = output.request();
+    Seeds.Range range = output.range();
+    SeedRow bad = tally.firstBad();
     Shrinking.Shrunk shrunk =
-        bad == null || !shrink
+        bad == null || !output.shrinks()
             ? null
-            : new Shrinking(demos(), request, bad.seed(), carriers).run(err);
+            : new Shrinking(output.command().demos(), request, bad.seed(), output.carriers())
+                .run(err);
     if (page != null) {
       page.write(
-          ReportFile.description(request, typed(), range),
-          result,
-          seed -> plan(request, seed, carriers),
+          ReportFile.description(request, output.typed(), range),
+          seed -> SeedRuns.plan(request, seed, output.carriers()),
           shrunk == null ? List.of() : shrunk.lines(),
           err);
     }
-    if (json.isOn()) {
-      Map<String, Object> summary = summary(request, range, result, totals);
-      summary.put("error_rates", chances.json(result));
-      summary.put("never_checked", List.copyOf(result.neverChecked()));
+    if (output.isJson()) {
+      Map<String, Object> summary = summary(request, range, tally);
+      summary.put("error_rates", tally.chances().json());
+      if (output.ending().until() != null) {
+        summary.put("until", output.ending().untilText());
+        summary.put("until_shown", !output.ending().isMissed(tally));
+      }
+      summary.put("never_checked", List.copyOf(tally.neverChecked()));
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
-      if (report != null) {
-        summary.put("report", report);
+      if (output.report() != null) {
+        summary.put("report", output.report());
       }
       out.println(Json.line(summary));
     } else {
-      table(request, result, totals).forEach(out::println);
+      table(request, tally).forEach(out::println);
       SpecReport spec = monitors(request, range.first()).report();
       spec.exceptions().forEach(out::println);
       Outcome.inapplicable(spec).forEach(out::println);
-      chances.lines(result).forEach(out::println);
-      // With --stop, the threads' timing decides which runs after the first bad one took place.
-      if (!stop) {
-        coverage.lines().forEach(out::println);
-      }
-      if (report != null) {
-        out.println("report: " + report);
+      tally.chances().lines().forEach(out::println);
+      output.ending().lines(tally).forEach(out::println);
+      tally.coverage().lines().forEach(out::println);
+      if (output.report() != null) {
+        out.println("report: " + output.report());
       }
     }
-    if (!result.neverChecked().isEmpty()) {
+    if (!tally.neverChecked().isEmpty()) {
       err.println(
           "never checked in %d runs: %s%s"
               .formatted(
-                  result.runs().size(),
-                  String.join(" ", result.neverChecked()),
-                  result.leavesUnchecked() ? ": expected a check in some run" : ""));
+                  tally.runs(),
+                  String.join(" ", tally.neverChecked()),
+                  tally.leavesUnchecked() ? ": expected a check in some run" : ""));
     }
     if (bad == null) {
-      return result.leavesUnchecked() ? ExitStatus.VIOLATED : ExitStatus.GOOD;
+      return tally.leavesUnchecked() || output.ending().isMissed(tally) ? ExitStatus.VIOLATED : ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
-    sentences(request, result).forEach(err::println);
+    sentences(request, tally).forEach(err::println);
     err.println("replay: " + request.replay(bad.seed()));
     if (shrunk != null) {
       shrunk.lines().forEach(err::println);
@@ -179,17 +231,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   }
 
   /** What each lemma says that a run violated first. */
-  private static List<String> sentences(RunRequest request, CampaignResult result) {
-    SortedSet<String> violated = new TreeSet<>();
-    result
-        .runs()
-        .forEach(run -> {
-          if (run.outcome().verdict() == Verdict.VIOLATED) {
-            violated.add(run.outcome().what());
-          }
-        });
+  private static List<String> sentences(RunRequest request, CampaignTally tally) {
+    SortedSet<String> violated = tally.violated();
     List<String> lines = new ArrayList<>();
-    CampaignResult.Run bad = result.firstBad();
+    SeedRow bad = tally.firstBad();
     if (bad != null && !violated.isEmpty()) {
       for (Monitor monitor : monitors(request, bad.seed()).monitors()) {
         for (String lemma : monitor.lemmas()) {
@@ -206,10 +251,23 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     return Monitors.of(request.plan(seed).simulation().build().plan().monitors());
   }
 
-  /** The command line as the user typed it. */
+  /** The command line as the user typed it, without the options that do not change the result. */
   private String typed() {
+    return Shell.starl(words());
+  }
+
+  private List<String> words() {
     CommandLine root = spec().root().commandLine();
-    return Shell.starl(root.getParseResult().originalArgs());
+    List<String> words = new ArrayList<>();
+    boolean isValue = false;
+    for (String word : root.getParseResult().originalArgs()) {
+      String option = word.split("=", 2)[0];
+      if (!isValue && !FLAGS_OF_OUTPUT.contains(word) && !OPTIONS_OF_OUTPUT.contains(option)) {
+        words.add(word);
+      }
+      isValue = OPTIONS_OF_OUTPUT.contains(word);
+    }
+    return words;
   }
 
   private int workers() {
@@ -218,60 +276,21 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
         : OptionValues.whole("--threads", threads, 1, MAX_THREADS);
   }
 
-  private static Plan plan(RunRequest request, long seed, CarrierKind carriers) {
-    Plan plan = correct(seed, () -> request.plan(seed));
-    plan.simulation().carriers(carriers);
-    return plan;
-  }
-
-  /** Bad input in the plan of this seed is a failed run: the plan of the first seed was correct. */
-  private static <T> T correct(long seed, Supplier<T> work) {
-    try {
-      return work.get();
-    } catch (BadInput e) {
-      throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
-    }
-  }
-
-  private static RunOutcome run(
-      RunRequest request,
-      long seed,
-      CarrierKind carriers,
-      Map<Long, Measures> measured,
-      Chances chances,
-      Coverage coverage,
-      @Nullable ReportFile page) {
-    Plan plan = plan(request, seed, carriers);
-    chances.watch(seed, plan.simulation());
-    MessageCounts messages = page == null ? null : ReportFile.watch(plan);
-    SimResult result = correct(seed, () -> plan.simulation().build().run());
-    if (page != null && messages != null) {
-      page.put(seed, result, plan, messages);
-    }
-    coverage.add(result.spec());
-    Measures measures = plan.story().measures();
-    measured.put(seed, measures);
-    RunOutcome outcome = RunOutcome.of(result);
-    SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
-    figures.putAll(measures.figures());
-    return outcome.withFigures(figures);
-  }
-
-  private static List<String> table(RunRequest request, CampaignResult result, Totals totals) {
+  private static List<String> table(RunRequest request, CampaignTally tally) {
     Map<String, String> rows = new LinkedHashMap<>();
     rows.put(request.demo().name(), "");
-    rows.put("runs", Long.toString(result.runs().size()));
+    rows.put("runs", Long.toString(tally.runs()));
     for (Verdict verdict : Verdict.values()) {
-      rows.put("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
+      rows.put("  " + verdict.name().toLowerCase(Locale.ROOT), "" + tally.count(verdict));
     }
-    rows.put("robots finished", Long.toString(totals.completed()));
-    totals.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
+    rows.put("robots finished", Long.toString(tally.completed()));
+    tally.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
     for (int percent : WAITS) {
-      rows.put("wait, " + name(percent), Time.text(totals.waitNs(percent), 1));
+      rows.put("wait, " + name(percent), Time.text(tally.waitNs(percent), 1));
     }
-    for (String figure : result.figures()) {
+    for (String figure : tally.figures()) {
       for (int percent : new int[] {50, 100}) {
-        rows.put(figure + " per run, " + name(percent), figure(result.percentile(figure, percent)));
+        rows.put(figure + " per run, " + name(percent), figure(tally.percentile(figure, percent)));
       }
     }
     int nameWidth = width(rows.keySet());
@@ -296,22 +315,22 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private static Map<String, Object> summary(
-      RunRequest request, Seeds.Range range, CampaignResult result, Totals totals) {
+      RunRequest request, Seeds.Range range, CampaignTally tally) {
     Map<String, Object> summary = new LinkedHashMap<>();
     summary.put("app", request.demo().name());
     summary.put("seeds", range.first() + ".." + range.last());
     for (Verdict verdict : Verdict.values()) {
-      summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
+      summary.put(verdict.name().toLowerCase(Locale.ROOT), tally.count(verdict));
     }
-    summary.put("completed", totals.completed());
-    totals.counts().forEach((name, count) -> summary.put(name.replaceAll("[: ]+", "_"), count));
+    summary.put("completed", tally.completed());
+    tally.counts().forEach((name, count) -> summary.put(name.replaceAll("[: ]+", "_"), count));
     for (int percent : WAITS) {
-      summary.put("wait_p" + percent + "_s", Time.seconds(totals.waitNs(percent)));
+      summary.put("wait_p" + percent + "_s", Time.seconds(tally.waitNs(percent)));
     }
-    for (String figure : result.figures()) {
-      summary.put(figure + "_p50", result.percentile(figure, 50));
+    for (String figure : tally.figures()) {
+      summary.put(figure + "_p50", tally.percentile(figure, 50));
     }
-    CampaignResult.Run bad = result.firstBad();
+    SeedRow bad = tally.firstBad();
     if (bad != null) {
       summary.put("first_bad_seed", bad.seed());
       summary.put("first_bad", bad.outcome().detail());

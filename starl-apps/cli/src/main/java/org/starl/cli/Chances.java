@@ -5,15 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.sim.SimObserver;
 import org.starl.sim.Simulation;
-import org.starl.sim.check.CampaignResult;
-import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.ErrorRate;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
@@ -30,21 +27,13 @@ final class Chances {
   private static final String LONG = "10 s or longer";
   private static final double CONFIDENCE = 0.95;
 
-  /** The kinds of faults of each run, by seed. */
-  private final NavigableMap<Long, SortedSet<String>> kinds;
+  private Count all = new Count(0, 0);
+  private final SortedMap<String, Count> byKind = new TreeMap<>();
 
-  /**
-   * @param kinds receives them; runs are side by side
-   */
-  Chances(NavigableMap<Long, SortedSet<String>> kinds) {
-    this.kinds = kinds;
-  }
-
-  /** Watches the faults of a run that is about to be built. */
-  void watch(long seed, Simulation.Builder simulation) {
+  /** The kinds of faults of a run that is about to be built; complete at its end. */
+  static SortedSet<String> watch(Simulation.Builder simulation) {
     SortedSet<String> mine = new TreeSet<>();
     SortedMap<String, Long> beganNs = new TreeMap<>();
-    kinds.put(seed, mine);
     simulation.observer(
         new SimObserver() {
           @Override
@@ -60,6 +49,7 @@ final class Chances {
             }
           }
         });
+    return mine;
   }
 
   /** Bad runs, all runs. */
@@ -73,17 +63,16 @@ final class Chances {
     }
   }
 
-  /** The name of each group of runs: all, then those with one kind of fault. */
-  private Map<String, Count> counts(CampaignResult result) {
-    Count all = new Count(0, 0);
-    SortedMap<String, Count> byKind = new TreeMap<>();
-    for (Run run : result.runs()) {
-      boolean isGood = run.outcome().isGood();
-      all = all.plus(isGood);
-      for (String kind : kinds.getOrDefault(run.seed(), new TreeSet<>())) {
-        byKind.put(kind, byKind.getOrDefault(kind, new Count(0, 0)).plus(isGood));
-      }
+  /** Adds a run with these kinds of faults. */
+  void add(SortedSet<String> kinds, boolean isGood) {
+    all = all.plus(isGood);
+    for (String kind : kinds) {
+      byKind.put(kind, byKind.getOrDefault(kind, new Count(0, 0)).plus(isGood));
     }
+  }
+
+  /** The name of each group of runs: all, then those with one kind of fault. */
+  private Map<String, Count> counts() {
     Map<String, Count> counts = new LinkedHashMap<>();
     counts.put("", all);
     counts.putAll(byKind);
@@ -91,9 +80,9 @@ final class Chances {
   }
 
   /** A line for each group: {@code bad runs: 0 of 200: below 1.5e-2 at 95 %}. */
-  List<String> lines(CampaignResult result) {
+  List<String> lines() {
     List<String> lines = new ArrayList<>();
-    counts(result)
+    counts()
         .forEach((kind, count) ->
             lines.add(
                 "%s%d of %d: below %s at 95 %%"
@@ -106,9 +95,9 @@ final class Chances {
   }
 
   /** For {@code --json}. */
-  Map<String, Object> json(CampaignResult result) {
+  Map<String, Object> json() {
     Map<String, Object> json = new LinkedHashMap<>();
-    counts(result)
+    counts()
         .forEach((kind, count) ->
             json.put(
                 kind.isEmpty() ? "all" : kind,

@@ -35,6 +35,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ListCommand.class,
       RunCommand.class,
       CampaignCommand.class,
+      MergeCommand.class,
       ExploreCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,

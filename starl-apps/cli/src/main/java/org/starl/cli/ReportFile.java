@@ -9,20 +9,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
-import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.TreeMap;
 import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.cli.report.CampaignDescription;
 import org.starl.cli.report.IllustratedRun;
-import org.starl.cli.report.MessageCounts;
 import org.starl.cli.report.Page;
 import org.starl.cli.report.Report;
 import org.starl.cli.report.RunFacts;
+import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
-import org.starl.sim.SimResult;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
@@ -30,8 +29,8 @@ import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 
 /**
- * The report page of a campaign. It collects the facts of each run, on any thread. After the
- * campaign it writes the page completely or not at all.
+ * The report page of a campaign. It collects the row of each run. After the campaign it writes the
+ * page completely or not at all.
  */
 final class ReportFile implements Closeable {
 
@@ -42,7 +41,8 @@ final class ReportFile implements Closeable {
 
   private final OutputFile file;
   private final long first;
-  private final SortedMap<Long, RunFacts> facts = new ConcurrentSkipListMap<>();
+  private final List<Run> runs = new ArrayList<>();
+  private final SortedMap<Long, RunFacts> facts = new TreeMap<>();
 
   private ReportFile(String name, Seeds.Range range) {
     if (range.last() - range.first() >= MAX_RUNS) {
@@ -62,15 +62,12 @@ final class ReportFile implements Closeable {
     return name == null ? null : new ReportFile(name, range);
   }
 
-  /** Counts the messages of a run that is about to be built. */
-  static MessageCounts watch(Plan plan) {
-    MessageCounts messages = new MessageCounts();
-    plan.simulation().observer(messages);
-    return messages;
-  }
-
-  void put(long seed, SimResult result, Plan plan, MessageCounts messages) {
-    facts.put(seed, RunFacts.of(result, plan.story(), messages));
+  /** Adds the next run in seed order. */
+  void add(SeedRow row) {
+    runs.add(new Run(row.seed(), row.outcome()));
+    if (row.facts() != null) {
+      facts.put(row.seed(), row.facts());
+    }
   }
 
   /**
@@ -80,23 +77,23 @@ final class ReportFile implements Closeable {
    */
   void write(
       CampaignDescription description,
-      CampaignResult result,
       LongFunction<Plan> plans,
       List<String> shrunk,
       PrintWriter err)
       throws IOException {
-    List<Run> runs = Report.toIllustrate(result);
+    CampaignResult result = new CampaignResult(runs);
+    List<Run> shown = Report.toIllustrate(result);
     List<IllustratedRun> illustrated = new ArrayList<>();
-    if (!runs.isEmpty()) {
+    if (!shown.isEmpty()) {
       ProgressLine progress = new ProgressLine(err, "bad runs repeated for pictures");
-      for (Run run : runs) {
+      for (Run run : shown) {
         long momentNs = Report.momentNs(run, facts.get(run.seed()));
         illustrated.add(IllustratedRun.of(run.seed(), plans, momentNs));
-        progress.show(illustrated.size(), runs.size());
+        progress.show(illustrated.size(), shown.size());
       }
       progress.end();
     }
-    IllustratedRun example = runs.isEmpty() ? IllustratedRun.best(first, plans) : null;
+    IllustratedRun example = shown.isEmpty() ? IllustratedRun.best(first, plans) : null;
     SimulationPlan plan = plans.apply(first).simulation().build().plan();
     List<Monitor> monitors = Monitors.of(plan.monitors()).monitors();
     Report report = new Report(description, result, facts, monitors, example, illustrated, shrunk);

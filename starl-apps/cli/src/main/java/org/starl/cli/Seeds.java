@@ -44,5 +44,15 @@ final class Seeds {
           "--seeds: %s: expected A..B or A, with 0 <= A <= B < 2^31 and at most %d seeds"
               .formatted(BadInput.quote(text), MAX_RUNS));
     }
+
+    /** The number of seeds. */
+    long size() {
+      return last - first + 1;
+    }
+
+    @Override
+    public String toString() {
+      return first + ".." + last;
+    }
   }
 }

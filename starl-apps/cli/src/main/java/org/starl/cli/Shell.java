@@ -18,9 +18,14 @@ final class Shell {
     return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
   }
 
+  /** The command that starts this program. */
+  static String launcher() {
+    return System.getProperty(LAUNCHER, "./starl");
+  }
+
   /** The command line {@code ./starl WORD...}, or with the launcher of {@link #LAUNCHER}. */
   static String starl(List<String> words) {
-    StringBuilder line = new StringBuilder(System.getProperty(LAUNCHER, "./starl"));
+    StringBuilder line = new StringBuilder(launcher());
     words.forEach(word -> line.append(' ').append(quote(word)));
     return line.toString();
   }

@@ -71,14 +71,6 @@ record Allowance(String rule, String path, String reason) {
             "a recording is filled by its run's thread and read by who watches"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "cli/CampaignCommand.java",
-            "collects the measures of runs on several threads"),
-        new Allowance(
-            "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "cli/report/Coverage.java",
-            "collects what runs reached on several threads"),
-        new Allowance(
-            "threads and locks in the simulator and its tools",
             "starl-sim" + MAIN + "sim/explore/Explorer.java",
             "collects the orders of runs on several threads"),
         new Allowance(
@@ -87,8 +79,8 @@ record Allowance(String rule, String path, String reason) {
             "explored runs are planned on several threads, by one at a time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "cli/ReportFile.java",
-            "collects the facts of runs on several threads"),
+            "starl-apps/cli" + MAIN + "cli/SeedRuns.java",
+            "collects the rows of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "launch/",

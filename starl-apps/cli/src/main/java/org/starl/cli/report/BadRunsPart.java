@@ -11,7 +11,6 @@ import org.starl.sim.Diagnosis;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
-import org.starl.spec.SpecReport.Violation;
 import org.starl.time.Time;
 
 /** The bad runs, each with its problem, pictures, story and replay command. */
@@ -104,11 +103,11 @@ final class BadRunsPart {
     if (facts == null || facts.violated() < 2) {
       return;
     }
-    List<Violation> more = facts.violations().subList(1, facts.violations().size());
+    List<String> more = facts.violations().subList(1, facts.violations().size());
     String summary = count(facts.violated() - 1, "more violation") + " in this run";
     html.open("details").element("summary", summary);
     html.open("ul");
-    more.forEach(violation -> html.element("li", violation.toString()));
+    more.forEach(violation -> html.element("li", violation));
     long left = facts.violated() - 1 - more.size();
     if (left > 0) {
       html.element("li", "and " + count(left) + " more");

@@ -1,5 +1,7 @@
 package org.starl.cli.report;
 
+import com.fasterxml.jackson.annotation.JsonCreator;
+import com.fasterxml.jackson.annotation.JsonValue;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.sim.SimObserver;
@@ -16,8 +18,24 @@ public final class MessageCounts implements SimObserver {
     }
   }
 
+  /** The counts so far, as a row of a shard has them. */
+  record Counts(SortedMap<String, Channel> channels, SortedMap<String, Long> dropped) {}
+
   private final SortedMap<String, Channel> channels = new TreeMap<>();
   private final SortedMap<String, Long> dropped = new TreeMap<>();
+
+  public MessageCounts() {}
+
+  @JsonCreator(mode = JsonCreator.Mode.DELEGATING)
+  MessageCounts(Counts counts) {
+    channels.putAll(counts.channels);
+    dropped.putAll(counts.dropped);
+  }
+
+  @JsonValue
+  Counts counts() {
+    return new Counts(channels, dropped);
+  }
 
   @Override
   public void observed(TraceEvent event) {

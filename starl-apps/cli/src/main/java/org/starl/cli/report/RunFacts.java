@@ -14,7 +14,7 @@ import org.starl.spec.SpecReport;
  * The facts that a report keeps of one run that ended without an exception; a few kilobytes.
  *
  * @param lemmas checks of each lemma, by its name
- * @param violations the first few violations
+ * @param violations the first few violations, as text
  * @param violated number of all violations
  */
 public record RunFacts(
@@ -23,7 +23,7 @@ public record RunFacts(
     MessageCounts messages,
     NetStatistics network,
     SortedMap<String, Checks> lemmas,
-    List<SpecReport.Violation> violations,
+    List<String> violations,
     long violated,
     long endNs) {
 
@@ -56,7 +56,7 @@ public record RunFacts(
         messages,
         result.network(),
         lemmas,
-        spec.violations().stream().limit(KEPT_VIOLATIONS).toList(),
+        spec.violations().stream().limit(KEPT_VIOLATIONS).map(String::valueOf).toList(),
         violated,
         result.endNs());
   }

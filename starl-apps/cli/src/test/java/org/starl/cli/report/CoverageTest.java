@@ -83,11 +83,11 @@ class CoverageTest {
   @Test
   void actionsThatNoRunTookAreNamed() {
     Coverage coverage = new Coverage();
-    coverage.add(run(new Up(), new Up()));
+    coverage.add(Coverage.of(run(new Up(), new Up())));
     assertThat(coverage.lines())
         .containsExactly(
             "coverage of Counter_decls: 1 of 3 actions, 0 guards seen false; never: Down Reset");
-    coverage.add(run(new Up(), new Down()));
+    coverage.add(Coverage.of(run(new Up(), new Down())));
     assertThat(coverage.lines().get(0)).contains("2 of 3 actions").endsWith("never: Reset");
   }
 
@@ -99,7 +99,7 @@ class CoverageTest {
       steps.addAll(List.of(new Up(), new Up(), new Up(), new Down(), new Down(), new Down()));
     }
     Coverage coverage = new Coverage();
-    coverage.add(run(steps.toArray(Step[]::new)));
+    coverage.add(Coverage.of(run(steps.toArray(Step[]::new))));
     assertThat(coverage.lines().get(0)).contains("2 of 3 actions, 2 guards seen false");
   }
 }

@@ -1,0 +1,99 @@
+package org.starl.cli;
+
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import org.starl.apps.Plan;
+import org.starl.cli.report.Coverage;
+import org.starl.cli.report.MessageCounts;
+import org.starl.cli.report.RunFacts;
+import org.starl.cli.report.SeedRow;
+import org.starl.input.BadInput;
+import org.starl.sim.SimResult;
+import org.starl.sim.check.Campaign;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.kernel.CarrierKind;
+
+/** Runs a request with many seeds, and hands on a row for each. */
+final class SeedRuns {
+
+  private final RunRequest request;
+  private final CarrierKind carriers;
+  private final boolean countsMessages;
+  private final String key;
+
+  /** The kinds of faults of each run; also of one that an exception ended. */
+  private final Map<Long, SortedSet<String>> kinds = new ConcurrentSkipListMap<>();
+
+  /** The rows of the runs that ended without an exception. */
+  private final Map<Long, SeedRow> rows = new ConcurrentSkipListMap<>();
+
+  /**
+   * @param countsMessages whether rows have the messages by channel, which only a report shows
+   */
+  SeedRuns(RunRequest request, CarrierKind carriers, boolean countsMessages) {
+    this.request = request;
+    this.carriers = carriers;
+    this.countsMessages = countsMessages;
+    key = ShardHeader.key(request);
+  }
+
+  /**
+   * Runs the campaign.
+   *
+   * @param isLast called on the calling thread for each row in seed order; after the first true the
+   *     campaign ends
+   */
+  void run(Campaign campaign, Campaign.Progress progress, Predicate<SeedRow> isLast)
+      throws InterruptedException {
+    campaign.run(
+        this::run, progress, run -> isLast.test(row(run.seed(), run.outcome())));
+  }
+
+  private SeedRow row(long seed, RunOutcome outcome) {
+    SortedSet<String> faults = kinds.remove(seed);
+    SeedRow row = rows.remove(seed);
+    SortedSet<String> none = new TreeSet<>();
+    return row != null
+        ? row
+        : new SeedRow(key, seed, outcome, faults == null ? none : faults, null, null);
+  }
+
+  private RunOutcome run(long seed) {
+    Plan plan = plan(request, seed, carriers);
+    SortedSet<String> faults = Chances.watch(plan.simulation());
+    kinds.put(seed, faults);
+    MessageCounts messages = new MessageCounts();
+    if (countsMessages) {
+      plan.simulation().observer(messages);
+    }
+    SimResult result = correct(seed, () -> plan.simulation().build().run());
+    RunFacts facts = RunFacts.of(result, plan.story(), messages);
+    RunOutcome outcome = RunOutcome.of(result);
+    SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
+    figures.putAll(facts.measures().figures());
+    outcome = outcome.withFigures(figures);
+    rows.put(seed, new SeedRow(key, seed, outcome, faults, facts, Coverage.of(result.spec())));
+    return outcome;
+  }
+
+  static Plan plan(RunRequest request, long seed, CarrierKind carriers) {
+    Plan plan = correct(seed, () -> request.plan(seed));
+    plan.simulation().carriers(carriers);
+    return plan;
+  }
+
+  /** Bad input in the plan of this seed is a failed run: the plan of the first seed was correct. */
+  private static <T> T correct(long seed, Supplier<T> work) {
+    try {
+      return work.get();
+    } catch (BadInput e) {
+      throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,305 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.Demos;
+import org.starl.apps.Measures;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.Sample;
+import org.starl.apps.Story;
+
+/** {@code starl campaign --shard}, {@code --resume}, {@code --until}, and {@code starl merge}. */
+class ShardTest {
+
+  private static final Demos MIXED = new Demos(List.of(new Mixed()));
+
+  @TempDir private Path folder;
+
+  /** Hello with runs that fail in each way, and a measure that a test changes. */
+  private static final class Mixed extends HelloWithATwist {
+
+    /** Stands for a state that survives a run, such as a hash order. */
+    private static int leaked;
+
+    Mixed() {
+      super("mixed", "Hello that fails in each way.");
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of(
+          new Parameter("every", "7", "which seeds fail"),
+          new Parameter("leaks", "no", "whether runs depend on earlier ones"));
+    }
+
+    @Override
+    Plan twist(Plan plan, Request request) {
+      long every = Long.parseLong(request.parameter("every"));
+      switch ((int) (request.seed() % (3 * every))) {
+        case 0 -> plan.simulation().monitor(StandsStill::new);
+        case 1 -> plan.simulation().endNs(1_000_000_000);
+        case 2 ->
+            plan.simulation()
+                .director(control ->
+                    control.at(
+                        1_000_000_000,
+                        () -> {
+                          throw new IllegalStateException("of the test");
+                        }));
+        default -> {
+          // goes well
+        }
+      }
+      if (request.parameter("leaks").equals("no")) {
+        return plan;
+      }
+      leaked++;
+      return new Plan(
+          plan.simulation(), new Leaking(plan.story(), leaked), plan.layer(), plan.obstacles());
+    }
+  }
+
+  /** The story of a run, with one figure that does not come from its seed. */
+  private record Leaking(Story story, int leaked) implements Story {
+    @Override
+    public List<String> lines() {
+      return story.lines();
+    }
+
+    @Override
+    public Measures measures() {
+      Measures measures = story.measures();
+      return new Measures(
+          leaked, measures.completed(), measures.waitsNs(), measures.figures(), measures.counts());
+    }
+
+    @Override
+    public List<Sample> samples() {
+      return story.samples();
+    }
+  }
+
+  private static Cli run(String line, Object... files) {
+    List<String> words = new ArrayList<>(Arrays.asList(line.split(" ")));
+    for (Object file : files) {
+      words.add(file.toString());
+    }
+    return Cli.run(MIXED, words.toArray(String[]::new));
+  }
+
+  private Path part(String campaign, int number, int count) {
+    Path file = folder.resolve("part-" + number + "-of-" + count);
+    Cli cli = run(campaign + " --shard " + number + "/" + count + " --out", file);
+    assertThat(cli.status()).as("%s", cli).isZero();
+    return file;
+  }
+
+  private List<Path> parts(String campaign, int count) {
+    List<Path> files = new ArrayList<>();
+    for (int i = 1; i <= count; i++) {
+      files.add(part(campaign, i, count));
+    }
+    return files;
+  }
+
+  /** Without the progress, which depends on the machine. */
+  private static List<String> messages(Cli cli) {
+    return cli.err().stream()
+        .filter(line -> !line.matches("\\d+ of \\d+ .*"))
+        .toList();
+  }
+
+  private static void assertSame(Cli actual, Cli expected) {
+    assertThat(actual.out()).isEqualTo(expected.out());
+    assertThat(messages(actual)).isEqualTo(messages(expected));
+    assertThat(actual.status()).isEqualTo(expected.status());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--seeds 1..200",
+        "--seeds 3..62 --loss 0.3 --chaos --json",
+        "--seeds 1..200 --set every=40 --stop",
+        "--seeds 1..200 --set every=1000 --until 95%<3e-2"
+      })
+  void shardsMergedInAnyOrderPrintWhatOneProcessPrints(String options) {
+    String campaign = "campaign mixed " + options;
+    Cli whole = run(campaign + " --threads 3");
+    List<Path> files = parts(campaign, 7);
+    files.addAll(parts(campaign, 2));
+    for (int order = 0; order < 3; order++) {
+      Collections.shuffle(files, new Random(order));
+      assertSame(run("merge" + (options.endsWith("--json") ? " --json" : ""), files.toArray()), whole);
+    }
+  }
+
+  @Test
+  void shardsMergedMakeThePageOfOneProcess() throws IOException {
+    Path page = folder.resolve("page.html");
+    String campaign = "campaign mixed --seeds 3..40 --loss 0.1 --chaos";
+    Cli whole = run(campaign + " --report", page);
+    String expected = Files.readString(page);
+    Files.delete(page);
+    List<Object> words = new ArrayList<>(parts(campaign, 5));
+    Collections.reverse(words);
+    words.add("--report");
+    words.add(page);
+    assertSame(run("merge", words.toArray()), whole);
+    assertThat(Files.readString(page)).isEqualTo(expected);
+  }
+
+  @Test
+  void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
+    String campaign = "campaign mixed --seeds 1..12";
+    Path whole = part(campaign, 1, 1);
+    byte[] expected = Files.readAllBytes(whole);
+    String text = Files.readString(whole);
+    int header = text.indexOf('\n') + 1;
+    int second = text.indexOf('\n', text.indexOf('\n', header) + 1) + 1;
+    for (int kept : List.of(0, 10, header - 1, header, second - 1, second, second + 99, expected.length)) {
+      Path file = folder.resolve("cut-" + kept);
+      Files.write(file, Arrays.copyOf(expected, kept));
+      Cli cli = run(campaign + " --shard 1/1 --resume --out", file);
+      assertThat(cli.status()).as("%s", cli).isZero();
+      assertThat(Files.readAllBytes(file)).as("after %s bytes", kept).isEqualTo(expected);
+      assertThat(cli.text()).contains("12 rows");
+    }
+  }
+
+  @Test
+  void aResumedShardRunsOnlyTheMissingSeeds() throws IOException {
+    String campaign = "campaign mixed --seeds 1..6 --set leaks=yes";
+    Path file = part(campaign, 1, 1);
+    List<String> before = Files.readAllLines(file);
+    Files.write(file, before.subList(0, 4));
+    assertThat(run(campaign + " --resume --out", file).status()).isZero();
+    List<String> after = Files.readAllLines(file);
+    assertThat(after).hasSize(7);
+    assertThat(after.subList(0, 4)).isEqualTo(before.subList(0, 4));
+    // A run of seed 4 again leaks another number.
+    assertThat(after.get(4)).isNotEqualTo(before.get(4));
+  }
+
+  @Test
+  void aRunThatDependsOnMoreThanItsSeedIsFoundByTheMerge() {
+    String campaign = "campaign mixed --seeds 4..6 --threads 1 --set leaks=yes";
+    Path one = part(campaign, 1, 1);
+    Path other = folder.resolve("again");
+    assertThat(run(campaign + " --out", other).status()).isZero();
+    Cli cli = run("merge", one, other);
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(cli.out()).isEmpty();
+    assertThat(cli.err()).hasSize(3);
+    assertThat(cli.err().getFirst())
+        .startsWith(
+            "starl: determinism bug: seed 4 has different rows in "
+                + one
+                + " and "
+                + other
+                + ": facts.measures.came: '");
+  }
+
+  private static void assertRefused(Cli cli, String... says) {
+    assertThat(cli.status()).as("%s", cli).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err()).as("%s", cli).hasSize(1);
+    assertThat(cli.err().getFirst()).contains(says);
+  }
+
+  @Test
+  void filesThatDoNotMakeOneCampaignAreRefused() throws IOException {
+    String campaign = "campaign mixed --seeds 1..9";
+    Path one = part(campaign, 1, 3);
+    Path two = part(campaign, 2, 3);
+    Path three = part(campaign, 3, 3);
+    assertRefused(run("merge", one, three), "seeds 4..6 of 1..9 are missing", "all shards");
+    assertRefused(run("merge", one, two), "seeds 7..9 of 1..9 are missing");
+    String whole = Files.readString(three);
+    Files.writeString(three, whole.substring(0, whole.length() - 1), StandardCharsets.UTF_8);
+    assertRefused(
+        run("merge", one, two, three), "seed 9 of 1..9 is missing", "--resume", "part-3-of-3");
+    Path seeds = part("campaign mixed --seeds 1..8", 1, 8);
+    assertRefused(run("merge", one, seeds), "part-1-of-8:1: seeds: 1..8: expected 1..9");
+    Path loss = part(campaign + " --loss 0.1", 1, 9);
+    assertRefused(run("merge", one, loss), "part-1-of-9:1: settings: ", "messageLoss");
+    Path old = folder.resolve("old");
+    Files.writeString(old, whole.replaceFirst("\"starl\":\"[^\"]*\"", "\"starl\":\"0.0.1\""));
+    assertRefused(run("merge", old), "old:1: was written by StarL '0.0.1'; expected");
+    Path text = Files.writeString(folder.resolve("text"), "what\n");
+    assertRefused(run("merge", text), "text:1: 'what': expected a file of 'starl campaign --out'");
+    assertRefused(run("merge", folder.resolve("none")), "none: no such file");
+    String row = whole.lines().skip(1).findFirst().orElseThrow();
+    Path damaged = folder.resolve("damaged");
+    Files.writeString(damaged, whole.replace(row, row.substring(5)));
+    assertRefused(run("merge", one, two, damaged), "damaged:2: ", "expected a row of a campaign");
+    Files.writeString(damaged, whole.replace(row, row + "\n" + row));
+    assertRefused(run("merge", one, two, damaged), "damaged:3: seed: 7: expected the seeds 7..9");
+    Files.writeString(damaged, whole.replace("{\"key\":\"", "{\"key\":\"0"));
+    assertRefused(run("merge", one, two, damaged), "damaged:2: key: ");
+  }
+
+  @Test
+  void aFileThatIsNotTheShardsOwnIsNotResumed() throws IOException {
+    String campaign = "campaign mixed --seeds 1..9";
+    Path one = part(campaign, 1, 3);
+    byte[] before = Files.readAllBytes(one);
+    assertRefused(run(campaign + " --shard 1/3 --out", one), "exists already", "--resume");
+    assertRefused(
+        run(campaign + " --shard 2/3 --resume --out", one), "shard: 1/3: expected 2/3");
+    assertRefused(
+        run(campaign + " --loss 0.5 --shard 1/3 --resume --out", one), ":1: settings: ");
+    assertThat(Files.readAllBytes(one)).isEqualTo(before);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--shard 0/3 --out x | --shard: '0/3': expected K/N",
+        "--shard 4/3 --out x | --shard: '4/3': expected K/N",
+        "--shard 1/11 --out x | each of 10 seeds",
+        "--shard 1/2 | --shard needs --out",
+        "--resume | --resume needs --out",
+        "--out x --report y | --report cannot be used with --out",
+        "--until 95 | --until: '95': expected a confidence and a rate",
+        "--until 95%<1.5 | expected a confidence",
+        "--until 95%<1e-3 | expected more seeds than 1..10"
+      })
+  void badOptionsAreRefused(String line) {
+    String[] parts = line.split(" \\| ");
+    assertRefused(run("campaign mixed --seeds 1..10 " + parts[0]), parts[1]);
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  @Test
+  void aRateIsShownByTheFewestRuns() {
+    // 1 - 0.025^(1/n) < 0.03 from n = 122 on.
+    Cli good = run("campaign mixed --seeds 30..400 --set every=1000 --until 95%<3e-2");
+    assertThat(good.status()).isZero();
+    assertThat(good.out()).contains("bad runs below 3.0e-02 at 95 %: shown by 122 of 371 runs");
+    assertThat(good.text()).containsPattern("runs +122\n");
+  }
+
+  @Test
+  void aRateThatCanNoLongerBeShownEndsTheCampaign() {
+    Cli bad = run("campaign mixed --seeds 3..140 --set every=7 --until 95%<3e-2");
+    assertThat(bad.status()).isEqualTo(ExitStatus.VIOLATED);
+    // The first bad run, seed 21, leaves too few others.
+    assertThat(bad.text()).containsPattern("runs +19\n");
+    assertThat(bad.text()).contains("not shown: 1 bad of 19 runs");
+  }
+}
