@@ -14,7 +14,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 import org.starl.sim.check.Campaign;
-import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.spec.Monitor;
@@ -101,7 +100,8 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     boolean isShard = shards.isOn();
     if (isShard && (shrink || report != null)) {
       throw new BadInput(
-          (shrink ? "--shrink" : "--report") + " cannot be used with --out; expected it at 'merge'");
+          (shrink ? "--shrink" : "--report")
+              + " cannot be used with --out; expected it at 'merge'");
     }
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
@@ -219,7 +219,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
                   tally.leavesUnchecked() ? ": expected a check in some run" : ""));
     }
     if (bad == null) {
-      return tally.leavesUnchecked() || output.ending().isMissed(tally) ? ExitStatus.VIOLATED : ExitStatus.GOOD;
+      return tally.leavesUnchecked() || output.ending().isMissed(tally)
+          ? ExitStatus.VIOLATED
+          : ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
     sentences(request, tally).forEach(err::println);

@@ -44,8 +44,7 @@ final class CampaignTally {
     outcome.checks().forEach((lemma, times) -> checks.merge(lemma, times, Long::sum));
     outcome
         .figures()
-        .forEach((name, value) ->
-            figures.computeIfAbsent(name, any -> new Histogram()).add(value));
+        .forEach((name, value) -> figures.computeIfAbsent(name, any -> new Histogram()).add(value));
     if (row.facts() != null) {
       Measures measures = row.facts().measures();
       completed += measures.completed();

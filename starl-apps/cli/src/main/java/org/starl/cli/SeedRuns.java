@@ -51,8 +51,7 @@ final class SeedRuns {
    */
   void run(Campaign campaign, Campaign.Progress progress, Predicate<SeedRow> isLast)
       throws InterruptedException {
-    campaign.run(
-        this::run, progress, run -> isLast.test(row(run.seed(), run.outcome())));
+    campaign.run(this::run, progress, run -> isLast.test(row(run.seed(), run.outcome())));
   }
 
   private SeedRow row(long seed, RunOutcome outcome) {

@@ -45,12 +45,7 @@ record ShardHeader(
   static String key(RunRequest request) {
     Map<String, Object> deciding =
         Json.object(
-            "starl",
-            Version.STARL,
-            "app",
-            request.demo().name(),
-            "settings",
-            settings(request));
+            "starl", Version.STARL, "app", request.demo().name(), "settings", settings(request));
     try {
       byte[] text = Json.line(deciding).getBytes(StandardCharsets.UTF_8);
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(text);

@@ -157,7 +157,7 @@ final class ShardMerge implements Closeable {
   }
 
   private static String difference(Next one, Next other) {
-    String where = "";
+    String where;
     try {
       where = difference("", MAPPER.readTree(one.line), MAPPER.readTree(other.line));
     } catch (JsonProcessingException e) {
@@ -171,8 +171,8 @@ final class ShardMerge implements Closeable {
   private static String difference(String path, JsonNode one, JsonNode other) {
     if (one.isObject() && other.isObject()) {
       SortedSet<String> names = new TreeSet<>();
-      one.fieldNames().forEachRemaining(names::add);
-      other.fieldNames().forEachRemaining(names::add);
+      one.properties().forEach(entry -> names.add(entry.getKey()));
+      other.properties().forEach(entry -> names.add(entry.getKey()));
       for (String name : names) {
         if (!one.path(name).equals(other.path(name))) {
           return difference(

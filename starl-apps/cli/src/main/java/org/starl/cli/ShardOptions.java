@@ -16,7 +16,8 @@ final class ShardOptions {
   @Option(
       names = "--shard",
       paramLabel = "K/N",
-      description = "Run only part K of N of the seeds; needs --out. 'starl merge' joins the parts.")
+      description =
+          "Run only part K of N of the seeds; needs --out. 'starl merge' joins the parts.")
   private @Nullable String shard;
 
   @Option(
@@ -89,7 +90,12 @@ final class ShardOptions {
       boolean isOver = ending.stops() && tally.bad() > 0;
       long next = seeds.first() + tally.runs();
       if (!isOver && next <= seeds.last()) {
-        run(command, request, new Campaign(next, seeds.last(), workers, ending.stops()), file, tally);
+        run(
+            command,
+            request,
+            new Campaign(next, seeds.last(), workers, ending.stops()),
+            file,
+            tally);
       }
     } catch (UncheckedIOException e) {
       throw e.getCause();
@@ -107,13 +113,16 @@ final class ShardOptions {
         object,
         List.of(
             "%s, shard %s, seeds %s: %d rows in %s, %d bad"
-                .formatted(
-                    request.demo().name(), part, seeds, tally.runs(), name, tally.bad())));
+                .formatted(request.demo().name(), part, seeds, tally.runs(), name, tally.bad())));
     return ExitStatus.GOOD;
   }
 
   private static void run(
-      BaseCommand command, RunRequest request, Campaign campaign, ShardFile file, CampaignTally tally)
+      BaseCommand command,
+      RunRequest request,
+      Campaign campaign,
+      ShardFile file,
+      CampaignTally tally)
       throws InterruptedException {
     ProgressLine progress = new ProgressLine(command.err(), "runs");
     new SeedRuns(request, Carriers.select(null, command.err()), true)

@@ -25,6 +25,7 @@ class HelpTest {
         "list",
         "run",
         "campaign",
+        "merge",
         "verify-determinism",
         "record",
         "replay",

@@ -24,9 +24,7 @@ class JobScriptTest {
   @TempDir private Path folder;
 
   private static Cli print(String... more) {
-    String[] words =
-        Stream.concat(CAMPAIGN.stream(), Stream.of(more))
-            .toArray(String[]::new);
+    String[] words = Stream.concat(CAMPAIGN.stream(), Stream.of(more)).toArray(String[]::new);
     Cli cli = Cli.run(words);
     assertThat(cli.status()).as("%s", cli).isZero();
     return cli;
@@ -38,8 +36,7 @@ class JobScriptTest {
     Path starl = folder.resolve("starl");
     Files.writeString(starl, "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");
     assertThat(starl.toFile().setExecutable(true)).isTrue();
-    ProcessBuilder builder =
-        new ProcessBuilder("/bin/sh", "-c", script).directory(folder.toFile());
+    ProcessBuilder builder = new ProcessBuilder("/bin/sh", "-c", script).directory(folder.toFile());
     builder.environment().putAll(environment);
     builder.environment().merge("PATH", folder.toString(), (old, mine) -> mine + ":" + old);
     Process process = builder.redirectErrorStream(true).start();
@@ -51,8 +48,7 @@ class JobScriptTest {
   private static List<String> shard(String number, String file) {
     return Stream.concat(
             CAMPAIGN.stream(),
-            Stream.of(
-                "--shard", number + "/50", "--out", file, "--resume", "--threads", "1"))
+            Stream.of("--shard", number + "/50", "--out", file, "--resume", "--threads", "1"))
         .toList();
   }
 

@@ -119,9 +119,7 @@ class ShardTest {
 
   /** Without the progress, which depends on the machine. */
   private static List<String> messages(Cli cli) {
-    return cli.err().stream()
-        .filter(line -> !line.matches("\\d+ of \\d+ .*"))
-        .toList();
+    return cli.err().stream().filter(line -> !line.matches("\\d+ of \\d+ .*")).toList();
   }
 
   private static void assertSame(Cli actual, Cli expected) {
@@ -145,7 +143,8 @@ class ShardTest {
     files.addAll(parts(campaign, 2));
     for (int order = 0; order < 3; order++) {
       Collections.shuffle(files, new Random(order));
-      assertSame(run("merge" + (options.endsWith("--json") ? " --json" : ""), files.toArray()), whole);
+      assertSame(
+          run("merge" + (options.endsWith("--json") ? " --json" : ""), files.toArray()), whole);
     }
   }
 
@@ -172,7 +171,8 @@ class ShardTest {
     String text = Files.readString(whole);
     int header = text.indexOf('\n') + 1;
     int second = text.indexOf('\n', text.indexOf('\n', header) + 1) + 1;
-    for (int kept : List.of(0, 10, header - 1, header, second - 1, second, second + 99, expected.length)) {
+    for (int kept :
+        List.of(0, 10, header - 1, header, second - 1, second, second + 99, expected.length)) {
       Path file = folder.resolve("cut-" + kept);
       Files.write(file, Arrays.copyOf(expected, kept));
       Cli cli = run(campaign + " --shard 1/1 --resume --out", file);
@@ -259,10 +259,8 @@ class ShardTest {
     Path one = part(campaign, 1, 3);
     byte[] before = Files.readAllBytes(one);
     assertRefused(run(campaign + " --shard 1/3 --out", one), "exists already", "--resume");
-    assertRefused(
-        run(campaign + " --shard 2/3 --resume --out", one), "shard: 1/3: expected 2/3");
-    assertRefused(
-        run(campaign + " --loss 0.5 --shard 1/3 --resume --out", one), ":1: settings: ");
+    assertRefused(run(campaign + " --shard 2/3 --resume --out", one), "shard: 1/3: expected 2/3");
+    assertRefused(run(campaign + " --loss 0.5 --shard 1/3 --resume --out", one), ":1: settings: ");
     assertThat(Files.readAllBytes(one)).isEqualTo(before);
   }
 
