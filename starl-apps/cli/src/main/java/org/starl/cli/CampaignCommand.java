@@ -138,7 +138,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
               if (page != null) {
                 page.add(row);
               }
-              return watch.isDecided(tally);
+              return watch.decides(tally);
             });
     progress.end();
     Output output =

@@ -94,7 +94,7 @@ record Ending(boolean stops, @Nullable Until until) {
     private long needed;
 
     /** Whether the runs of {@code tally} decide the campaign. */
-    boolean isDecided(CampaignTally tally) {
+    boolean decides(CampaignTally tally) {
       if (stops && tally.bad() > 0) {
         return true;
       }

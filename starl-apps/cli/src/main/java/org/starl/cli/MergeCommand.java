@@ -46,7 +46,7 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
           if (page != null) {
             page.add(row);
           }
-          return watch.isDecided(tally);
+          return watch.decides(tally);
         });
         if (!merge.differences().isEmpty()) {
           merge.differences().forEach(line -> err().println("starl: " + line));
