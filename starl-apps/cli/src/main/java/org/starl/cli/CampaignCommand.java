@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
@@ -127,23 +128,26 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
     CampaignTally tally = new CampaignTally();
-    Ending.Watch watch = ending.new Watch();
     ProgressLine progress = new ProgressLine(err(), "runs");
     new SeedRuns(request, carriers, page != null)
-        .run(
-            campaign,
-            progress::show,
-            row -> {
-              tally.add(row);
-              if (page != null) {
-                page.add(row);
-              }
-              return watch.decides(tally);
-            });
+        .run(campaign, progress::show, collector(ending, tally, page));
     progress.end();
     Output output =
         new Output(this, request, range, ending, carriers, json.isOn(), shrink, report, typed());
     return print(output, tally, page);
+  }
+
+  /** Adds each row to the sums and the page, and answers whether it decides the campaign. */
+  static Predicate<SeedRow> collector(
+      Ending ending, CampaignTally tally, @Nullable ReportFile page) {
+    Ending.Watch watch = ending.new Watch();
+    return row -> {
+      tally.add(row);
+      if (page != null) {
+        page.add(row);
+      }
+      return watch.decides(tally);
+    };
   }
 
   /**

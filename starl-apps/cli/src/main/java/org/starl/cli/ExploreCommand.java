@@ -195,8 +195,9 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     Plan plan = request.plan(subject.seed());
     // A request that cannot be built is bad input, not a failed run.
     plan.simulation().build();
-    requireTolerated("--losses", lost, request, Envelope.NETWORK);
-    requireTolerated("--crashes", crashed, request, Envelope.LOGICAL);
+    Envelope envelope = request.demo().envelope();
+    requireTolerated("--losses", lost, envelope != Envelope.NONE, request);
+    requireTolerated("--crashes", crashed, envelope.hasCrashes(), request);
     long drawnNs = plan.simulation().settings().get(Setting.MESSAGE_DELAY).longestNs();
     return new Bounds(
         subject.fromNs(),
@@ -210,15 +211,9 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
 
   /** What an app does not promise to tolerate is no finding. */
   private static void requireTolerated(
-      String option, int count, RunRequest request, Envelope least) {
-    Envelope envelope = request.demo().envelope();
-    boolean isTolerated =
-        switch (envelope) {
-          case NONE -> false;
-          case NETWORK, SPATIAL -> least == Envelope.NETWORK;
-          case LOGICAL, HOSTILE, MOVING, MORTAL, PHYSICAL -> true;
-        };
+      String option, int count, boolean isTolerated, RunRequest request) {
     if (count > 0 && !isTolerated) {
+      Envelope envelope = request.demo().envelope();
       throw new BadInput(
           option
               + ": "
@@ -234,8 +229,8 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
 
   private static RunOutcome run(
       Subject subject, List<Fault> schedule, Order order, CarrierKind carriers) {
-    Plan plan = subject.request().withFaults(schedule).plan(subject.seed());
-    plan.simulation().carriers(carriers).observer(order);
+    Plan plan = SeedRuns.plan(subject.request().withFaults(schedule), subject.seed(), carriers);
+    plan.simulation().observer(order);
     return RunOutcome.of(plan.simulation().build().run());
   }
 

@@ -40,14 +40,7 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
       ShardHeader header = merge.header();
       CampaignTally tally = new CampaignTally();
       try (ReportFile page = ReportFile.of(report, header.range())) {
-        Ending.Watch watch = header.ending().new Watch();
-        merge.read(row -> {
-          tally.add(row);
-          if (page != null) {
-            page.add(row);
-          }
-          return watch.decides(tally);
-        });
+        merge.read(CampaignCommand.collector(header.ending(), tally, page));
         if (!merge.differences().isEmpty()) {
           merge.differences().forEach(line -> err().println("starl: " + line));
           return ExitStatus.VIOLATED;

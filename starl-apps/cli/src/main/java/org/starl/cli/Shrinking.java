@@ -35,8 +35,6 @@ final class Shrinking {
   private static final int MOST_RUNS = 500;
   private static final int MOST_WHY_RUNS = 200;
   private static final long WHY_BEFORE_NS = 5 * Time.NS_PER_S;
-  private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
-  private static final long MOST_DELAY_NS = 800 * Time.NS_PER_MS;
 
   /** Settings that a {@link Trial} has as values of its own. */
   private static final Set<Setting<?>> OF_TRIAL =
@@ -145,9 +143,8 @@ final class Shrinking {
     if (atNs < 0) {
       return List.of();
     }
-    Bounds bounds =
-        new Bounds(
-            Math.max(0, atNs - WHY_BEFORE_NS), LEAST_DELAY_NS, MOST_DELAY_NS, 0, 0, 0, atNs + 1);
+    // Why changes the arrivals of single copies alone.
+    Bounds bounds = Bounds.ofDelays(Math.max(0, atNs - WHY_BEFORE_NS), 0);
     RunRequest request = request(result.trial());
     Why why =
         Why.of(

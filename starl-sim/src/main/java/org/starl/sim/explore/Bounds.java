@@ -1,5 +1,7 @@
 package org.starl.sim.explore;
 
+import org.starl.time.Time;
+
 /**
  * What a schedule may change. The run before {@code fromNs} is as its seed draws it.
  *
@@ -22,6 +24,10 @@ public record Bounds(
     int crashes,
     long downNs) {
 
+  // As much as chaos adds at most.
+  private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
+  private static final long MOST_DELAY_NS = 800 * Time.NS_PER_MS;
+
   public Bounds {
     if (fromNs < 0 || leastDelayNs < 0 || mostDelayNs < leastDelayNs) {
       throw new IllegalArgumentException(
@@ -37,5 +43,15 @@ public record Bounds(
           "%d losses, %d crashes of %d ns: expected at least 0, and a time above 0"
               .formatted(losses, crashes, downNs));
     }
+  }
+
+  /**
+   * Other delays, of 1 ms to 800 ms, without losses and crashes.
+   *
+   * @param drawnNs the longest delay that the network itself draws
+   */
+  public static Bounds ofDelays(long fromNs, long drawnNs) {
+    long extraNs = Math.max(0, MOST_DELAY_NS - drawnNs);
+    return new Bounds(fromNs, LEAST_DELAY_NS, MOST_DELAY_NS, extraNs, 0, 0, 1);
   }
 }

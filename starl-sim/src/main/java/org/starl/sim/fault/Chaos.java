@@ -47,7 +47,7 @@ final class Chaos {
     double share = 0.2 + 0.7 * rng.nextDouble();
     some.removeIf(kind -> !rng.nextBoolean(share));
     chaos.addFaults(some.isEmpty() ? kinds : some);
-    chaos.addOutages(mayCrash(envelope));
+    chaos.addOutages(envelope.hasCrashes());
     if (envelope == Envelope.HOSTILE && rng.nextBoolean(0.5)) {
       chaos.add(chaos.attacks().get(rng.nextInt(2)).get(), 0, chaos.untilMs);
     }
@@ -109,10 +109,6 @@ final class Chaos {
     return LEAST_MEAN_MS * StrictMath.pow(MOST_MEAN_MS / LEAST_MEAN_MS, rng.nextDouble());
   }
 
-  private static boolean mayCrash(Envelope envelope) {
-    return envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL;
-  }
-
   private void addPermanentCrashes(int most) {
     int crashes = most < 1 ? 0 : 1 + rng.nextInt(most);
     for (int i = 0; i < crashes; i++) {
@@ -133,7 +129,7 @@ final class Chaos {
       return kinds;
     }
     kinds.addAll(network());
-    if (mayCrash(envelope)) {
+    if (envelope.hasCrashes()) {
       // Crashes are drawn more often than other faults, because they matter most for these
       // envelopes.
       kinds.add(() -> fault("crash", "any", unsynced()));

@@ -57,6 +57,11 @@ public enum Envelope {
     this.meaning = meaning;
   }
 
+  /** Whether robots crash and restart. */
+  public boolean hasCrashes() {
+    return this != NONE && this != NETWORK && this != SPATIAL;
+  }
+
   /** One line for users. */
   public String meaning() {
     return meaning;

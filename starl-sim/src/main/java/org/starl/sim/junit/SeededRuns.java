@@ -27,7 +27,6 @@ import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultPlan;
-import org.starl.time.Time;
 
 /**
  * The runs of one test, for consecutive seeds.
@@ -53,8 +52,6 @@ record SeededRuns(
   private static final int MOST_REPORTED = 5;
 
   private static final int CHANGES = 3;
-  private static final long LEAST_DELAY_NS = Time.NS_PER_MS;
-  private static final long MOST_DELAY_NS = 800 * Time.NS_PER_MS;
 
   /** Configures the builder of one seed, and declares the checks. */
   @FunctionalInterface
@@ -133,8 +130,7 @@ record SeededRuns(
   private void explore(Run run, List<Bad> bad) throws InterruptedException {
     long seed = run.seed;
     long drawnNs = run.simulation.plan().settings().get(Setting.MESSAGE_DELAY).longestNs();
-    Bounds bounds =
-        new Bounds(0, LEAST_DELAY_NS, MOST_DELAY_NS, Math.max(0, MOST_DELAY_NS - drawnNs), 0, 0, 1);
+    Bounds bounds = Bounds.ofDelays(0, drawnNs);
     Explorer explorer =
         new Explorer(
             bounds,
