@@ -26,6 +26,12 @@ import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.comms.Channel;
+import org.starl.comms.Codec;
+import org.starl.comms.Endpoint;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.id.RobotId;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
@@ -46,6 +52,46 @@ class StarlTestTest {
       return context.getConfigurationParameter(FIXTURE).isPresent()
           ? ConditionEvaluationResult.enabled("asked for")
           : ConditionEvaluationResult.disabled("run by StarlTestTest alone");
+    }
+  }
+
+  /** bot1 sends a word to bot0, which takes it as an error if none has come after 50 ms. */
+  private static final class Impatient extends LogicThread {
+    private static final Channel<Boolean> WORDS =
+        new Channel<>(
+            "test",
+            "words",
+            new Codec<>() {
+              @Override
+              public void write(Boolean word, WireWriter out) {
+                out.u8(1);
+              }
+
+              @Override
+              public Boolean read(WireReader in) {
+                return in.u8() == 1;
+              }
+            });
+
+    private boolean isHeard;
+
+    Impatient(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      Endpoint<Boolean> words = gvh.comms.open(WORDS, (from, word) -> isHeard = word);
+      boolean isSender = gvh.id.name().name().equals("bot1");
+      sleep(100);
+      if (isSender) {
+        words.send(new RobotId("bot0"), true);
+      }
+      sleep(50);
+      if (!isSender && !isHeard) {
+        throw new IllegalStateException("heard nothing");
+      }
+      return List.of();
     }
   }
 
@@ -107,6 +153,11 @@ class StarlTestTest {
       simulation.robots(
           2, gvh -> new Counter(gvh, seed % 5 == 0 && gvh.id.name().name().equals("bot1")));
       simulation.monitor(CountsToThree::new);
+    }
+
+    @StarlTest(seeds = 2, explore = 20)
+    void impatient(Simulation.Builder simulation) {
+      simulation.robots(2, Impatient::new);
     }
 
     @StarlTest(seeds = 3)
@@ -221,6 +272,15 @@ class StarlTestTest {
     for (String good : List.of("good", "longEnough")) {
       run(good, "").testEvents().assertStatistics(stats -> stats.started(1).succeeded(1));
     }
+  }
+
+  @Test
+  void anOrderThatNoSeedDrawsIsExploredAndItsFaultsAreNamed() {
+    List<String> lines = failureLines("impatient", "");
+    assertThat(lines.get(0)).endsWith("impatient: 1 of 2 runs went wrong");
+    assertThat(lines.get(1)).startsWith("  seed 1: ").contains("heard nothing");
+    assertThat(lines).anyMatch(line -> line.startsWith("faults of seed 1: delay("));
+    assertThat(failureLines("impatient", "1").get(1)).isEqualTo(lines.get(1));
   }
 
   @Test
