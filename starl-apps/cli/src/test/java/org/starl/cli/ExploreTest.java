@@ -154,6 +154,18 @@ class ExploreTest {
     assertThat(cli.status()).as("%s", cli).isZero();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"random", "pct", "exhaustive"})
+  void robotsThatJoinLaterAreNoFinding(String strategy) {
+    Cli cli =
+        Cli.run(
+            ("explore intersection --set scenario=open --set arrivals=30/min --robots 3 --for 30s"
+                    + " --seed 1 --schedules 12 --crashes 2 --strategy "
+                    + strategy)
+                .split(" "));
+    assertThat(cli.status()).as("%s", cli).isZero();
+  }
+
   @Test
   void itStartsFromATrace() throws IOException {
     Path trace = folder.resolve("good.trace");

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimulationFailed;
 import org.starl.sim.kernel.RobotError;
@@ -129,6 +130,11 @@ public record RunOutcome(
 
   public boolean isGood() {
     return verdict == Verdict.GOOD;
+  }
+
+  /** Whether the request of the run was wrong, as with a fault of a robot that is not there. */
+  public boolean isBadInput() {
+    return what.equals(BadInput.class.getName());
   }
 
   /**

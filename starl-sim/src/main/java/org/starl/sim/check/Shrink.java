@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.Function;
+import org.starl.input.BadInput;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.Span;
@@ -74,11 +75,15 @@ public final class Shrink {
    * Shrinks {@code from}.
    *
    * @throws IllegalArgumentException if {@code from} is a good run
+   * @throws BadInput if {@code from} cannot run
    */
   public Result shrink(Trial from) {
     RunOutcome outcome = run(from);
     if (outcome.isGood()) {
       throw new IllegalArgumentException("nothing to shrink: " + from + " goes well");
+    }
+    if (outcome.isBadInput()) {
+      throw new BadInput(outcome.detail());
     }
     known.put(from, outcome);
     runs = 1;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.random.Rng;
@@ -184,7 +185,8 @@ public final class Explorer {
                 number -> {
                   Order order = new Order(bounds, mostCopies);
                   ran.put(number, order);
-                  return runner.run(wanted.get((int) number), order);
+                  List<Fault> schedule = wanted.get((int) number);
+                  return run(schedule, order);
                 },
                 (finished, planned, bad) -> progress.ran(schedules + finished, mostSchedules));
     List<Order> inOrder = new ArrayList<>();
@@ -198,5 +200,16 @@ public final class Explorer {
     }
     schedules += result.runs().size();
     return inOrder;
+  }
+
+  private RunOutcome run(List<Fault> schedule, Order order) {
+    RunOutcome outcome;
+    try {
+      outcome = runner.run(schedule, order);
+    } catch (RuntimeException e) {
+      outcome = RunOutcome.failed(e);
+    }
+    // A robot that has not joined yet cannot crash: there is no such run.
+    return outcome.isBadInput() && !schedule.isEmpty() ? RunOutcome.good(new TreeMap<>()) : outcome;
   }
 }

@@ -40,8 +40,8 @@ record Link(RobotSelector from, RobotSelector to) {
     if (from.isAll() && to.isAll()) {
       return rule;
     }
-    Set<RobotId> senders = Set.copyOf(from.pick(context.target(), context.rng().fork("from")));
-    Set<RobotId> receivers = Set.copyOf(to.pick(context.target(), context.rng().fork("to")));
+    Set<RobotId> senders = Set.copyOf(from.ends(context.target(), context.rng().fork("from")));
+    Set<RobotId> receivers = Set.copyOf(to.ends(context.target(), context.rng().fork("to")));
     return copy ->
         (from.isAll() || senders.contains(copy.from()))
                 && (to.isAll() || receivers.contains(copy.to()))

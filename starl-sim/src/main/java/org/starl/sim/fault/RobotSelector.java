@@ -91,6 +91,11 @@ public record RobotSelector(Choice choice, List<RobotId> named) {
     };
   }
 
+  /** The selected ends of links; named robots may join later. */
+  List<RobotId> ends(FaultTarget target, Rng rng) {
+    return choice == Choice.NAMED ? named : pick(target, rng);
+  }
+
   static String unknownRobotMessage(RobotId robot, Collection<RobotId> known) {
     return "no robot is called " + robot + "; there are " + known;
   }

@@ -181,4 +181,12 @@ class ShrinkTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("2 robots, 2 settings, 1 fault, 1200s goes well");
   }
+
+  @Test
+  void aRunWithBadInputIsRefused() {
+    RunOutcome wrong = RunOutcome.failed(new BadInput("no robot is called bot9"));
+    assertThatThrownBy(() -> shrink(trial(2, 1), t -> wrong))
+        .isInstanceOf(BadInput.class)
+        .hasMessage("no robot is called bot9");
+  }
 }
