@@ -16,5 +16,6 @@ dependencies {
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)
+    testImplementation(libs.lincheck)
     testRuntimeOnly(libs.junit.platform.launcher)
 }

@@ -271,9 +271,13 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     lock.lock();
     try {
       while (!isClosed) {
-        Alarm first = alarms.isEmpty() ? null : alarms.first();
-        long restNs = first == null ? Long.MAX_VALUE : first.atNs - clock.nowNs();
-        if (first != null && restNs <= 0) {
+        if (alarms.isEmpty()) {
+          changed.await();
+          continue;
+        }
+        Alarm first = alarms.first();
+        long restNs = first.atNs - clock.nowNs();
+        if (restNs <= 0) {
           alarms.remove(first);
           return first;
         }
