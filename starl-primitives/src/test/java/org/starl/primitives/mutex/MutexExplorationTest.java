@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.exhaustive.Exhaustive.Outcome;
 import org.starl.primitives.membership.View;
-import org.starl.primitives.mutex.MutexExplorer.Outcome;
 import org.starl.primitives.mutex.MutexExplorer.Shape;
 
 /** Exhaustive exploration of the code, not of the model, on small instances. */
@@ -101,7 +101,7 @@ class MutexExplorationTest {
   private static void assertHolds(Shape shape, MutexNode.Kind kind) {
     Outcome outcome = new MutexExplorer(shape, kind).explore(MOST_STATES);
     assertThat(outcome.violation()).isEmpty();
-    assertThat(outcome.entries()).isPositive();
+    assertThat(outcome.reached()).isPositive();
   }
 
   /** Never asks back a participant outside its view. */

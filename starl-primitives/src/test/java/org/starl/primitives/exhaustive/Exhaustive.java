@@ -1,0 +1,248 @@
+package org.starl.primitives.exhaustive;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Visits every state of a few participants that run a protocol's code, breadth first, as a model
+ * checker visits those of a model. Messages stay in a set for ever, which covers loss, delay,
+ * duplication and reordering. There is no clock: what a timer may do is a step that is always
+ * possible.
+ *
+ * <p>Participants depend on each other only through messages and the shared state. So the protocol
+ * runs once for each state of one participant and each step of it ({@link Local}); states of all
+ * participants are tuples of these. A protocol cannot be copied: its state is reached again by
+ * repeating the participant's own steps.
+ *
+ * @param <N> a participant
+ * @param <M> a message; equal texts are equal messages
+ * @param <S> state outside the participants; immutable, equal texts are equal states
+ */
+public final class Exhaustive<N, M, S> {
+
+  /** The participants and what they may do. */
+  public interface Model<N, M, S> {
+
+    /** The number of participants. */
+    int size();
+
+    /** Participant {@code i} at its start, which sends to {@code net}. */
+    N make(int i, Consumer<M> net);
+
+    /** The state of a participant: with equal texts it behaves alike. */
+    String text(N node);
+
+    /** The participant that receives {@code message}. */
+    int to(M message);
+
+    void receive(N node, M message);
+
+    /** Whether no message has an effect on it any more. */
+    boolean isDead(N node);
+
+    S begin();
+
+    /** Adds the steps of participant {@code i} other than to receive a message. */
+    void addSteps(int i, N node, S shared, Steps<N, S> steps);
+
+    /** The first violated invariant, if one is violated. */
+    Optional<String> violation(List<N> nodes, S shared);
+
+    /** Whether a state is worth counting, so that a test can see that something happens. */
+    boolean isReached(List<N> nodes);
+  }
+
+  /** Receives the steps of a participant. */
+  @FunctionalInterface
+  public interface Steps<N, S> {
+
+    /**
+     * @param line identifies the step
+     * @param after the shared state after it
+     */
+    void add(String line, Consumer<N> action, S after);
+  }
+
+  /** The result: the first violation with the steps to it, or none. */
+  public record Outcome(int states, int reached, List<String> violation) {}
+
+  private final Model<N, M, S> model;
+  private final Map<String, Local> locals = new HashMap<>();
+  private final List<M> messages = new ArrayList<>();
+  private final Map<String, Integer> messageNumbers = new HashMap<>();
+
+  public Exhaustive(Model<N, M, S> model) {
+    this.model = model;
+  }
+
+  /** @throws AssertionError if there are more than {@code mostStates} */
+  public Outcome explore(int mostStates) {
+    Set<String> seen = new HashSet<>();
+    ArrayDeque<State> frontier = new ArrayDeque<>();
+    State first = first();
+    seen.add(first.key());
+    frontier.add(first);
+    int reached = 0;
+    while (!frontier.isEmpty()) {
+      for (State next : frontier.remove().next()) {
+        if (!seen.add(next.key())) {
+          continue;
+        }
+        if (seen.size() > mostStates) {
+          throw new AssertionError("more than " + mostStates + " states");
+        }
+        List<N> nodes = next.nodes();
+        reached += model.isReached(nodes) ? 1 : 0;
+        Optional<String> violation = model.violation(nodes, next.shared);
+        if (violation.isPresent()) {
+          return new Outcome(seen.size(), reached, next.story(violation.get()));
+        }
+        frontier.add(next);
+      }
+    }
+    return new Outcome(seen.size(), reached, List.of());
+  }
+
+  private State first() {
+    List<Local> begun = new ArrayList<>();
+    BitSet sent = new BitSet();
+    for (int i = 0; i < model.size(); i++) {
+      Reached<Local> reached = reached(i, List.of());
+      begun.add(reached.local());
+      sent.or(reached.sent());
+    }
+    return new State(begun, sent, model.begin(), null, "");
+  }
+
+  /** The state of a participant after a step, and the messages that the step sent. */
+  private record Reached<L>(L local, BitSet sent) {}
+
+  private Reached<Local> reached(int i, List<Consumer<N>> steps) {
+    List<M> sent = new ArrayList<>();
+    N node = model.make(i, sent::add);
+    for (Consumer<N> step : steps) {
+      sent.clear();
+      step.accept(node);
+    }
+    BitSet numbers = new BitSet();
+    sent.forEach(message -> numbers.set(number(message)));
+    Local local = new Local(i, node, steps, locals.size());
+    return new Reached<>(locals.computeIfAbsent(i + model.text(node), any -> local), numbers);
+  }
+
+  private int number(M message) {
+    return messageNumbers.computeIfAbsent(
+        message.toString(),
+        text -> {
+          messages.add(message);
+          return messages.size() - 1;
+        });
+  }
+
+  /** A state of one participant, reached by steps of its own. */
+  private final class Local {
+    final N node;
+    final int number;
+    private final int i;
+    private final List<Consumer<N>> steps;
+    private final Map<String, Reached<Local>> after = new HashMap<>();
+
+    Local(int i, N node, List<Consumer<N>> steps, int number) {
+      this.i = i;
+      this.node = node;
+      this.steps = steps;
+      this.number = number;
+    }
+
+    Reached<Local> after(String line, Consumer<N> action) {
+      return after.computeIfAbsent(
+          line,
+          any -> {
+            List<Consumer<N>> longer = new ArrayList<>(steps);
+            longer.add(action);
+            return reached(i, longer);
+          });
+    }
+  }
+
+  private final class State {
+    private final List<Local> locals;
+    private final BitSet sent;
+    private final S shared;
+    private final @Nullable State before;
+    private final String line;
+
+    State(List<Local> locals, BitSet sent, S shared, @Nullable State before, String line) {
+      this.locals = locals;
+      this.sent = sent;
+      this.shared = shared;
+      this.before = before;
+      this.line = line;
+    }
+
+    List<N> nodes() {
+      return locals.stream().map(local -> local.node).toList();
+    }
+
+    String key() {
+      StringBuilder key = new StringBuilder();
+      for (Local local : locals) {
+        key.append((char) (local.number >>> Byte.SIZE)).append((char) (local.number & 0xFF));
+      }
+      for (byte bits : sent.toByteArray()) {
+        key.append((char) (bits & 0xFF));
+      }
+      return key.append(shared).toString();
+    }
+
+    List<String> story(String last) {
+      ArrayDeque<String> story = new ArrayDeque<>(List.of(last));
+      for (State state = this; state.before != null; state = state.before) {
+        story.addFirst(state.line);
+      }
+      return List.copyOf(story);
+    }
+
+    /** The states after one step. */
+    List<State> next() {
+      List<State> all = new ArrayList<>();
+      for (int i = 0; i < locals.size(); i++) {
+        int me = i;
+        N node = locals.get(i).node;
+        if (!model.isDead(node)) {
+          model.addSteps(
+              i, node, shared, (text, action, after) -> all.add(after(me, text, action, after)));
+        }
+      }
+      for (int m = sent.nextSetBit(0); m >= 0; m = sent.nextSetBit(m + 1)) {
+        M message = messages.get(m);
+        int to = model.to(message);
+        all.add(
+            after(to, message.toString(), node -> model.receive(node, message), shared));
+      }
+      return all;
+    }
+
+    private State after(int i, String text, Consumer<N> action, S newShared) {
+      Reached<Local> reached = locals.get(i).after(text, action);
+      List<Local> now = new ArrayList<>(locals);
+      now.set(i, reached.local());
+      BitSet more = (BitSet) sent.clone();
+      more.or(reached.sent());
+      // A message that has no effect any more makes no other state.
+      more.stream()
+          .filter(m -> model.isDead(now.get(model.to(messages.get(m))).node))
+          .forEach(more::clear);
+      return new State(now, more, newShared, this, text);
+    }
+  }
+}
