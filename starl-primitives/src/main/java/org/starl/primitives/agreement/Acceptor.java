@@ -130,7 +130,11 @@ final class Acceptor {
     if (version <= flushedVersion) {
       link.send(to, answer);
     } else {
-      waiting.add(new Waiting(version, to, answer));
+      Waiting one = new Waiting(version, to, answer);
+      // A repeated question needs no second answer, and a slow disk no longer queue.
+      if (!waiting.contains(one)) {
+        waiting.add(one);
+      }
     }
   }
 

@@ -66,13 +66,16 @@ class AcceptorTest {
   }
 
   @Test
-  void aRepeatedQuestionIsAnsweredTwiceAndWrittenOnce() {
+  void aRepeatedQuestionIsWrittenOnceAndAnsweredOnceWhenFlushed() {
     acceptor.prepare(BOT1, new Prepare(1, LOW, Value.EMPTY));
     acceptor.prepare(BOT1, new Prepare(1, LOW, Value.EMPTY));
     assertThat(records).hasSize(1);
     assertThat(answers).isEmpty();
     acceptor.flushed(1);
+    assertThat(answers).hasSize(1);
+    acceptor.prepare(BOT1, new Prepare(1, LOW, Value.EMPTY));
     assertThat(answers).hasSize(2);
+    assertThat(records).hasSize(1);
   }
 
   @Test
