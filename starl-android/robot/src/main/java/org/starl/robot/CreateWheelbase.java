@@ -4,6 +4,7 @@ import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.CreateChassis;
 import org.starl.robot.create.CreateModel;
 import org.starl.robot.create.CreateSettings;
+import org.starl.robot.create.WheelGuard;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
@@ -14,25 +15,20 @@ public final class CreateWheelbase {
   private CreateWheelbase() {}
 
   /**
-   * Opens the Create of one robot. A link on which frames have stopped for 3 s is opened again.
+   * Opens the Create of one robot. A link on which frames have stopped for {@link WheelGuard#SILENT_MS}
+   * is opened again.
    *
    * @param name of the robot
-   * @param links lead to the Create
+   * @param links lead to the Create, each through a guard of its own
    */
   public static Wheelbase.Source of(
       String name, Wheels.Create create, Limits limits, ByteLink.Source links) {
-    return of(name, create, limits, links, CreateSettings.OPEN_MS);
-  }
-
-  /** The same for links that are opened again when frames have stopped for {@code silentMs}. */
-  public static Wheelbase.Source of(
-      String name, Wheels.Create create, Limits limits, ByteLink.Source links, long silentMs) {
     CreateSettings settings =
         CreateSettings.of(model(create))
             .withLimits(
                 limits.watchdogMs(),
                 limits.positionMs(),
-                silentMs,
+                WheelGuard.SILENT_MS,
                 Math.max(1, limits.reactionMs()),
                 (int) limits.speedMmPerS());
     return (strand, clock, log, onFailure) ->

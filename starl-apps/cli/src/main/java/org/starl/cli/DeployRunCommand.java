@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.starl.input.BadInput;
 import org.starl.launch.Console;
+import org.starl.launch.GuardProcess;
 import org.starl.launch.RobotRun;
-import org.starl.launch.WheelGuard;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
@@ -52,11 +52,7 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     Limits limits = deployment.limits();
     Wheelbase.Source wheels =
         CreateWheelbase.of(
-            robot,
-            create,
-            limits,
-            WheelGuard.links(create.port(), create.baud(), limits),
-            WheelGuard.SILENT_MS);
+            robot, create, limits, GuardProcess.links(create.port(), create.baud(), limits));
     Console console = new Console(out()::println);
     RobotRun run = options.robot(deployment, entry, app, wheels, console);
     UntilStopped stop = new UntilStopped(run::stop);

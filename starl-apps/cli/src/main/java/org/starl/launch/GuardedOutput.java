@@ -7,7 +7,7 @@ import java.io.OutputStream;
 import org.starl.robot.realtime.RealClock;
 
 /**
- * Bytes from a program to its {@link WheelGuard}: each write is sent with its time, so that the guard
+ * Bytes from a program to its {@link GuardProcess}: each write is sent with its time, so that the guard
  * recognises old commands behind a stall.
  */
 final class GuardedOutput extends OutputStream {

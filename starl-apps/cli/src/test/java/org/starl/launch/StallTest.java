@@ -27,6 +27,7 @@ import org.starl.robot.create.CreateBody;
 import org.starl.robot.create.CreateHost;
 import org.starl.robot.create.CreateModel;
 import org.starl.robot.create.StreamLink;
+import org.starl.robot.create.WheelGuard;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
@@ -81,7 +82,9 @@ class StallTest {
     try (Rig rig = new Rig()) {
       rig.drive(200);
       rig.wire.toClient.hold();
-      rig.awaitStand("the robot is not heard");
+      long ms = rig.awaitStand("the robot is not heard");
+      // Else the driver has only replaced the link.
+      assertThat(ms).isLessThan(WheelGuard.SILENT_MS);
       rig.wire.toClient.release();
       rig.drive(200);
     }
@@ -128,10 +131,9 @@ class StallTest {
       wire = new HeldWire(server.getLocalPort());
       Wheels.Port port = new Wheels.Tcp(new HostPort("127.0.0.1", wire.port()));
       Wheels.Create create = new Wheels.Create("create2", port, 115_200, null);
-      ByteLink.Source guarded = WheelGuard.links(port, 115_200, LIMITS);
+      ByteLink.Source guarded = GuardProcess.links(port, 115_200, LIMITS);
       wheels =
-          CreateWheelbase.of(
-                  "bot0", create, LIMITS, () -> held(guarded.open()), WheelGuard.SILENT_MS)
+          CreateWheelbase.of("bot0", create, LIMITS, () -> held(guarded.open()))
               .open(
                   strand,
                   clock,
@@ -183,14 +185,13 @@ class StallTest {
       return now[0];
     }
 
-    void awaitStand(String cause) {
+    /** The time in ms until the wheels stand. */
+    long awaitStand(String cause) {
       long fromNs = clock.nowNs();
       await("stands: " + cause, () -> speed == 0);
-      System.out.printf(
-          Locale.ROOT,
-          "%s: wheels stand after %d ms%n",
-          cause,
-          (clock.nowNs() - fromNs) / 1_000_000);
+      long ms = (clock.nowNs() - fromNs) / 1_000_000;
+      System.out.printf(Locale.ROOT, "%s: wheels stand after %d ms%n", cause, ms);
+      return ms;
     }
 
     void await(String what, BooleanSupplier condition) {

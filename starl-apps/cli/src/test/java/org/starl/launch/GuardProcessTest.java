@@ -3,15 +3,12 @@ package org.starl.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.DataOutputStream;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
@@ -21,11 +18,10 @@ import org.starl.robot.create.ByteLink;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
-import org.starl.robot.realtime.RealClock;
 
 /** The process between a robot's program and its wheels. */
 @Tag("realtime")
-class WheelGuardTest {
+class GuardProcessTest {
 
   private static final byte[] STOP = {(byte) 145, 0, 0, 0, 0};
   private static final byte[] PASSIVE = {(byte) 128};
@@ -77,53 +73,10 @@ class WheelGuardTest {
   }
 
   @Test
-  void oldSpeedsAreDroppedAndTheWheelsStopInstead() throws Exception {
-    try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-        RawGuard guard = new RawGuard(create.getLocalPort());
-        Socket line = create.accept()) {
-      line.setSoTimeout(LIMIT_MS);
-      byte[] speeds = {(byte) 145, 0, 100, 0, 100};
-      byte[] old = {(byte) 145, 0, 50, 0, 50};
-      byte[] mode = {(byte) 131};
-      guard.write(RealClock.machineNs(), speeds);
-      assertThat(line.getInputStream().readNBytes(speeds.length)).isEqualTo(speeds);
-
-      // Behind a stall; a mode has effects only with speeds.
-      guard.write(RealClock.machineNs() - 1_000_000_000, old);
-      guard.write(RealClock.machineNs() - 1_000_000_000, mode);
-      guard.process.getOutputStream().close();
-
-      byte[] rest = line.getInputStream().readAllBytes();
-      assertThat(rest).startsWith(STOP).endsWith(PASSIVE);
-      assertThat(rest[STOP.length]).isEqualTo(mode[0]);
-    }
-  }
-
-  @Test
-  void oldBytesDoNotCountAsALiveProgram() throws Exception {
-    try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-        RawGuard guard = new RawGuard(create.getLocalPort());
-        Socket line = create.accept()) {
-      line.setSoTimeout(LIMIT_MS);
-      byte[] speeds = {(byte) 145, 0, 100, 0, 100};
-      long sentNs = RealClock.machineNs();
-      guard.write(sentNs, speeds);
-      byte[] mode = {(byte) 131};
-      byte[] seen = line.getInputStream().readNBytes(speeds.length);
-      for (int i = 0; !Arrays.equals(seen, STOP); i++) {
-        assertThat(i).as("old bytes without a stop").isLessThan(100_000);
-        guard.write(sentNs, mode);
-        byte[] next = line.getInputStream().readNBytes(1);
-        seen = next[0] == STOP[0] ? concat(next, line.getInputStream().readNBytes(4)) : speeds;
-      }
-    }
-  }
-
-  @Test
   void theWheelsStopBeforeAKilledGuardIsReplaced() throws Exception {
     try (ServerSocket create = new ServerSocket(0, 2, InetAddress.getLoopbackAddress())) {
       HostPort address = new HostPort("127.0.0.1", create.getLocalPort());
-      ByteLink program = WheelGuard.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
+      ByteLink program = GuardProcess.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
       ProcessHandle guard = ProcessHandle.current().children().reduce((a, b) -> b).orElseThrow();
       try (Socket first = create.accept()) {
         guard.destroyForcibly();
@@ -137,42 +90,10 @@ class WheelGuardTest {
     }
   }
 
-  private static byte[] concat(byte[] one, byte[] other) {
-    byte[] both = Arrays.copyOf(one, one.length + other.length);
-    System.arraycopy(other, 0, both, one.length, other.length);
-    return both;
-  }
-
-  /** A guard whose input the test writes with times of its own. */
-  private static final class RawGuard implements AutoCloseable {
-    private final Process process;
-
-    RawGuard(int port) throws IOException {
-      process =
-          new ProcessBuilder(
-                  JavaProcess.command(
-                      32, WheelGuard.class.getName(), List.of("tcp:127.0.0.1:" + port, "0", "200")))
-              .start();
-    }
-
-    void write(long sentNs, byte[] bytes) throws IOException {
-      DataOutputStream out = new DataOutputStream(process.getOutputStream());
-      out.writeLong(sentNs);
-      out.writeByte(bytes.length);
-      out.write(bytes);
-      out.flush();
-    }
-
-    @Override
-    public void close() {
-      process.destroyForcibly();
-    }
-  }
-
   @Test
   void aPortThatCannotBeOpenedIsNamed() throws Exception {
     ByteLink program =
-        WheelGuard.links(new Wheels.Device("/dev/no-such-port"), 115_200, LIMITS).open();
+        GuardProcess.links(new Wheels.Device("/dev/no-such-port"), 115_200, LIMITS).open();
 
     assertThatThrownBy(() -> program.input().read())
         .isInstanceOf(IOException.class)
@@ -190,7 +111,7 @@ class WheelGuardTest {
       try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
         HostPort address = new HostPort("127.0.0.1", create.getLocalPort());
         Set<ProcessHandle> before = children();
-        program = WheelGuard.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
+        program = GuardProcess.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
         Set<ProcessHandle> now = children();
         now.removeAll(before);
         guard = now.iterator().next();
