@@ -184,6 +184,10 @@ class OwnAppApkTest {
     assertThat(aapt2.badging(apk))
         .anyMatch(line -> line.startsWith("package: name='org.starl.android.app'"))
         .anyMatch(line -> line.contains("launchable-activity"));
+    String file = "AndroidManifest.xml";
+    assertThat(
+            Tool.run(List.of(aapt2.toString(), "dump", "xmltree", "--file", file, apk.toString())))
+        .contains("\".WheelsService\"", "\":wheels\"");
     try (ZipFile zip = new ZipFile(apk.toFile())) {
       byte[] services =
           zip.getInputStream(zip.getEntry("META-INF/services/org.starl.apps.AppFactory"))
@@ -199,6 +203,7 @@ class OwnAppApkTest {
       }
       assertThat(String.join("", inDex))
           .contains("Lmyrobots/MyRobotsFactory;", "Lmyrobots/MyRobotsApp;")
+          .contains("Lorg/starl/android/app/WheelsService;")
           .doesNotContain("Lmyrobots/MyRobotsDemo;", "Lorg/starl/sim/Simulation;");
     }
   }

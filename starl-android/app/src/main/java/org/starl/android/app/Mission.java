@@ -24,9 +24,6 @@ record Mission(
     @Nullable PeerKeys keys,
     @Nullable DeploymentKey linesKey) {
 
-  /** Prefix of a chassis port over Bluetooth; the adapter's name or address follows. */
-  static final String BLUETOOTH = "bluetooth:";
-
   /**
    * @throws BadInput if a phone cannot run this robot of this deployment
    */
@@ -46,35 +43,22 @@ record Mission(
       throw deployment.error(
           "positions", json.key(), "the deployment's own key: a phone has one key file");
     }
-    Mission mission = new Mission(deployment, robot, PhoneApps.program(deployment), keys, linesKey);
-    if (mission.bluetooth() == null && mission.tcp() == null) {
+    RobotProgram program = PhoneApps.program(deployment);
+    if (!(robot.wheels() instanceof Wheels.Create create && SerialPorts.canOpen(create.port()))) {
       throw BadInput.at(
           deployment.file(),
           robot.line(),
           "robots."
               + robot.id()
               + ": chassis: expected, on a phone, kind create and port "
-              + BLUETOOTH
+              + SerialPorts.BLUETOOTH
               + "NAME or tcp:HOST:PORT");
     }
-    return mission;
+    return new Mission(deployment, robot, program, keys, linesKey);
   }
 
-  /** Name or address of the Create's Bluetooth adapter; null if it has none. */
-  @Nullable String bluetooth() {
-    if (!(robot.wheels() instanceof Wheels.Create create)
-        || !(create.port() instanceof Wheels.Device device)) {
-      return null;
-    }
-    String path = device.path();
-    boolean hasName = path.startsWith(BLUETOOTH) && path.length() > BLUETOOTH.length();
-    return hasName ? path.substring(BLUETOOTH.length()) : null;
-  }
-
-  /** The TCP address of the Create's serial line; null if it has none. */
-  Wheels.@Nullable Tcp tcp() {
-    return robot.wheels() instanceof Wheels.Create create && create.port() instanceof Wheels.Tcp tcp
-        ? tcp
-        : null;
+  /** The port of the Create. */
+  Wheels.Port port() {
+    return ((Wheels.Create) robot.wheels()).port();
   }
 }

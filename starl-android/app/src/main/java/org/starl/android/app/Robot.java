@@ -115,7 +115,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   /**
    * Brings the robot up and starts its app.
    *
-   * @param links to the robot's wheels
+   * @param links to the robot's wheels, through a guard
    * @param files this robot's; the trace is closed with the robot, or if it cannot be opened
    * @param onBug takes the error that ended the robot; its wheels are stopped then
    * @throws IOException if a part cannot be opened; all opened parts are then closed

@@ -11,7 +11,6 @@ import android.os.IBinder;
 import android.os.Looper;
 import android.util.Log;
 import java.io.IOException;
-import java.util.Objects;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,8 +20,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.platform.LogSink;
 import org.starl.robot.create.ByteLink;
-import org.starl.robot.create.SocketLink;
-import org.starl.robot.file.Wheels;
+import org.starl.robot.create.WheelGuard;
 
 /**
  * Runs the robot as a foreground service, so that Android neither ends the process nor lets the phone
@@ -308,14 +306,8 @@ public final class RobotService extends Service {
   }
 
   private ByteLink.Source links(Mission mission) {
-    String bluetooth = mission.bluetooth();
-    return bluetooth == null
-        ? tcp(Objects.requireNonNull(mission.tcp()))
-        : new BluetoothLinks(getApplicationContext(), bluetooth);
-  }
-
-  private static ByteLink.Source tcp(Wheels.Tcp tcp) {
-    return SocketLink.to(tcp.address().host(), tcp.address().port());
+    long validMs = WheelGuard.validMs(mission.deployment().limits().reactionMs());
+    return new GuardedLinks(getApplicationContext(), mission.port(), validMs);
   }
 
   // From any thread: its wheels are already stopped.

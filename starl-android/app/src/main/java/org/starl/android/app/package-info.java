@@ -3,7 +3,9 @@
  * org.starl.android.app.MainActivity} shows the robot and takes the user's orders, {@link
  * org.starl.android.app.RobotService} runs it in the foreground, screen on or off, and {@link
  * org.starl.android.app.Robot}, which does not depend on Android, is the robot: an app's logic over
- * strand, radio, storage, positioning and chassis of the real platform.
+ * strand, radio, storage, positioning and chassis of the real platform. {@link
+ * org.starl.android.app.WheelsService} guards its wheels in a process of its own, which has the link to
+ * them.
  *
  * <p>Contract: the chassis driver, below all of this, stops the wheels; an emergency stop goes straight
  * to it, from any thread, and holds until the user releases it. A lost link, network or permission is

@@ -54,9 +54,8 @@ class MissionTest {
 
   @Test
   void aCreateIsReachedOverBluetoothOrTcp() {
-    assertThat(mission(SEALED, "bot0", key()).bluetooth()).isEqualTo("RooTooth");
-    assertThat(mission(SEALED, "bot1", key()).bluetooth()).isNull();
-    assertThat(mission(SEALED, "bot1", key()).tcp()).hasToString("tcp:10.0.0.21:23");
+    assertThat(mission(SEALED, "bot0", key()).port()).hasToString("bluetooth:RooTooth");
+    assertThat(mission(SEALED, "bot1", key()).port()).hasToString("tcp:10.0.0.21:23");
   }
 
   @Test

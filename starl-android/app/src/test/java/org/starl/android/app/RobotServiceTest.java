@@ -8,8 +8,11 @@ import android.app.Application;
 import android.app.Notification;
 import android.bluetooth.BluetoothAdapter;
 import android.bluetooth.BluetoothDevice;
+import android.content.ComponentName;
+import android.content.Intent;
 import android.content.pm.ServiceInfo;
 import android.os.Looper;
+import android.os.Process;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.DatagramSocket;
@@ -34,6 +37,7 @@ import org.robolectric.RuntimeEnvironment;
 import org.robolectric.android.controller.ServiceController;
 import org.robolectric.annotation.Config;
 import org.robolectric.shadows.ShadowPowerManager;
+import org.robolectric.shadows.ShadowProcess;
 import org.starl.android.app.RobotService.Phase;
 import org.starl.geometry.Pose;
 import org.starl.robot.create.CreateHold;
@@ -46,7 +50,7 @@ import org.starl.robot.realtime.RealClock;
 @Category(TakesLong.class)
 @Config(
     sdk = 37,
-    shadows = {AdapterShadow.class, SocketShadow.class})
+    shadows = {AdapterShadow.class, SocketShadow.class, BinderShadow.class})
 public final class RobotServiceTest {
 
   private static final long LIMIT_S = 60;
@@ -62,6 +66,7 @@ public final class RobotServiceTest {
   private final Semaphore mayGoOn = new Semaphore(0);
 
   private NatNetServer cameras;
+  private ServiceController<WheelsService> wheels;
   private ServiceController<RobotService> controller;
   private RobotService service;
 
@@ -81,14 +86,23 @@ public final class RobotServiceTest {
             clock,
             failure -> {});
     load(deployment("hello"));
+    wheels = Robolectric.buildService(WheelsService.class).create();
+    shadowOf(application)
+        .setComponentNameAndServiceForBindService(
+            new ComponentName(application, WheelsService.class), wheels.get().onBind(new Intent()));
     controller = Robolectric.buildService(RobotService.class).create();
     service = controller.get();
   }
 
   @After
-  public void endAll() {
+  public void endAll() throws Exception {
     mayGoOn.release();
+    refusals.set(0);
+    // A link that is being opened would be opened in the next test.
+    until(() -> !isHeldBy(CreateHold.NO_LINK));
     controller.destroy();
+    RobotService.WORKER.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
+    wheels.destroy();
     cameras.close();
     car.close();
   }
@@ -96,6 +110,10 @@ public final class RobotServiceTest {
   private void connected(String address, SocketShadow socket) throws IOException {
     if (refusals.getAndDecrement() > 0) {
       throw new IOException("read failed, socket might closed or timeout");
+    }
+    if (ShadowProcess.wasKilled(Process.myPid())) {
+      // As the kernel does for a process that was killed.
+      sockets.get(sockets.size() - 1).cut();
     }
     sockets.add(socket);
     car.serve(socket.getOutputStreamSink(), socket.getInputStreamFeeder());
@@ -390,5 +408,59 @@ public final class RobotServiceTest {
     assertThat(service.status().wheels().linksLost()).isEqualTo(1);
     tell(RobotService.STOP);
     until(() -> service.status() == null && !car.turnsItsWheels());
+  }
+
+  /** The process that guards the wheels is killed; its socket is closed for it. */
+  private void killGuard() throws IOException {
+    BinderShadow.die();
+    sockets.get(sockets.size() - 1).cut();
+  }
+
+  @Test
+  public void theWheelsStandUntilAnotherGuardIsThereIfTheirsIsKilled() throws Exception {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    int before = sockets.size();
+    killGuard();
+    until(() -> !car.turnsItsWheels());
+    // One link for the stop, and one for the next guard.
+    until(() -> sockets.size() == before + 2 && car.turnsItsWheels());
+    assertThat(sockets.get(before).isClosed()).isTrue();
+  }
+
+  @Test
+  public void anEmergencyStopHoldsOverTheDeathOfTheGuard() throws Exception {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    killGuard();
+    service.emergencyStop();
+    until(() -> !car.turnsItsWheels());
+    long[] frames = {service.status().wheels().frames()};
+    until(() -> {
+      assertThat(frames[0] == 0 || !car.turnsItsWheels()).isTrue();
+      return service.status().wheels().frames() > frames[0] + 50;
+    });
+    service.release();
+    until(car::turnsItsWheels);
+  }
+
+  @Test
+  public void aFrozenGuardIsKilledAndTheWheelsAreStoppedWithoutIt() throws Exception {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    int before = sockets.size();
+    BinderShadow.freeze();
+    until(() -> sockets.size() > before);
+    assertThat(ShadowProcess.wasKilled(Process.myPid())).isTrue();
+    until(() -> sockets.size() == before + 2 && car.turnsItsWheels());
+  }
+
+  @Test
+  public void theScreenNamesWhyTheGuardHasNoLink() throws Exception {
+    refusals.set(Integer.MAX_VALUE);
+    tell(RobotService.START);
+    until(() -> service.status() != null && service.status().linkProblem() != null);
+    assertThat(service.status().linkProblem())
+        .hasMessage("read failed, socket might closed or timeout");
   }
 }

@@ -10,12 +10,19 @@ import org.robolectric.shadows.ShadowBluetoothSocket;
 @Implements(BluetoothSocket.class)
 public class SocketShadow extends ShadowBluetoothSocket {
 
+  private volatile boolean isClosed;
+
   @Implementation
   @Override
   protected void close() throws IOException {
     super.close();
     getInputStreamFeeder().close();
     getOutputStreamSink().close();
+    isClosed = true;
+  }
+
+  boolean isClosed() {
+    return isClosed;
   }
 
   /** The link breaks. */

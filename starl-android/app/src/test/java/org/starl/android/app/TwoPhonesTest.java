@@ -6,6 +6,8 @@ import static org.robolectric.Shadows.shadowOf;
 import android.Manifest;
 import android.app.Application;
 import android.bluetooth.BluetoothAdapter;
+import android.content.ComponentName;
+import android.content.Intent;
 import android.os.Looper;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -118,6 +120,10 @@ public final class TwoPhonesTest {
 
   @Before
   public void pairAndPlace() throws IOException {
+    shadowOf(application)
+        .setComponentNameAndServiceForBindService(
+            new ComponentName(application, WheelsService.class),
+            Robolectric.buildService(WheelsService.class).create().get().onBind(new Intent()));
     shadowOf(application)
         .grantPermissions(Manifest.permission.BLUETOOTH_CONNECT, Permissions.ACCESS_LOCAL_NETWORK);
     BluetoothAdapter adapter = BluetoothLinks.adapter(application);
