@@ -121,7 +121,8 @@ IsFresh(m, b) ==
   /\ b.start.nonce # proc[m].start.nonce
 
 \* TWIN or REFUSES_US: the beacon stops the program. Here the program goes on after it,
-\* since the end of the Java program is asynchronous.
+\* since the end of the Java program is asynchronous. A refusal by a machine that this one
+\* refuses too stops it only if no third robot accepts it; here there is no third robot.
 Stops(m, b) ==
   /\ IsFresh(m, b)
   /\ \/ b.robot = RobotOf(m)

@@ -110,12 +110,23 @@ final class Neighbours {
     return heardFresh(neighbour, beacon, source, nowNs);
   }
 
-  private static Verdict heardRefused(Neighbour neighbour, Beacon beacon, long nowNs) {
-    // Two robots that refuse each other both stop: at least one storage is lost or a copy.
-    if (beacon.answer() != Answer.ACCEPTED) {
+  private Verdict heardRefused(Neighbour neighbour, Beacon beacon, long nowNs) {
+    // Of two robots that refuse each other at least one has lost its storage, or has a copy. A
+    // robot
+    // that lost it believes the first machine of each name, so it must not stop the others.
+    if (beacon.answer() != Answer.ACCEPTED && !isAcceptedByAnother()) {
       return Verdict.REFUSES_US;
     }
     return mayAnswer(neighbour, nowNs) ? Verdict.REFUSED : Verdict.OLD;
+  }
+
+  private boolean isAcceptedByAnother() {
+    for (Neighbour each : heard.values()) {
+      if (each.isPresent) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // An answer is a beacon for each beacon of whatever sender: bounded.

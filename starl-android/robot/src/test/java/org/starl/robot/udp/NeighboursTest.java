@@ -120,6 +120,21 @@ class NeighboursTest {
   }
 
   @Test
+  void aRefusalByARobotThatIsRefusedStopsNoRobotThatAThirdAccepts() {
+    RobotId third = new RobotId("bot2");
+    Neighbours ofThree =
+        new Neighbours(ME, MINE, Participants.of(List.of(ME, OTHER, third)), 3 * S, 0);
+    ofThree.remember(OTHER, start(5, 7, 299));
+    Beacon accepting = beacon(third, start(7, 1, 500), 1, ME, MINE.nonce(), Answer.ACCEPTED);
+    Beacon refusing = beacon(OTHER, start(6, 1, 300), 1, ME, MINE.nonce(), Answer.OTHER_STORAGE);
+
+    assertThat(ofThree.hear(accepting, THERE, S)).isEqualTo(Verdict.STARTED);
+    assertThat(ofThree.hear(refusing, THERE, 2 * S)).isEqualTo(Verdict.REFUSED);
+    assertThat(ofThree.newlySuspected(5 * S)).contains(third);
+    assertThat(ofThree.hear(refusing, THERE, 5 * S)).isEqualTo(Verdict.REFUSES_US);
+  }
+
+  @Test
   void refusalsAreFew() {
     neighbours.remember(OTHER, start(5, 7, 299));
     int refusals = 0;
