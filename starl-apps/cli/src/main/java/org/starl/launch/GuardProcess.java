@@ -71,7 +71,7 @@ public final class GuardProcess {
     try {
       ByteLink link = direct(args[0], Integer.parseInt(args[1])).open();
       WheelGuard guard = WheelGuard.start(link, Long.parseLong(args[2]));
-      Runtime.getRuntime().addShutdownHook(new Thread(guard::close, "guard's end"));
+      SerialLink.atShutdown(guard::close);
       Daemons.of("reader", () -> passToProgram(guard)).start();
       passToCreate(guard);
     } catch (IOException e) {
@@ -91,6 +91,8 @@ public final class GuardProcess {
       }
     } catch (EOFException end) {
       return; // the program has ended
+    } finally {
+      guard.close();
     }
   }
 

@@ -15,9 +15,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.StreamLink;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
+import org.starl.robot.serial.PseudoTerminal;
 
 /** The process between a robot's program and its wheels. */
 @Tag("realtime")
@@ -72,6 +74,30 @@ class GuardProcessTest {
     }
   }
 
+  /** A shutdown also closes the ports. */
+  @Test
+  void aGuardThatIsToldToEndStopsTheWheelsOverItsPortFirst() throws Exception {
+    try (StreamLink create = PseudoTerminal.open("")) {
+      Set<ProcessHandle> before = Ends.children();
+      ByteLink program =
+          GuardProcess.links(new Wheels.Device(create.name()), 115_200, LIMITS).open();
+      ProcessHandle guard =
+          Ends.children().stream().filter(child -> !before.contains(child)).findAny().orElseThrow();
+      program.output().write("drive".getBytes(StandardCharsets.US_ASCII));
+      program.output().flush();
+      assertThat(create.input().readNBytes(5))
+          .asString(StandardCharsets.US_ASCII)
+          .isEqualTo("drive");
+      guard.destroy();
+
+      assertThat(guard.onExit().get(LIMIT_MS, TimeUnit.MILLISECONDS).isAlive()).isFalse();
+      // Perhaps a stop for the silence, and three times a stop and passive mode.
+      byte[] rest = create.input().readNBytes(3 * (STOP.length + PASSIVE.length));
+      assertThat(rest).startsWith(STOP).contains(PASSIVE);
+      program.close();
+    }
+  }
+
   @Test
   void theWheelsStopBeforeAKilledGuardIsReplaced() throws Exception {
     try (ServerSocket create = new ServerSocket(0, 2, InetAddress.getLoopbackAddress())) {
@@ -120,7 +146,7 @@ class GuardProcessTest {
       }
     }
 
-    private static Set<ProcessHandle> children() {
+    static Set<ProcessHandle> children() {
       return ProcessHandle.current().children().collect(Collectors.toCollection(HashSet::new));
     }
 

@@ -29,6 +29,11 @@ public final class SerialLink {
     return () -> open(path, baud);
   }
 
+  /** Runs {@code work} at the end of the JVM, before its open ports are closed. */
+  public static void atShutdown(Runnable work) {
+    SerialPort.addShutdownHook(new Thread(work, "end"));
+  }
+
   private static ByteLink open(String path, int baud) throws IOException {
     SerialPort port;
     try {
@@ -97,7 +102,8 @@ public final class SerialLink {
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
       for (int done = 0; done < length; ) {
-        int count = port.writeBytes(bytes, length - done, offset + done);
+        // A write to a closed port would never return.
+        int count = port.isOpen() ? port.writeBytes(bytes, length - done, offset + done) : -1;
         if (count < 0 || !port.isOpen()) {
           throw lost(path);
         }
