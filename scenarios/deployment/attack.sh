@@ -86,8 +86,8 @@ done
 mkdir "$work/first" "$work/second" "$work/next"
 # The world's own file has the cameras' true address.
 sed "s/server: 127.0.0.1:[0-9]*/server: 127.0.0.1:$((base + 6))/" "$work/bot0.yaml" >"$work/world.yaml"
-$starl keygen "$work/crossing.key" >/dev/null || exit 1
 coproc ATTACK { exec $starl attack "$base"; }
+$starl keygen "$work/crossing.key" >/dev/null || exit 1
 read -r answer <&"${ATTACK[0]}" || exit 1
 echo "4 robots, each in its process; files are in $work"
 
@@ -97,8 +97,8 @@ begin_world "$work/world.yaml" "$run"
 for number in 0 1 2 3; do begin_robot bot$number "$work/bot$number.yaml" "$run" 1000; done
 until_ $((2 * limit)) more_rounds "$run" 1 || { echo "no crossing without an attack"; failed=1; }
 
-# begin_attack COMMAND, and then crossing: whether a robot comes to the end of a round after it. Several
-# attacks may begin before the first crossing is awaited; each needs a crossing after its own begin.
+# begin_attack COMMAND, and then crossing: whether a robot comes to the end of a round after it. All
+# attacks begin before the first crossing is awaited; each needs a crossing after its own begin.
 begin_attack() {
   rounds_before[$1]=$(rounds_done "$run")
   attack "$1 $2"
@@ -110,12 +110,37 @@ crossing() {
   crossed="$(($(rounds_done "$run") - rounds_before[$1])) crossings"
   return $status
 }
+false_poses() { count '"xMm":7777' "$run"/bot?.trace; }
 
 kb=$(folder_kb "$run")
 begin_attack garbage 3000
 begin_attack beacons 2000
 begin_attack clients 4000
 frames=${answer##* }
+world=$(pgrep -P "${pids[world]}" -x java 2>/dev/null || echo "${pids[world]}")
+few=$(threads "$world")
+begin_attack tcp 900
+many=$(($(threads "$world") - few))
+# The connections stay until 'hangup', while false poses come. The Create of a second bot0 starts meanwhile.
+begin create create "$work/second/create.log" $starl simulated-create --pty "$work/second.tty"
+begin_attack pose 2000
+single=$(false_poses)
+begin_attack poses 2000
+
+# The next robot but bot0 whose round ends loses its storage below: it has just unregistered, so it holds
+# no zone.
+lost=bot2
+declare -A ends_before=()
+ends() { count 'end of round' "$run/$1.log"; }
+for name in bot1 bot2 bot3; do ends_before[$name]=$(ends $name); done
+ends_round() {
+  for lost in bot1 bot2 bot3; do [ "$(ends $lost)" -gt "${ends_before[$lost]}" ] && return; done
+  return 1
+}
+until_ "$limit" ends_round
+kill -9 "${pids[$lost]}"
+wait "${pids[$lost]}" 2>/dev/null
+
 crossing garbage
 status=$?
 grown=$(($(folder_kb "$run") - kb))
@@ -129,16 +154,6 @@ crossing clients && [ "$frames" -ge 50 ]
 status=$?
 row "NatNet clients" "${answers[clients]%,*}, 3,000 a second" \
   "each robot has 50 frames/s, crossings go on" "$frames frames/s, $crossed" $status
-
-world=$(pgrep -P "${pids[world]}" -x java 2>/dev/null || echo "${pids[world]}")
-few=$(threads "$world")
-begin_attack tcp 900
-many=$(($(threads "$world") - few))
-# The connections stay until 'hangup', while false poses come.
-false_poses() { count '"xMm":7777' "$run"/bot?.trace; }
-begin_attack pose 2000
-single=$(false_poses)
-begin_attack poses 2000
 crossing tcp && [ $many -lt 80 ]
 status=$?
 row "TCP to world" "900 connections without a name" "fewer than 80 threads, crossings go on" \
@@ -155,28 +170,20 @@ row "many poses" "${answers[poses]}, 200 a second to each robot" \
   "$(($(false_poses) - single)) used, $crossed" $status
 attack hangup
 
-# The Create of the second bot0 starts meanwhile.
-begin create create "$work/second/create.log" $starl simulated-create --pty "$work/second.tty"
-# bot2 has just unregistered when its round ends, so it holds no zone.
-ends=$(count 'end of round' "$run/bot2.log")
-bot2_through() { [ "$(count 'end of round' "$run/bot2.log")" -gt "$ends" ]; }
-until_ "$limit" bot2_through
-kill -9 "${pids[bot2]}"
-wait "${pids[bot2]}" 2>/dev/null
-mv "$run/bot2.storage" "$run/bot2.lost"
-mv "$run/bot2.log" "$run/bot2.before.log"
-begin_robot bot2 "$work/bot2.yaml" "$run" 1000
-told() { grep -hE 'end of round 1 |another storage' "$run/bot2.log"; }
-joined_or_told() { told >/dev/null || ended "${pids[bot2]}"; }
-until_ "$limit" joined_or_told
-grep -q 'knows another storage of bot2' "$run/bot2.log"
-status=$?
-row "storage lost" "bot2 killed, its storage deleted, started again" "it stops and says why" \
-  "$([ $status = 0 ] && { told || tail -qn1 "$run/bot2.log"; } | head -1 | cut -c1-120 || echo "neither within $limit s")" $status
-# After bot2's end: with its new storage, bot2 would believe the bot0 that it hears first.
+# Both at once: a robot without its storage may believe the second bot0, and must not stop the first one.
+mv "$run/$lost.storage" "$run/$lost.lost"
+mv "$run/$lost.log" "$run/$lost.before.log"
+begin_robot "$lost" "$work/$lost.yaml" "$run" 1000
 until_ 20 grep -qs ' at ' "$work/second/create.log"
 begin second bot0 "$work/second/bot0.log" \
   $starl deploy run "$work/bot4.yaml" --robot bot0 --folder "$work/second"
+told() { grep -hE 'end of round 1 |another storage' "$run/$lost.log"; }
+joined_or_told() { told >/dev/null || ended "${pids[$lost]}"; }
+until_ "$limit" joined_or_told
+grep -q "knows another storage of $lost" "$run/$lost.log"
+status=$?
+row "storage lost" "$lost killed, its storage deleted, started again" "it stops and says why" \
+  "$([ $status = 0 ] && { told || tail -qn1 "$run/$lost.log"; } | head -1 | cut -c1-120 || echo "neither within $limit s")" $status
 second_told() { ended "${pids[second]}" && grep -q 'wheels stopped: .* knows another storage of bot0' "$work/second/bot0.log"; }
 # Broadcasts would let both hear each other, and both would stop; here each has a fixed address.
 until_ 20 second_told && ! ended "${pids[bot0]}"

@@ -53,16 +53,20 @@ through() {
   cat "$1"/bot?.log | grep -c "end of round $2 of"
 }
 
-# end NAME: stops a process in order.
+# end NAME...: stops processes in order, all at once.
 end() {
-  kill "${pids[$1]}" 2>/dev/null
-  wait "${pids[$1]}" 2>/dev/null
-  unset "pids[$1]"
+  local name
+  for name; do kill "${pids[$name]}" 2>/dev/null; done
+  for name; do
+    wait "${pids[$name]}" 2>/dev/null
+    unset "pids[$name]"
+  done
 }
 
 # The robots first, and then their world.
 end_all() {
-  local name
-  for name in "${!pids[@]}"; do [ "$name" = world ] || end "$name"; done
+  local name names=()
+  for name in "${!pids[@]}"; do [ "$name" = world ] || names+=("$name"); done
+  end "${names[@]}"
   [ -z "${pids[world]:-}" ] || end world
 }
