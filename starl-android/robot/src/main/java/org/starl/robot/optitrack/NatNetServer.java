@@ -205,7 +205,11 @@ public final class NatNetServer implements AutoCloseable {
       case Message.KEEP_ALIVE -> {
         // Known clients are marked as heard above.
       }
-      case Message.DISCONNECT -> clients.remove(client);
+      case Message.DISCONNECT -> {
+        if (!clients.leave(client, nowNs)) {
+          ignored.incrementAndGet();
+        }
+      }
       case Message.REQUEST_MODELS -> {
         encoder.addNew(snapshot);
         send(encoder.models(snapshot.bodies()), client);

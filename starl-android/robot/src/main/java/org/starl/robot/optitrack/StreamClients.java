@@ -19,6 +19,9 @@ final class StreamClients {
   /** A client that was silent for this time is removed. */
   static final long SILENCE_NS = 10 * NS_PER_S;
 
+  /** A client that is there sends a message each second. */
+  static final long LEAVE_NS = 3 * NS_PER_S;
+
   /** Largest number of clients, without those of hosts with reserved places. */
   static final int MAX = 64;
 
@@ -48,8 +51,14 @@ final class StreamClients {
     heardNs.values().removeIf(lastNs -> nowNs - lastNs > SILENCE_NS);
   }
 
-  void remove(InetSocketAddress client) {
-    heardNs.remove(client);
+  /**
+   * Removes a client unless it is heard again within {@link #LEAVE_NS}: the message that it leaves may
+   * be forged in its name.
+   *
+   * @return false if there is no such client
+   */
+  boolean leave(InetSocketAddress client, long nowNs) {
+    return heardNs.replace(client, nowNs - SILENCE_NS + LEAVE_NS) != null;
   }
 
   /** Whether to answer a request of {@code sender}. */

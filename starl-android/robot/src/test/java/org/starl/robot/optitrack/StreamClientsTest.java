@@ -45,6 +45,30 @@ class StreamClientsTest {
   }
 
   @Test
+  void aForgedDisconnectTakesNothingFromAClientThatIsHeardAgain() throws UnknownHostException {
+    InetSocketAddress robot = host(1, 1000);
+    connect(robot, 0);
+    for (long nowNs = S; nowNs <= 20 * S; nowNs += S) {
+      assertThat(clients.leave(robot, nowNs)).isTrue();
+      clients.removeSilent(nowNs + S - MS);
+      assertThat(clients.heard(robot, nowNs + S - MS)).isTrue();
+      assertThat(clients.all()).containsExactly(robot);
+    }
+  }
+
+  @Test
+  void aClientThatLeavesIsRemoved() throws UnknownHostException {
+    InetSocketAddress robot = host(1, 1000);
+    connect(robot, 0);
+    assertThat(clients.leave(host(1, 1001), S)).as("from another address").isFalse();
+    assertThat(clients.leave(robot, S)).isTrue();
+    clients.removeSilent(S + StreamClients.LEAVE_NS);
+    assertThat(clients.all()).containsExactly(robot);
+    clients.removeSilent(S + StreamClients.LEAVE_NS + MS);
+    assertThat(clients.all()).isEmpty();
+  }
+
+  @Test
   void strangersShareOneRate() throws UnknownHostException {
     int answered = 0;
     for (int i = 0; i < 30_000; i++) {
@@ -71,7 +95,7 @@ class StreamClientsTest {
     assertThat(clients.all()).hasSize(StreamClients.MAX);
 
     assertThat(connect(robot, S - 1)).isTrue();
-    clients.remove(robot);
+    clients.leave(robot, S - 1);
     assertThat(connect(robot, S - 1)).as("after a restart").isTrue();
     for (int port = 1; port < StreamClients.MAX; port++) {
       connect(host(1, port), S - 1);
