@@ -19,7 +19,9 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Semaphore;
@@ -39,6 +41,14 @@ import org.robolectric.annotation.Config;
 import org.robolectric.shadows.ShadowPowerManager;
 import org.robolectric.shadows.ShadowProcess;
 import org.starl.android.app.RobotService.Phase;
+import org.starl.apps.Demo;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.apps.lightpaint.LightPaintDemo;
+import org.starl.apps.maze.MazeDemo;
+import org.starl.apps.race.RaceDemo;
+import org.starl.apps.search.SearchDemo;
 import org.starl.geometry.Pose;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.optitrack.NatNetServer;
@@ -56,7 +66,7 @@ public final class RobotServiceTest {
   private static final long LIMIT_S = 60;
 
   private final RealClock clock = new RealClock();
-  private final SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock, event -> {});
+  private SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock, event -> {});
   private final List<SocketShadow> sockets = new CopyOnWriteArrayList<>();
   private final List<UUID> services = new CopyOnWriteArrayList<>();
   private final AtomicInteger refusals = new AtomicInteger();
@@ -362,6 +372,60 @@ public final class RobotServiceTest {
     });
     tell(RobotService.STOP);
     until(() -> service.status() == null);
+  }
+
+  /** Places the car where the app's scenario has its only robot, and starts that app. */
+  private void begin(Demo demo, String more) throws Exception {
+    SortedMap<String, String> parameters = demo.defaults();
+    Request request = new Request(7, OptionalInt.of(1), parameters);
+    Plan plan = demo.plan(request, demo.defaultSettings(request).build());
+    Pose start = plan.simulation().build().plan().robots().get(0).start();
+    car.close();
+    car = new SimulatedCar("bot0", start, clock, event -> {});
+    load(deployment(demo.name()) + more + "seed: 7\n");
+    tell(RobotService.START);
+    until(() -> service.phase() != Phase.STARTING);
+  }
+
+  private void drives(Demo demo, String more) throws Exception {
+    begin(demo, more);
+    until(() -> {
+      assertThat(service.problem()).isEmpty();
+      return car.turnsItsWheels();
+    });
+    assertThat(service.status().app()).isEqualTo(demo.name());
+    assertThat(service.status().appState()).startsWith("runs");
+  }
+
+  @Test
+  public void theIntersectionDrives() throws Exception {
+    drives(new IntersectionDemo(), "parameters: {scenario: figure7, debris: 0}\n");
+  }
+
+  @Test
+  public void theRaceDrives() throws Exception {
+    drives(new RaceDemo(), "");
+  }
+
+  @Test
+  public void theMazeDrives() throws Exception {
+    drives(new MazeDemo(), "");
+  }
+
+  @Test
+  public void lightpaintDrives() throws Exception {
+    drives(new LightPaintDemo(), "");
+  }
+
+  @Test
+  public void theSearchDrivesWithAnObjectSensorOnly() throws Exception {
+    begin(new SearchDemo(), "");
+    until(() -> service.phase() == Phase.FAILED);
+    assertThat(service.problem()).contains("this robot has no object sensor");
+    assertThat(car.turnsItsWheels()).isFalse();
+    tell(RobotService.STOP);
+    until(() -> service.status() == null);
+    drives(new SearchDemo(), "    objects: positions\n");
   }
 
   @Test

@@ -19,8 +19,8 @@ import org.starl.primitives.election.ElectionSpec;
 import org.starl.random.Rng;
 
 /**
- * The paper's search, of a house drawn from the seed. A phone has no sensor for objects, so there must
- * be nothing to find: the robots drive through all rooms.
+ * The paper's search, of a house drawn from the seed. A robot needs an object sensor; where the thing
+ * is, only the scenario knows.
  */
 public final class SearchFactory implements AppFactory {
 
@@ -66,13 +66,6 @@ public final class SearchFactory implements AppFactory {
   public RobotProgram program(Request request) {
     request.refuseOnRobots(SCENARIO);
     request.refuseOnRobots(FILES);
-    String object = request.parameter(OBJECT.key());
-    if (!object.equals(NONE)) {
-      throw new BadInput(
-          "object="
-              + BadInput.quote(object)
-              + ": expected none on a phone, which has no sensor for objects");
-    }
     House house = house(request, request.robots().orElse(1), MotionParameters.DEFAULT);
     return RobotProgram.of(app(house))
         .withMap(house.plan().walls())
