@@ -15,9 +15,10 @@ dependencyResolutionManagement {
     }
 }
 
-// The modules of pom.xml: starl-sim/view is :starl-sim-view.
-Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).forEach {
-    val folder = it.groupValues[1]
+// The modules of pom.xml: starl-sim/view is :starl-sim-view. That for Spark is there with -Pspark alone.
+Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).map { it.groupValues[1] }.filter {
+    it != "starl-apps/spark" || providers.gradleProperty("spark").isPresent
+}.forEach { folder ->
     val name = ":" + folder.replace('/', '-')
     include(name)
     project(name).projectDir = rootDir.resolve(folder)

@@ -40,11 +40,17 @@ import picocli.CommandLine.Option;
     })
 final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
-  private static final int MAX_THREADS = 1024;
-
   private static final List<String> FLAGS_OF_OUTPUT = List.of("--json", "--resume", "--shrink");
   private static final List<String> OPTIONS_OF_OUTPUT =
-      List.of("--out", "--print-job", "--report", "--shard", "--shards", "--threads");
+      List.of(
+          "--on",
+          "--out",
+          "--parquet",
+          "--print-job",
+          "--report",
+          "--shard",
+          "--shards",
+          "--threads");
 
   /** The percentiles of waiting times to show. */
   private static final int[] WAITS = {50, 90, 95, 99, 100};
@@ -58,11 +64,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       description = "Seeds of the runs, such as 1..200.")
   private String seeds = "";
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Number of threads (default: one per core).")
-  private @Nullable String threads;
+  @Mixin private ThreadsOption threads = new ThreadsOption();
 
   @Option(names = "--stop", description = "Stop at the first bad run.")
   private boolean stop;
@@ -77,6 +79,8 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   private String until = "";
 
   @Mixin private ShardOptions shards = new ShardOptions();
+
+  @Mixin private EngineOptions engine = new EngineOptions();
 
   @Option(
       names = "--shrink",
@@ -104,7 +108,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           (shrink ? "--shrink" : "--report")
               + " cannot be used with --out; expected it at 'merge'");
     }
-    Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
+    if (engine.isOn() && isShard) {
+      throw new BadInput("--on cannot be used with --out: an engine makes its own shards");
+    }
+    Campaign campaign = new Campaign(range.first(), range.last(), threads.count(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     request.plan(range.first()).simulation().build();
     request.unusedRobots(range.first()).ifPresent(err()::println);
@@ -112,7 +119,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     if (isShard) {
-      return shards.run(this, request, range, workers(), ending, typed(), json);
+      return shards.run(this, request, range, threads.count(), ending, typed(), json);
     }
     try (ReportFile page = ReportFile.of(report, range)) {
       return run(campaign, request, range, ending, page);
@@ -128,10 +135,15 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
     CampaignTally tally = new CampaignTally();
-    ProgressLine progress = new ProgressLine(err(), "runs");
-    new SeedRuns(request, carriers, page != null)
-        .run(campaign, progress::show, collector(ending, tally, page));
-    progress.end();
+    Predicate<SeedRow> isLast = collector(ending, tally, page);
+    if (engine.isOn()) {
+      ShardHeader header = ShardHeader.of(request, range, new Shard(1, 1), ending, typed());
+      engine.run(header, ShardHeader.key(request), threads.count(), isLast, err());
+    } else {
+      ProgressLine progress = new ProgressLine(err(), "runs");
+      new SeedRuns(request, carriers, page != null).run(campaign, progress::show, isLast);
+      progress.end();
+    }
     Output output =
         new Output(this, request, range, ending, carriers, json.isOn(), shrink, report, typed());
     return print(output, tally, page);
@@ -274,12 +286,6 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       isValue = OPTIONS_OF_OUTPUT.contains(word);
     }
     return words;
-  }
-
-  private int workers() {
-    return threads == null
-        ? Runtime.getRuntime().availableProcessors()
-        : OptionValues.whole("--threads", threads, 1, MAX_THREADS);
   }
 
   private static List<String> table(RunRequest request, CampaignTally tally) {

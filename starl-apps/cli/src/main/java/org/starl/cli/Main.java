@@ -98,12 +98,21 @@ public final class Main implements Runnable {
   public static int run(PrintWriter out, PrintWriter err, String... args) {
     Demos demos;
     try {
-      demos = Demos.installed(ALL).plus(ALL.all());
+      demos = installed();
     } catch (BadInput error) {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }
     return run(demos, out, err, args);
+  }
+
+  /**
+   * The apps on the class path, then those of this project.
+   *
+   * @throws BadInput if one on the class path cannot be created
+   */
+  static Demos installed() {
+    return Demos.installed(ALL).plus(ALL.all());
   }
 
   /** Runs a command line with these apps. */

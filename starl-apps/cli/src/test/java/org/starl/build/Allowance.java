@@ -63,6 +63,10 @@ record Allowance(String rule, String path, String reason) {
             "a run has a thread of its own, so that its caller can give it up"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-apps/spark" + MAIN + "spark/PartsJob.java",
+            "results come from the threads of Spark"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-sim" + MAIN + "sim/check/Campaign.java",
             "whole runs side by side, none sharing state with another"),
         new Allowance(

@@ -2,6 +2,7 @@ package org.starl.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -21,6 +22,17 @@ class BuildParityTest {
     assertThat(GRADLE.versions().get("junit-platform"))
         .isEqualTo(GRADLE.versions().get("junit").replaceFirst("^5", "1"));
     assertThat(Build.differences(MAVEN, GRADLE)).isEmpty();
+  }
+
+  @Test
+  void sparkIsAMatterOfItsModuleAlone() {
+    assertThat(MAVEN.dependencies())
+        .filteredOn(
+            needed -> needed.needed().matches("org\\.apache\\.spark:.*|.*:starl-apps-spark"))
+        .extracting(Dependency::module, Dependency::scope)
+        .containsExactly(tuple("starl-apps/spark", "provided"));
+    String always = REPOSITORY.text("pom.xml").split("<profiles>")[0];
+    assertThat(always).doesNotContain("<module>starl-apps/spark</module>");
   }
 
   @Test

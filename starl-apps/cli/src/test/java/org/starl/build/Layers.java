@@ -217,6 +217,15 @@ final class Layers {
               methods().that().haveNameMatching("is[A-Z].*").should(ONLY_ANSWER),
               org.starl.fixture.CoreChangesInQuestion.class),
           new Law(
+              "no module imports the one for Spark",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.spark..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.spark.."),
+              org.starl.cli.fixture.CommandLineImportsSpark.class),
+          new Law(
               "Android is the leaf's",
               noClasses()
                   .that()

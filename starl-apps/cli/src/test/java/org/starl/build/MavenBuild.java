@@ -48,7 +48,7 @@ final class MavenBuild {
   private Build build(UnaryOperator<String> files) {
     TreeSet<String> modules = new TreeSet<>();
     List<Dependency> dependencies = new ArrayList<>();
-    for (Element module : children(child(parent, "modules"))) {
+    for (Element module : modules()) {
       String name = module.getTextContent().strip();
       modules.add(name);
       if (name.equals(Build.BOM)) {
@@ -67,6 +67,19 @@ final class MavenBuild {
     String coordinates = childText(parent, "groupId") + ":" + childText(parent, "version");
     String release = resolve("${maven.compiler.release}");
     return new Build(coordinates, release, modules, versions, dependencies);
+  }
+
+  /** Those of every build, and those of profiles. */
+  private List<Element> modules() {
+    List<Element> found = new ArrayList<>(children(child(parent, "modules")));
+    for (Element profile : children(child(parent, "profiles"))) {
+      for (Element part : children(profile)) {
+        if (part.getTagName().equals("modules")) {
+          found.addAll(children(part));
+        }
+      }
+    }
+    return found;
   }
 
   private void addDependencies(List<Dependency> found, String module, Element pom) {

@@ -29,7 +29,7 @@ class PublishedPomsTest {
   @Test
   void theBillOfMaterialsListsEveryModule() {
     List<String> libraries =
-        all("module", PARENT).stream()
+        all("module", PARENT.split("<profiles>")[0]).stream()
             .filter(module -> !module.equals("starl-bom"))
             .map(module -> module.replace('/', '-'))
             .toList();

@@ -1,0 +1,4 @@
+@NullMarked
+package org.starl.spark;
+
+import org.jspecify.annotations.NullMarked;
