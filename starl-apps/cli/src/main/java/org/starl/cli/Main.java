@@ -36,6 +36,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       RunCommand.class,
       CampaignCommand.class,
       MergeCommand.class,
+      SweepCommand.class,
       ExploreCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,

@@ -65,14 +65,22 @@ record ScenarioFile(
    * @throws BadInput if the file is missing, or is not text, YAML or a scenario
    */
   static ScenarioFile read(String file) {
+    return of(
+        file, DocumentReader.read(file, TextFile.read(Path.of(file), EXPECTED), EXPECTED).parts());
+  }
+
+  /**
+   * The scenario of these parts of a file.
+   *
+   * @throws BadInput if they are none
+   */
+  static ScenarioFile of(String file, Map<String, Node> parts) {
     Map<String, String> values = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
-    DocumentReader.read(file, TextFile.read(Path.of(file), EXPECTED), EXPECTED)
-        .parts()
-        .forEach((key, node) -> {
-          lines.put(key, node.line());
-          values.put(key, value(file, key, node));
-        });
+    parts.forEach((key, node) -> {
+      lines.put(key, node.line());
+      values.put(key, value(file, key, node));
+    });
     String app = values.remove(APP);
     if (app == null) {
       throw new BadInput(file + ": has no 'app:'; " + EXPECTED);

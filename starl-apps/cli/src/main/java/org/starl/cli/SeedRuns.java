@@ -54,7 +54,8 @@ final class SeedRuns {
     campaign.run(this::run, progress, run -> isLast.test(row(run.seed(), run.outcome())));
   }
 
-  private SeedRow row(long seed, RunOutcome outcome) {
+  /** The row of a run that {@link #run(long)} ended with this outcome; to be called once. */
+  SeedRow row(long seed, RunOutcome outcome) {
     SortedSet<String> faults = kinds.remove(seed);
     SeedRow row = rows.remove(seed);
     SortedSet<String> none = new TreeSet<>();
@@ -63,7 +64,8 @@ final class SeedRuns {
         : new SeedRow(key, seed, outcome, faults == null ? none : faults, null, null);
   }
 
-  private RunOutcome run(long seed) {
+  /** Runs one seed; may be called on several threads at once. */
+  RunOutcome run(long seed) {
     Plan plan = plan(request, seed, carriers);
     SortedSet<String> faults = Chances.watch(plan.simulation());
     kinds.put(seed, faults);

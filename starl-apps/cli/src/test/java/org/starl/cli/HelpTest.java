@@ -26,6 +26,7 @@ class HelpTest {
         "run",
         "campaign",
         "merge",
+        "sweep",
         "verify-determinism",
         "record",
         "replay",

@@ -30,6 +30,11 @@ final class Distribution {
     return new Distribution(all);
   }
 
+  /** All values, ascending. */
+  List<Double> all() {
+    return Arrays.stream(sorted).boxed().toList();
+  }
+
   int count() {
     return sorted.length;
   }

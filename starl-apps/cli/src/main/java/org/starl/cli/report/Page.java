@@ -30,10 +30,8 @@ public final class Page {
 
   /** The HTML of the page. Call it once. */
   public String write() {
-    String style = resource("report.css");
-    String script = resource("report.js");
     html.open("html", "lang", "en");
-    head(style, script);
+    head(html, report.description().app() + ": " + verdict());
     html.open("body");
     header();
     html.open("main");
@@ -47,6 +45,12 @@ public final class Page {
     tables.figures();
     tables.runs();
     html.close();
+    footer(html);
+    return html.page();
+  }
+
+  /** The end of a page: closes its body. */
+  static void footer(Html html) {
     html.open("footer");
     html.element(
         "p",
@@ -55,13 +59,14 @@ public final class Page {
             + ". All times are simulated. Equal seeds give equal runs: the same command makes this"
             + " page again.");
     html.close();
-    html.code("script", script);
+    html.code("script", resource("report.js"));
     html.close().close();
-    return html.page();
   }
 
   /** The policy lets the browser use only the page's own styles, scripts and images. */
-  private void head(String style, String script) {
+  static void head(Html html, String title) {
+    String style = resource("report.css");
+    String script = resource("report.js");
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
         "meta",
@@ -72,7 +77,7 @@ public final class Page {
             .formatted(hash(style), hash(RunPage.style()), hash(script), hash(RunPage.script())));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
-    html.element("title", report.description().app() + ": " + verdict());
+    html.element("title", title);
     html.code("style", style).close();
   }
 

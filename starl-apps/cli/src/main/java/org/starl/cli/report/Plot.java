@@ -67,7 +67,20 @@ final class Plot {
 
   /** Ends the figure. */
   void end() {
-    html.close().close();
+    endSvg();
+    html.close();
+  }
+
+  /** Ends the drawing; the figure goes on, until the caller closes it. */
+  void endSvg() {
+    html.close();
+  }
+
+  /** A dot with a tooltip. */
+  void dot(double atX, double atY, String cssClass, String tip) {
+    String cx = px(xOf(atX));
+    html.open("circle", "cx", cx, "cy", px(yOf(atY)), "r", "4", "class", "dot " + cssClass);
+    html.element("title", tip).close();
   }
 
   double xOf(double value) {
