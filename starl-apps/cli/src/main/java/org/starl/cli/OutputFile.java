@@ -55,11 +55,16 @@ final class OutputFile implements Closeable {
       // If the user stops the run, close is not called.
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
-      throw bad(
-          option,
-          name,
-          "cannot be written (" + e + "); expected the name of a file in a writable folder");
+      throw unwritable(option, name, e);
     }
+  }
+
+  /** The error of a file that cannot be created. */
+  static BadInput unwritable(String option, String name, Exception cause) {
+    return bad(
+        option,
+        name,
+        "cannot be written (" + cause + "); expected the name of a file in a writable folder");
   }
 
   private static OutputStream create(String option, String name, Path part) throws IOException {

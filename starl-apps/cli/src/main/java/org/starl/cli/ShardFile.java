@@ -20,7 +20,7 @@ import org.starl.input.BadInput;
  */
 final class ShardFile implements Closeable {
 
-  private static final String OPTION = "--out: ";
+  private static final String OPTION = "--out";
 
   private final String name;
   private final FileChannel channel;
@@ -36,12 +36,7 @@ final class ShardFile implements Closeable {
           FileChannel.open(Path.of(name), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
       channel.truncate(wholeBytes).position(wholeBytes);
     } catch (IOException | InvalidPathException e) {
-      throw new BadInput(
-          OPTION
-              + BadInput.quote(name)
-              + ": cannot be written ("
-              + e
-              + "); expected the name of a file in a writable folder");
+      throw OutputFile.unwritable(OPTION, name, e);
     }
   }
 
@@ -53,7 +48,10 @@ final class ShardFile implements Closeable {
   static ShardFile create(String name, ShardHeader header) throws IOException {
     if (length(name) > 0) {
       throw new BadInput(
-          OPTION + BadInput.quote(name) + ": exists already; expected --resume, or another name");
+          OPTION
+              + ": "
+              + BadInput.quote(name)
+              + ": exists already; expected --resume, or another name");
     }
     ShardFile file = new ShardFile(name, 0);
     file.append(header.line());
@@ -65,7 +63,7 @@ final class ShardFile implements Closeable {
       Path path = Path.of(name);
       return Files.isRegularFile(path) ? Files.size(path) : 0;
     } catch (InvalidPathException e) {
-      throw new BadInput(OPTION + BadInput.quote(name) + ": expected a file's name");
+      throw new BadInput(OPTION + ": " + BadInput.quote(name) + ": expected a file's name");
     }
   }
 
@@ -120,7 +118,7 @@ final class ShardFile implements Closeable {
       }
     } catch (IOException e) {
       throw new IOException(
-          OPTION + BadInput.quote(name) + ": cannot be written (" + e.getMessage() + ")", e);
+          OPTION + ": " + BadInput.quote(name) + ": cannot be written (" + e.getMessage() + ")", e);
     }
   }
 

@@ -6,12 +6,12 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 
 /**
  * Reads a shard's file line by line. Its last line may be incomplete, if the writer was killed: it
@@ -21,6 +21,8 @@ final class ShardReader implements Closeable {
 
   /** A row of a run is some kilobytes. */
   private static final int MAX_LINE_BYTES = 64 << 20;
+
+  private static final String EXPECTED = "expected a file of 'starl campaign --out'";
 
   private final String name;
   private final InputStream in;
@@ -34,16 +36,9 @@ final class ShardReader implements Closeable {
   ShardReader(String name) {
     this.name = name;
     try {
-      Path path = Path.of(name);
-      if (Files.isDirectory(path)) {
-        throw new BadInput(name + ": is a folder; expected a file of 'starl campaign --out'");
-      }
-      if (!Files.exists(path)) {
-        throw new BadInput(name + ": no such file; expected a file of 'starl campaign --out'");
-      }
-      in = new BufferedInputStream(Files.newInputStream(path));
-    } catch (IOException | InvalidPathException e) {
-      throw new BadInput(name + ": cannot be read (" + e + ")");
+      in = new BufferedInputStream(TextFile.open(Path.of(name), EXPECTED));
+    } catch (InvalidPathException e) {
+      throw new BadInput(name + ": cannot be read (" + e + "); " + EXPECTED);
     }
   }
 

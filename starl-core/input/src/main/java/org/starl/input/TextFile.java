@@ -30,18 +30,31 @@ public final class TextFile {
   }
 
   /**
-   * Its bytes.
+   * A stream of its bytes, for a file that is read in parts.
    *
-   * @throws BadInput if it is missing, a folder, unreadable or longer than 64 MiB
+   * @throws BadInput if it is missing, a folder or unreadable
    */
-  public static byte[] bytes(Path file, String expected) {
+  public static InputStream open(Path file, String expected) {
     if (Files.isDirectory(file)) {
       throw new BadInput(file + ": is a folder; " + expected);
     }
     if (!Files.exists(file)) {
       throw new BadInput(file + ": no such file; " + expected);
     }
-    try (InputStream in = Files.newInputStream(file)) {
+    try {
+      return Files.newInputStream(file);
+    } catch (IOException e) {
+      throw new BadInput(file + ": cannot be read (" + e + "); " + expected);
+    }
+  }
+
+  /**
+   * Its bytes.
+   *
+   * @throws BadInput if it is missing, a folder, unreadable or longer than 64 MiB
+   */
+  public static byte[] bytes(Path file, String expected) {
+    try (InputStream in = open(file, expected)) {
       ByteArrayOutputStream all = new ByteArrayOutputStream();
       byte[] chunk = new byte[CHUNK_BYTES];
       for (int read = in.read(chunk); read >= 0; read = in.read(chunk)) {
