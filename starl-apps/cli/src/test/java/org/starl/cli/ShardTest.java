@@ -296,6 +296,15 @@ class ShardTest {
   }
 
   @Test
+  void sparkIsNotOnTheClassPathOfTheCommandLine() {
+    Cli cli = run("campaign mixed --seeds 1..10 --on spark");
+    assertThat(cli.status()).isEqualTo(ExitStatus.MISSING_DEPENDENCY);
+    assertThat(cli.err()).hasSize(1);
+    assertThat(cli.err().getFirst())
+        .startsWith("starl: --on spark: Spark is not on the class path; expected './starl campaign");
+  }
+
+  @Test
   void aRateIsShownByTheFewestRuns() {
     // 1 - 0.025^(1/n) < 0.03 from n = 122 on.
     Cli good = run("campaign mixed --seeds 30..400 --set every=1000 --until 95%<3e-2");
