@@ -301,7 +301,8 @@ class ShardTest {
     assertThat(cli.status()).isEqualTo(ExitStatus.MISSING_DEPENDENCY);
     assertThat(cli.err()).hasSize(1);
     assertThat(cli.err().getFirst())
-        .startsWith("starl: --on spark: Spark is not on the class path; expected './starl campaign");
+        .startsWith(
+            "starl: --on spark: Spark is not on the class path; expected './starl campaign");
   }
 
   @Test

@@ -29,7 +29,13 @@ class SynodExplorationTest {
   private static final int MOST_STATES = 1_000_000;
   private static final Set<?> NO_STATE =
       Set.of(
-          "wakeAtNs", "resendNs", "defeats", Rng.class, SynodLink.class, SynodListener.class, SynodTiming.class);
+          "wakeAtNs",
+          "resendNs",
+          "defeats",
+          Rng.class,
+          SynodLink.class,
+          SynodListener.class,
+          SynodTiming.class);
 
   /**
    * The instance to explore.

@@ -226,8 +226,7 @@ public final class Exhaustive<N, M, S> {
       for (int m = sent.nextSetBit(0); m >= 0; m = sent.nextSetBit(m + 1)) {
         M message = messages.get(m);
         int to = model.to(message);
-        all.add(
-            after(to, message.toString(), node -> model.receive(node, message), shared));
+        all.add(after(to, message.toString(), node -> model.receive(node, message), shared));
       }
       return all;
     }

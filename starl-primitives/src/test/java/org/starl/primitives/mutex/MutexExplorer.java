@@ -150,8 +150,7 @@ final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplore
       }
     }
     if (node.isIn(Phase.TRYING) && shape.withdrawals()) {
-      steps.add(
-          node.id + " withdraws", n -> n.protocol.withdraw(MutexFailure.WITHDRAWN), world);
+      steps.add(node.id + " withdraws", n -> n.protocol.withdraw(MutexFailure.WITHDRAWN), world);
     }
     if (node.isIn(Phase.CRITICAL)) {
       for (String section : node.protocol.held()) {
@@ -169,8 +168,7 @@ final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplore
     if (node.isIn(Phase.TRYING) && world.suspicions() < shape.suspicions()) {
       World after = new World(world.views(), world.suspicions() + 1, world.crashes());
       for (ProcessId other : node.protocol.missing()) {
-        steps.add(
-            node.id + " suspects " + other, n -> n.protocol.suspect(other, 0), after);
+        steps.add(node.id + " suspects " + other, n -> n.protocol.suspect(other, 0), after);
       }
     }
     if (world.crashes() < shape.crashes()) {
