@@ -69,6 +69,15 @@ class FaultStateTest {
   }
 
   @Test
+  void aCrashWithARestartIsNoActiveFault() {
+    sees(A, Fault.BEGIN, "crash(any,at=1s,restart=9s)");
+    sees(A, Fault.CRASH, "");
+    assertThat(faults.isFaultFree()).isTrue();
+    assertThat(faults.isUp(A)).isFalse();
+    assertThat(faults.isCalm(1_000, 10)).isFalse();
+  }
+
+  @Test
   void otherEventsChangeNothing() {
     assertThat(faults.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
   }

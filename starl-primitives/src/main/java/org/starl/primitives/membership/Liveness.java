@@ -6,6 +6,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
 
@@ -16,7 +17,10 @@ import org.starl.trace.TraceEvent.Left;
 public final class Liveness {
 
   private final FaultState faults = new FaultState();
-  // The number of ended starts of each robot's program.
+  // The latest start of each robot's program, by the ids in its actions, and the latest ended one.
+  // A
+  // crash alone does not tell: before the boot number is stored, the next start uses it again.
+  private final Map<RobotId, Long> latest = new TreeMap<>();
   private final Map<RobotId, Long> ended = new TreeMap<>();
 
   /**
@@ -25,18 +29,31 @@ public final class Liveness {
    * @return whether some answer of this object may have changed
    */
   public boolean observe(TraceEvent event) {
-    boolean ends =
-        event instanceof Left || (event instanceof Fault fault && fault.name().equals(Fault.CRASH));
-    if (ends && faults.isUp(event.robot())) {
-      ended.merge(event.robot(), 1L, Long::sum);
+    RobotId robot = event.robot();
+    if (event instanceof Action action && isOwnId(action)) {
+      long start = start(ProcessId.parse(action.args().get(0)));
+      latest.put(robot, start);
+      ended.computeIfPresent(robot, (id, before) -> Math.min(before, start - 1));
+    } else if (event instanceof Left
+        || (event instanceof Fault fault && fault.name().equals(Fault.CRASH))) {
+      ended.put(robot, latest.getOrDefault(robot, 1L));
     }
     return faults.observe(event);
   }
 
   public boolean isDead(ProcessId id) {
+    return start(id) <= ended.getOrDefault(id.robot(), 0L);
+  }
+
+  private static boolean isOwnId(Action action) {
+    String name = action.robot().name();
+    String id = action.args().isEmpty() ? "" : action.args().get(0);
+    return id.startsWith(name) && id.startsWith("#", name.length());
+  }
+
+  private static long start(ProcessId id) {
     // The ids of a closed group are of the first start.
-    long start = Math.max(1, id.inc() >>> Integer.SIZE);
-    return start <= ended.getOrDefault(id.robot(), 0L);
+    return Math.max(1, id.inc() >>> Integer.SIZE);
   }
 
   public boolean isUp(RobotId robot) {
