@@ -285,6 +285,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   @Override
+  public int unflushed(RobotId id) {
+    SimRobot robot = robots.get(id);
+    return robot == null ? 0 : robot.unflushed();
+  }
+
+  @Override
   public void crash(RobotId id) {
     crash(robot(id), false);
   }

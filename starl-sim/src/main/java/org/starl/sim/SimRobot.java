@@ -208,6 +208,11 @@ final class SimRobot implements TraceSink {
     return strand.isClosed();
   }
 
+  /** The number of its writes that a crash would lose now. */
+  int unflushed() {
+    return stable.unflushed();
+  }
+
   /** Whether the run waits for the app to end; false after a permanent crash. */
   boolean isAwaited() {
     return !finished && (willRestart || !isDown());

@@ -14,7 +14,8 @@ import org.starl.time.Time;
  * mean times between faults and of faults: this finds more bugs than runs that all use every kind
  * (Groce et al., "Swarm testing", ISSTA 2012). Most runs that are long enough also have outages:
  * faults that outlast every timeout of the protocols, so that robots suspect each other, give each
- * other up, and meet again. All faults have ended by the given time.
+ * other up, and meet again. In a quarter of these, outages are the only faults, so that progress is
+ * required of the other robots. All faults have ended by the given time.
  */
 final class Chaos {
 
@@ -22,6 +23,11 @@ final class Chaos {
   private static final double MOST_MEAN_MS = 6000;
   private static final double OUTAGES = 0.8;
   private static final int MOST_OUTAGES = 4;
+
+  /** So many of the runs with outages have no other faults. */
+  private static final double QUIET = 0.25;
+
+  private static final int MOST_QUIET_OUTAGES = 2;
   private static final long LEAST_LASTING_MS = 50;
   private static final long MOST_DROPOUT_MS = 1000;
   private static final String DROPOUT = "dropout(any)";
@@ -47,7 +53,9 @@ final class Chaos {
     double share = 0.2 + 0.7 * rng.nextDouble();
     some.removeIf(kind -> !rng.nextBoolean(share));
     chaos.addFaults(some.isEmpty() ? kinds : some);
-    chaos.addOutages(envelope.hasCrashes());
+    if (chaos.mayHaveOutages() && rng.nextBoolean(OUTAGES)) {
+      chaos.addOutages(envelope.hasCrashes());
+    }
     if (envelope == Envelope.HOSTILE && rng.nextBoolean(0.5)) {
       chaos.add(chaos.attacks().get(rng.nextInt(2)).get(), 0, chaos.untilMs);
     }
@@ -79,12 +87,37 @@ final class Chaos {
     }
   }
 
-  /** Faults of one robot or half of them, each longer than the longest timeout. */
+  private boolean mayHaveOutages() {
+    return timeoutMs > 0 && untilMs >= leastOutageMs();
+  }
+
+  private long leastOutageMs() {
+    return timeoutMs + timeoutMs / 10;
+  }
+
   private void addOutages(boolean mayCrash) {
-    long leastMs = timeoutMs + timeoutMs / 10;
-    if (timeoutMs == 0 || untilMs < leastMs || !rng.nextBoolean(OUTAGES)) {
-      return;
+    if (rng.nextBoolean(QUIET)) {
+      // The other robots must go on meanwhile, within bounds, as no other fault is active.
+      faults.clear();
+      addOutages(mayCrash ? crashes() : outages(false), MOST_QUIET_OUTAGES);
+    } else {
+      addOutages(outages(mayCrash), MOST_OUTAGES);
     }
+  }
+
+  /** Faults of one robot or half of them, each longer than the longest timeout. */
+  private void addOutages(List<Supplier<String>> kinds, int most) {
+    int outages = 1 + rng.nextInt(most);
+    for (int i = 0; i < outages; i++) {
+      long lastingMs = leastOutageMs() + rng.nextLong(0, timeoutMs + timeoutMs / 2);
+      lastingMs = Math.min(untilMs, lastingMs);
+      // Some begin with the run, when robots register.
+      long atMs = isDrawn(0.3) ? 0 : rng.nextLong(0, untilMs - lastingMs);
+      add(kinds.get(rng.nextInt(kinds.size())).get(), atMs, atMs + lastingMs);
+    }
+  }
+
+  private List<Supplier<String>> outages(boolean mayCrash) {
     List<Supplier<String>> kinds = new ArrayList<>();
     kinds.add(() -> fault("partition", anyOr("half")));
     // A deaf robot is drawn more often: others take it in, and give it up, and it knows of neither.
@@ -92,16 +125,14 @@ final class Chaos {
     kinds.add(() -> fault("partition", "all>any"));
     kinds.add(() -> fault("partition", "any>all"));
     if (mayCrash) {
-      kinds.add(() -> fault("crash", "any", unsynced()));
-      kinds.add(() -> fault("crash", anyOr("half"), unsynced()));
+      kinds.addAll(crashes());
     }
-    int outages = 1 + rng.nextInt(MOST_OUTAGES);
-    for (int i = 0; i < outages; i++) {
-      long lastingMs = Math.min(untilMs, leastMs + rng.nextLong(0, timeoutMs + timeoutMs / 2));
-      // Some begin with the run, when robots register.
-      long atMs = isDrawn(0.3) ? 0 : rng.nextLong(0, untilMs - lastingMs);
-      add(kinds.get(rng.nextInt(kinds.size())).get(), atMs, atMs + lastingMs);
-    }
+    return kinds;
+  }
+
+  private List<Supplier<String>> crashes() {
+    return List.of(
+        () -> fault("crash", "any", unsynced()), () -> fault("crash", anyOr("half"), unsynced()));
   }
 
   /** A mean time of this run: short ones and long ones are equally likely. */
@@ -132,8 +163,8 @@ final class Chaos {
     if (envelope.hasCrashes()) {
       // Crashes are drawn more often than other faults, because they matter most for these
       // envelopes.
-      kinds.add(() -> fault("crash", "any", unsynced()));
-      kinds.add(() -> fault("crash", anyOr("half"), unsynced()));
+      kinds.addAll(crashes());
+      kinds.add(() -> fault("forget", anyOr("half"), ms(1, 300), ms(1, 3000)));
       kinds.add(() -> fault("disk", anyOr("all"), isDrawn(0.7) ? ms(1, 100) : ms(100, 2000)));
     }
     if (envelope == Envelope.HOSTILE) {

@@ -28,6 +28,9 @@ public interface FaultTarget {
   /** Whether the robot has joined and neither left nor crashed. */
   boolean isUp(RobotId robot);
 
+  /** The number of the robot's writes to stable storage that a crash would lose now. */
+  int unflushed(RobotId robot);
+
   /** Crashes the program of a robot that is up, without restart. */
   void crash(RobotId robot);
 

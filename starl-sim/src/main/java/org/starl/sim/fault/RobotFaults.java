@@ -10,8 +10,12 @@ import static org.starl.sim.fault.FaultGrammar.Row.row;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.id.RobotId;
+import org.starl.sim.net.LinkRule;
+import org.starl.sim.net.Verdict;
 import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.Unsynced;
 
@@ -63,6 +67,11 @@ final class RobotFaults {
               "writes to stable storage survive a crash only after this additional time",
               call -> impair(Impairment.ofDisk(call.next("the time of a write", DURATION)))),
           row(
+              "forget(WHO,50ms,1s)",
+              "writes survive a crash only after this additional time; the program crashes when it"
+                  + " sends while one is pending, and restarts without it after the second time",
+              RobotFaults::forget),
+          row(
               "ram(WHO,300mm/s)",
               "a foreign body drives into the robot again and again",
               call -> Intruder.fault(call.nextOr("a speed", POSITIVE_SPEED, USUAL_RAM_MM_PER_S))),
@@ -102,6 +111,41 @@ final class RobotFaults {
       }
       return () -> {};
     };
+  }
+
+  /**
+   * Crashes each robot once, at the worst moment: others have its message, and it has not what the
+   * message may depend on. It is up again when the fault ends.
+   */
+  private static FaultAction forget(FaultArguments call) {
+    Impairment slow = Impairment.ofDisk(call.next("the time of a write", DURATION));
+    long downNs = call.next("the time until the restart", ArgumentType.POSITIVE_DURATION);
+    return context -> {
+      FaultTarget target = context.target();
+      long endNs =
+          context.lastingNs() == Span.NEVER ? Long.MAX_VALUE : target.nowNs() + context.lastingNs();
+      Set<RobotId> armed = new TreeSet<>(context.robots());
+      Runnable fast = impair(slow).begin(context);
+      LinkRule.Handle watch =
+          target
+              .network()
+              .install(copy -> {
+                if (target.unflushed(copy.from()) > 0 && armed.remove(copy.from())) {
+                  target.at(target.nowNs(), () -> forgetNow(target, copy.from(), downNs, endNs));
+                }
+                return Verdict.PASS;
+              });
+      return () -> {
+        watch.uninstall();
+        fast.run();
+      };
+    };
+  }
+
+  private static void forgetNow(FaultTarget target, RobotId robot, long downNs, long endNs) {
+    if (target.isUp(robot)) {
+      target.crash(robot, Math.min(downNs, Math.max(0, endNs - target.nowNs())), Unsynced.LOST);
+    }
   }
 
   private static FaultAction noise(FaultArguments call) {

@@ -57,17 +57,19 @@ class ChaosTest {
     assertThat(network)
         .containsExactlyInAnyOrder("loss", "burst", "delay", "duplicate", "reorder", "partition");
     Set<String> logical = kinds(Envelope.LOGICAL);
-    assertThat(logical).containsAll(network).contains("crash", "disk", "compute", "drift", "skew");
-    assertThat(logical).hasSize(network.size() + 5);
+    assertThat(logical)
+        .containsAll(network)
+        .contains("crash", "forget", "disk", "compute", "drift", "skew");
+    assertThat(logical).hasSize(network.size() + 6);
     assertThat(kinds(Envelope.MORTAL)).isEqualTo(logical);
     assertThat(kinds(Envelope.MOVING))
         .containsAll(network)
-        .contains("crash", "disk", "drift", "noise")
-        .hasSize(network.size() + 4);
+        .contains("crash", "forget", "disk", "drift", "noise")
+        .hasSize(network.size() + 5);
     assertThat(kinds(Envelope.PHYSICAL))
         .containsAll(kinds(Envelope.SPATIAL))
-        .contains("crash", "disk")
-        .hasSize(network.size() + 7);
+        .contains("crash", "forget", "disk")
+        .hasSize(network.size() + 8);
     assertThat(kinds(Envelope.SPATIAL))
         .containsAll(network)
         .contains("drift", "noise", "dropout", "slow", "stuck")
@@ -77,19 +79,24 @@ class ChaosTest {
   @Test
   void mostPlansHaveOutagesLongerThanTheLongestTimeout() {
     long withOutage = 0;
+    long quiet = 0;
     Set<String> kinds = new TreeSet<>();
     for (long seed = 1; seed <= 200; seed++) {
       FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, 5, 3 * S, 60 * S, new Rng(seed));
       FaultPlan without = FaultPlan.chaos(Envelope.LOGICAL, 5, 0, 60 * S, new Rng(seed));
-      assertThat(plan.faults()).containsAll(without.faults());
-      for (Fault fault : plan.faults().subList(without.faults().size(), plan.faults().size())) {
+      boolean isQuiet = !plan.faults().containsAll(without.faults());
+      quiet += isQuiet ? 1 : 0;
+      int before = isQuiet ? 0 : without.faults().size();
+      for (Fault fault : plan.faults().subList(before, plan.faults().size())) {
+        assertThat(!isQuiet || fault.effect().isCrash()).as("%s", fault).isTrue();
         long lastingNs = fault.span().untilNs() - fault.span().at().leastNs();
         assertThat(lastingNs).as("%s", fault).isBetween(3300 * ProbeRun.MS, 7800 * ProbeRun.MS);
         kinds.add(fault.effect().toString().replaceAll(".*name=(\\w+), arguments=", "$1"));
       }
-      withOutage += plan.faults().size() > without.faults().size() ? 1 : 0;
+      withOutage += plan.faults().size() > before ? 1 : 0;
     }
     assertThat(withOutage).isBetween(140L, 180L);
+    assertThat(quiet).as("plans of outages only").isBetween(25L, 55L);
     assertThat(kinds)
         .anyMatch(kind -> kind.startsWith("crash"))
         .anyMatch(kind -> kind.contains("all>any"));
@@ -107,7 +114,7 @@ class ChaosTest {
       sizes.add(plan.faults().size());
     }
     assertThat(subsets).hasSizeGreaterThan(100);
-    assertThat(sizes).anyMatch(size -> size < 8).anyMatch(size -> size > 80);
+    assertThat(sizes).anyMatch(size -> size < 15).anyMatch(size -> size > 80);
   }
 
   private static Set<String> kinds(Envelope envelope) {
