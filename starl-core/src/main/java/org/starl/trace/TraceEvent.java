@@ -45,7 +45,7 @@ public sealed interface TraceEvent {
    *
    * @param to a robot, or {@code *} for a broadcast
    * @param seq its number among the datagrams of this robot's incarnation
-   * @param message the message as text for people; never parsed
+   * @param message the message as text; only monitors read it, by {@link MessageText}
    */
   record Sent(
       long timeNs, RobotId robot, String to, String channel, long seq, int bytes, String message)

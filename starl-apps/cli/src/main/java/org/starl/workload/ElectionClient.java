@@ -51,7 +51,14 @@ final class ElectionClient extends Client {
             .withStrategy(isBully ? ElectionStrategy.BULLY : ElectionStrategy.RANDOM_BALLOT)
             .withDeadlineMs(DEADLINE_MS);
     setup.place(gvh -> new ElectionClient(gvh, setup, settings));
-    setup.simulation().monitor(() -> new ElectionSpec(setup.withinNs(), TOLD_NS));
+    // Until suspicion, perhaps twice, and decided after each.
+    long electedNs = setup.withinNs() + 2 * settings.silenceMs() * Time.NS_PER_MS;
+    setup
+        .simulation()
+        .monitor(() -> {
+          ElectionSpec spec = new ElectionSpec(electedNs, TOLD_NS);
+          return setup.isLossless() ? spec.leaderStays() : spec;
+        });
     setup.promise(PROMPT_MS, false);
   }
 

@@ -36,13 +36,21 @@ final class GeocastClient extends Client {
   private static final Codec<Integer> CODEC =
       Codec.of((message, out) -> out.i32(message), WireReader::i32);
 
+  /** When the default settings repeat a copy, from the second one on. */
+  private static final List<Long> COPIES_MS = List.of(100L, 250L, 475L, 812L, 1_318L);
+
+  /** An interval that ends so soon after a copy may end before the copy arrives, or just after. */
+  private static final long LAST_COPY_MS = 60;
+
   private final double sideMm;
+  private final boolean endsWithCopies;
   private final Geocast<Integer> geocast;
   private final Broadcast<Integer> broadcast;
 
   private GeocastClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     sideMm = setup.sideMm();
+    endsWithCopies = setup.course().isCalm();
     GeocastSettings d = GeocastSettings.DEFAULT;
     GeocastSettings settings =
         new GeocastSettings(d.resendMs(), d.maxResendMs(), CLOCK_SKEW_NS, d.openMembership());
@@ -72,6 +80,9 @@ final class GeocastClient extends Client {
   @Override
   protected boolean obtain(int round) {
     long dMs = rng.nextLong(MIN_D_MS, MAX_D_MS);
+    if (endsWithCopies && rng.nextBoolean(0.5)) {
+      dMs = COPIES_MS.get(rng.nextInt(COPIES_MS.size())) + rng.nextLong(0, LAST_COPY_MS);
+    }
     GeocastReceipt receipt =
         round % 2 == 0 ? geocast.do_geocast(round, area(), dMs) : broadcast.BCast(round, dMs);
     await(receipt::isComplete);

@@ -55,6 +55,9 @@ final class MutexClient extends Client {
   /** A robot that waits longer waits for a silent one. */
   private static final long PATIENCE_MS = MutexTimes.DEFAULT.suspectMs() / 2;
 
+  /** Until a dead participant that a request waits for is confined, with messages that take no time. */
+  private static final long CONFINED_NS = (MutexTimes.DEFAULT.suspectMs() + 8_000) * Time.NS_PER_MS;
+
   private static final long SLACK_NS = Time.NS_PER_MS;
   private static final long PROMPT_MS = 5_000;
   private static final long PROMPT_EACH_MS = 2_000;
@@ -100,7 +103,12 @@ final class MutexClient extends Client {
         setup.isLossless()
             ? MutexBounds.of(setup.robots(), CALM_D1_NS, setup.delayNs() + SLACK_NS)
             : null;
-    setup.simulation().monitor(() -> new MutexSpec(bounds, calm));
+    setup
+        .simulation()
+        .monitor(() ->
+            isOpen && setup.isLossless()
+                ? new MutexSpec(bounds, calm).confinedWithin(CONFINED_NS + 10 * setup.delayNs())
+                : new MutexSpec(bounds, calm));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, false);
     setup.place(gvh -> {
       Registration reg =

@@ -108,14 +108,17 @@ record Setup(
     }
   }
 
-  /** Time within which a primitive that needs a few rounds of messages has answered. */
+  /**
+   * Time within which a primitive that needs a few rounds of messages has answered, while no fault but
+   * crashes is active.
+   */
   long withinNs() {
-    return 10 * deltaNs(settings);
+    return (isLossless() ? 5 : 10) * deltaNs(settings);
   }
 
   /** A deadline after {@link #withinNs}: a late answer violates the specification first. */
   long deadlineMs() {
-    return 3 * withinNs() / (2 * Time.NS_PER_MS);
+    return 15 * deltaNs(settings) / Time.NS_PER_MS;
   }
 
   RegistrationSettings registration() {

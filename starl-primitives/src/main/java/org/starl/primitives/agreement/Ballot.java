@@ -27,4 +27,18 @@ public record Ballot(long round, ProcessId proposer) implements Comparable<Ballo
   public String toString() {
     return round + "/" + proposer;
   }
+
+  /**
+   * Parses the text of {@link #toString}.
+   *
+   * @throws IllegalArgumentException if {@code text} has another form
+   */
+  static Ballot parse(String text) {
+    int slash = text.indexOf('/');
+    if (slash < 0) {
+      throw new IllegalArgumentException("ballot '" + text + "': expected round/robot#incarnation");
+    }
+    return new Ballot(
+        Long.parseLong(text.substring(0, slash)), ProcessId.parse(text.substring(slash + 1)));
+  }
 }

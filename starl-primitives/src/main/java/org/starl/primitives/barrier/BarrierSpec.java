@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
@@ -68,7 +69,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new BarrierConformance());
+    return List.of(new BarrierConformance(), new SynodSpec());
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /** One election, as {@link ElectionSpec} sees it in the trace. */
@@ -38,6 +39,7 @@ final class ElectionRecord {
   private final Set<RobotId> seen = new TreeSet<>();
   private final Set<RobotId> callers = new TreeSet<>();
   private final Map<RobotId, String> shown = new TreeMap<>();
+  private final Map<RobotId, Long> terms = new TreeMap<>();
   private final Map<Long, Set<ProcessId>> candidates = new TreeMap<>();
   private final Map<Long, First> leaders = new TreeMap<>();
 
@@ -60,7 +62,23 @@ final class ElectionRecord {
     callers.add(robot);
   }
 
+  /** A live leader of the term before is deposed. */
+  void checkStays(long term, Action action, Report report) {
+    report.checked(ElectionSpec.ELECTED);
+    First latest = leaders.get(latestTerm);
+    if (latest != null
+        && term > latestTerm
+        && isLatestAndLive(latestTerm + ":" + latest.leader())) {
+      report.violated(
+          ElectionSpec.ELECTED,
+          action.timeNs(),
+          List.of(action.robot()),
+          source + ": stands in term " + term + ", but " + latest.leader() + " leads in calm");
+    }
+  }
+
   void stood(long term, ProcessId id) {
+    terms.merge(id.robot(), term, Math::max);
     // A robot that stands without a call of do_election is no valid candidate.
     if (callers.contains(id.robot())) {
       candidates.computeIfAbsent(term, t -> new TreeSet<>()).add(id);
@@ -71,6 +89,7 @@ final class ElectionRecord {
     ids.remove(robot);
     callers.remove(robot);
     shown.remove(robot);
+    terms.remove(robot);
   }
 
   void shown(Variable variable, Report report) {
@@ -81,6 +100,15 @@ final class ElectionRecord {
     long term = name.term();
     ProcessId leader = name.id();
     latestTerm = Math.max(latestTerm, term);
+    report.checked(ElectionSpec.TERMS);
+    long before = terms.merge(variable.robot(), term, Math::max);
+    if (before > term) {
+      report.violated(
+          ElectionSpec.TERMS,
+          variable.timeNs(),
+          List.of(variable.robot()),
+          source + ": shows the leader of term " + term + " in term " + before);
+    }
     report.checked(ElectionSpec.AGREEMENT);
     First first = leaders.computeIfAbsent(term, t -> new First(variable.robot(), leader));
     if (!first.leader().equals(leader)) {

@@ -3,6 +3,7 @@ package org.starl.primitives.election;
 import java.util.List;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
@@ -18,9 +19,13 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   static final String AGREEMENT = "Agreement";
   static final String SOUNDNESS = "Soundness";
+  static final String TERMS = "Terms";
   static final String ELECTED = "Elected";
   static final String TOLD = "Told";
 
+  private static final long SETTLE_NS = 10_000_000_000L;
+
+  private boolean leaderStays;
   private final Deadlines elected;
   private final Deadlines told;
 
@@ -42,6 +47,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     super(ElectionTrace::isElection);
     lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
     lemma(SOUNDNESS, "A leader stood for election in its term.");
+    lemma(TERMS, "The term of a robot's program never goes back.");
     elected =
         progress(
             ELECTED,
@@ -56,6 +62,15 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
             sinceNs -> "Leader is null since " + sinceNs + " ns");
   }
 
+  /**
+   * Requires, as part of {@code Elected}, that no term begins in a calm world after that of a live
+   * leader. Only for a network that loses nothing then.
+   */
+  public ElectionSpec leaderStays() {
+    leaderStays = true;
+    return this;
+  }
+
   @Override
   protected ElectionRecord begin(String source) {
     return new ElectionRecord(source, faults);
@@ -68,7 +83,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new ElectionConformance());
+    return List.of(new ElectionConformance(), new SynodSpec());
   }
 
   @Override
@@ -79,8 +94,13 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       case ElectionTrace.ELECTION ->
           ballots.created(Integer.parseInt(args.get(0)), ProcessId.parse(args.get(1)));
       case ElectionTrace.DO_ELECTION -> ballots.called(action.robot());
-      case ElectionTrace.CANDIDATE ->
-          ballots.stood(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));
+      case ElectionTrace.CANDIDATE -> {
+        long term = Long.parseLong(args.get(0));
+        if (leaderStays && faults.isCalm(action.timeNs(), SETTLE_NS)) {
+          ballots.checkStays(term, action, report);
+        }
+        ballots.stood(term, ProcessId.parse(args.get(1)));
+      }
       default -> {}
     }
   }

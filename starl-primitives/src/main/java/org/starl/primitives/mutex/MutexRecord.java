@@ -231,7 +231,7 @@ final class MutexRecord {
   private static void checkPromise(
       Requests.Request to, Requests.Request by, long nowNs, Report report) {
     report.checked(MutexSpec.PROMISE);
-    if (by.isActive() && Sections.meet(to.want, by.want) && !to.isBefore(by)) {
+    if (by.isActive() && Sections.meet(to.want, by.want) && (by.critical || !to.isBefore(by))) {
       report.violated(
           MutexSpec.PROMISE,
           nowNs,

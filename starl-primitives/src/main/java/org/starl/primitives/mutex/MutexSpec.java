@@ -1,8 +1,11 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.primitives.membership.Liveness;
+import org.starl.spec.Deadlines;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -31,7 +34,9 @@ import org.starl.trace.TraceEvent;
  *
  * <p>With bounds for a calm world the same two are also required there, within those: while no
  * fault has been active, and every robot has been up, for {@link #SETTLE_NS}. A request that ends at
- * its deadline before d2, or as occupied without a ghost, violates {@code Served} at any time.
+ * its deadline before d2, or as occupied without a ghost, violates {@code Served} at any time. So does
+ * one that waits for one cause only, longer than that may last: for a ghost, or for a dead participant
+ * ({@link #confinedWithin}).
  *
  * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a
  * wanted section, and no participant is dead whose consent is needed; {@code Served} only while
@@ -54,6 +59,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final @Nullable MutexBounds bounds;
   private final @Nullable MutexBounds calm;
   private final Liveness liveness = new Liveness();
+  private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */
   public MutexSpec() {
@@ -91,6 +97,17 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     }
   }
 
+  /**
+   * Requires, as part of {@code Served}, that a dead participant is confined within this time while a
+   * request waits for it. Only for participants that register, if their robots are the acceptors.
+   *
+   * @param ns the time until suspicion, and more to decide the next view, in ns
+   */
+  public MutexSpec confinedWithin(long ns) {
+    confinedNs = ns;
+    return this;
+  }
+
   @Override
   protected MutexRecord begin(String source) {
     return new MutexRecord(bounds, calm, liveness);
@@ -103,7 +120,13 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new MutexConformance());
+    // Bounds hold a lost message, its repetition, and the time after which a ghost's section is
+    // given up, by the default times.
+    long ghostNs =
+        bounds == null
+            ? Deadlines.NO_BOUND
+            : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
+    return List.of(new MutexConformance(), new ConsentSpec(ghostNs, confinedNs));
   }
 
   @Override

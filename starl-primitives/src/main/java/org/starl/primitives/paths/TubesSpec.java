@@ -12,6 +12,7 @@ import org.starl.spec.Bodies;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceMonitor;
+import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -65,6 +66,11 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
     if (tasks.isBounded()) {
       lemma(TOLD, "Every drive ends, done or failed, within the bound.");
     }
+  }
+
+  @Override
+  public List<Monitor> companions() {
+    return List.of(new TubeConsentSpec());
   }
 
   @Override

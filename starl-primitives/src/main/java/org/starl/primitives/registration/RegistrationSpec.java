@@ -1,8 +1,12 @@
 package org.starl.primitives.registration;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Deadlines;
@@ -14,7 +18,8 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
- * {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}.
+ * {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}: of joining and of
+ * leaving.
  */
 public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
@@ -24,7 +29,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String SOUNDNESS = "Soundness";
   static final String REGISTERED = "Registered";
 
+  private static final String REGISTERED_SAYS =
+      "A robot that asks to be registered or removed is so within the bound, or told that it failed.";
+
   private final Deadlines progress;
+  private final Deadlines removal;
+  private final Map<ProcessKey, ProcessId> leaving = new LinkedHashMap<>();
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -35,8 +45,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
    * Safety, and progress within a bound. It is owed while a majority of the acceptors is up and no
    * fault but crashes is active, and again with the whole bound once that holds again.
    *
-   * @param registeredWithinNs from {@code do_register} until a view lists the robot or the robot
-   *     reports a failure, in ns
+   * @param registeredWithinNs from {@code do_register} until a view lists the robot, or from the time
+   *     when a listed id is given up until no view lists it, or until the robot reports a failure, in ns
    */
   public RegistrationSpec(long registeredWithinNs) {
     super(RegistrationTrace::isRegistration);
@@ -47,10 +57,15 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     progress =
         progress(
             REGISTERED,
-            "A robot that asks to be registered is registered within the bound, or told that it"
-                + " failed.",
+            REGISTERED_SAYS,
             registeredWithinNs,
             sinceNs -> "do_register at " + sinceNs + " ns, and in no view since");
+    removal =
+        progress(
+            REGISTERED,
+            REGISTERED_SAYS,
+            registeredWithinNs,
+            sinceNs -> "given up, and listed since " + sinceNs + " ns");
   }
 
   @Override
@@ -65,7 +80,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new RegistrationConformance());
+    return List.of(new RegistrationConformance(), new SynodSpec());
   }
 
   @Override
@@ -79,8 +94,11 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationTrace.ACCEPTORS -> history.vote(action.args());
       case RegistrationTrace.CONFINE ->
           history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
-      case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
-          history.mayLeave(action.robot(), id(action));
+      case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP -> {
+        history.mayLeave(action.robot(), id(action));
+        leaving.put(new ProcessKey(action.source(), action.robot()), id(action));
+        awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
+      }
       default -> {}
     }
   }
@@ -93,6 +111,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationTrace.VIEW -> {
         View view = View.parse(variable.value());
         history.learned(variable, view, report);
+        awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
         ProcessId asked = history.latestAsked(variable.robot());
         if (view.number() == 0) {
           // The program has started: what its predecessor was owed is void.
@@ -105,25 +124,45 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationTrace.FAILED -> {
         if (variable.value().equals("true")) {
           progress.stop(key);
+          removal.stop(key);
+          leaving.remove(key);
         }
       }
       default -> {}
     }
   }
 
+  private void awaitRemoval(String source, View latest, long nowNs, Report report) {
+    leaving.forEach((key, id) -> {
+      if (key.source().equals(source)) {
+        if (latest.mentions(id)) {
+          removal.start(key, nowNs);
+        } else {
+          removal.meet(key, report);
+        }
+      }
+    });
+  }
+
   @Override
   protected void ended(RobotId robot) {
-    instances().keySet().forEach(source -> progress.stop(new ProcessKey(source, robot)));
+    for (String source : instances().keySet()) {
+      ProcessKey key = new ProcessKey(source, robot);
+      progress.stop(key);
+      removal.stop(key);
+      leaving.remove(key);
+    }
   }
 
   @Override
   protected void review(long nowNs, Report report) {
-    progress.assumeEach(
+    Predicate<ProcessKey> isOwed =
         key -> {
           List<RobotId> voters = instance(key.source()).acceptors();
           return faults.isFaultFree() && (voters.isEmpty() || hasMajorityUp(voters));
-        },
-        nowNs);
+        };
+    progress.assumeEach(isOwed, nowNs);
+    removal.assumeEach(isOwed, nowNs);
   }
 
   private static ProcessId id(Action action) {

@@ -40,6 +40,11 @@ final class ViewHistory {
     this.source = source;
   }
 
+  /** The latest view that any robot has learned. */
+  View latest() {
+    return views.isEmpty() ? View.NONE : views.lastEntry().getValue();
+  }
+
   /** The robots that vote, or none if the trace has not told yet. */
   List<RobotId> acceptors() {
     return acceptors;

@@ -116,6 +116,32 @@ class ElectionSpecTest {
     assertThat(monitors.report().checks(ElectionSpec.TOLD)).isEqualTo(3);
   }
 
+  @Test
+  void aTermThatGoesBackViolatesTerms() {
+    allTakePart();
+    stands(A, 2);
+    follows(A, "1:b#1", 10);
+    assertThat(monitors.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
+    fault(A, Fault.CRASH, 20);
+    fault(A, Fault.RESTART, 30);
+    follows(A, "1:b#1", 40);
+    assertThat(monitors.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
+  }
+
+  @Test
+  void aLiveLeaderThatIsDeposedInCalmViolatesElectedIfLeadersStay() {
+    Monitors stay = new Monitors(List.of(new ElectionSpec(100, 300).leaderStays()));
+    for (Monitors each : List.of(monitors, stay)) {
+      each.observe(new Action(0, A, SOURCE, "Election", List.of("1", "a#1")));
+      each.observe(new Action(0, A, SOURCE, "do_election", List.of("a#1")));
+      each.observe(new Action(0, A, SOURCE, "candidate", List.of("1", "a#1")));
+      each.observe(new Variable(1, A, SOURCE, "Leader", "1:a#1"));
+      each.observe(new Action(2, A, SOURCE, "candidate", List.of("2", "a#1")));
+    }
+    assertThat(monitors.report().violations()).isEmpty();
+    assertThat(stay.report().violations(ElectionSpec.ELECTED)).isEqualTo(1);
+  }
+
   private void allTakePart() {
     for (RobotId robot : List.of(A, B, C)) {
       exists(robot);

@@ -192,6 +192,15 @@ class RegistrationSpecTest {
     assertThat(report(50).holds()).isTrue();
   }
 
+  @Test
+  void anIdThatIsGivenUpAndStaysListedViolatesRegistered() {
+    threeAreIn();
+    acts(20, "a", "give_up", "a#1");
+    acts(20, "b", "unregister", "b#1");
+    sees(30, "c", "2:a#1@1,c#1@1");
+    assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
+  }
+
   private void threeAreIn() {
     for (String name : List.of("a", "b", "c")) {
       acts(0, name, "do_register", name + "#1");

@@ -1,0 +1,63 @@
+package org.starl.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the text of a message in a trace: that of a record, {@code Ok[from=bot1#1, num=2]}. So a
+ * monitor can compare what robots tell each other with what they do. Only for messages whose fields
+ * are records, lists, numbers and names.
+ */
+public final class MessageText {
+
+  private MessageText() {}
+
+  /** Whether {@code message} is a record of this type, as in {@code Ok}. */
+  public static boolean isA(String type, String message) {
+    return message.startsWith(type) && message.startsWith("[", type.length());
+  }
+
+  /**
+   * The text of a field.
+   *
+   * @throws IllegalArgumentException if the message has no such field
+   */
+  public static String field(String message, String name) {
+    String found = fieldOrNull(message, name);
+    if (found == null) {
+      throw new IllegalArgumentException("message '" + message + "': expected a field " + name);
+    }
+    return found;
+  }
+
+  private static @Nullable String fieldOrNull(String message, String name) {
+    for (String part : parts(message)) {
+      if (part.startsWith(name) && part.startsWith("=", name.length())) {
+        return part.substring(name.length() + 1);
+      }
+    }
+    return null;
+  }
+
+  /** The elements of a list, {@code [a, b]}, or the fields of a record with their names. */
+  public static List<String> parts(String text) {
+    List<String> parts = new ArrayList<>();
+    int from = text.indexOf('[') + 1;
+    int depth = 0;
+    for (int i = from; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c == '[') {
+        depth++;
+      } else if (depth > 0 && c == ']') {
+        depth--;
+      } else if (depth == 0 && (c == ']' || text.startsWith(", ", i))) {
+        if (i > from) {
+          parts.add(text.substring(from, i));
+        }
+        from = i + 2;
+      }
+    }
+    return parts;
+  }
+}

@@ -1,0 +1,296 @@
+package org.starl.primitives.mutex;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Liveness;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.spec.InstanceMonitor;
+import org.starl.spec.Within;
+import org.starl.time.Time;
+import org.starl.trace.MessageText;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+
+/**
+ * The rules of consent, on the messages of every mutex: a broken rule is seen long before two robots
+ * hold one section.
+ *
+ * <ul>
+ *   <li>{@code Consent}: a participant enters only with the consent of all whose consent it needs:
+ *       those in its latest view, and those that were admitted later and have asked it. It enters no
+ *       section of another robot's ghost.
+ *   <li>{@code Fenced}: a participant that has fenced another consents to nothing more of it, also
+ *       after it has retired.
+ * </ul>
+ *
+ * <p>With bounds it also reports, under {@code Served}, requests that wait too long for one cause: for
+ * a ghost only, or for a dead participant that is not confined. Consent is not checked of runs in real
+ * time, since the end of a killed process's trace may be missing, nor of traces without messages.
+ */
+final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
+
+  static final String CONSENT = "Consent";
+  static final String FENCED = "Fenced";
+
+  private final Within<Asker> behindGhosts;
+  private final Within<List<ProcessId>> behindDead;
+  private final Liveness liveness = new Liveness();
+  private boolean isRealTime;
+
+  /**
+   * @param ghostNs within which a request ends that only a ghost blocks
+   * @param deadNs within which a dead participant is confined that a request waits for
+   */
+  ConsentSpec(long ghostNs, long deadNs) {
+    super(MutexTrace::isMutex);
+    behindGhosts = new Within<>(ghostNs);
+    behindDead = new Within<>(deadNs);
+    lemma(CONSENT, "A process enters only with the consent of all processes that it needs.");
+    lemma(FENCED, "A process that has fenced another grants it nothing more.");
+  }
+
+  /** One mutex. */
+  static final class Instance {
+    private final Map<ProcessId, Asker> askers = new TreeMap<>();
+    private final Set<RobotId> robots = new TreeSet<>();
+    private boolean hasMessages;
+
+    private Asker of(ProcessId who) {
+      return askers.computeIfAbsent(who, Asker::new);
+    }
+  }
+
+  /** One participant: its latest request, its view, and what it has granted. Compared by identity. */
+  static final class Asker {
+    private final ProcessId who;
+    private boolean isTrying;
+    private long num;
+    private SortedSet<String> want = Sections.NONE;
+    private Collection<ProcessId> known = List.of();
+    private View view = View.NONE;
+    private final Map<ProcessId, Long> heard = new TreeMap<>();
+    private final Set<ProcessId> answered = new TreeSet<>();
+    private final Map<ProcessId, Long> granted = new TreeMap<>();
+    private final Set<ProcessId> fenced = new TreeSet<>();
+    private final Set<ProcessId> awaited = new TreeSet<>();
+
+    private Asker(ProcessId who) {
+      this.who = who;
+    }
+
+    private Set<ProcessId> missing() {
+      Set<ProcessId> missing = new TreeSet<>(known);
+      missing.addAll(view.admitted().keySet());
+      heard.forEach((id, admittedBy) -> {
+        if (admittedBy > view.number()) {
+          missing.add(id);
+        }
+      });
+      missing.remove(who);
+      missing.removeAll(answered);
+      return missing;
+    }
+
+    private boolean hasGhostInTheWay() {
+      return view.ghosts().entrySet().stream()
+          .anyMatch(ghost ->
+              !ghost.getKey().robot().equals(who.robot())
+                  && Sections.meet(ghost.getValue().sections(), want));
+    }
+
+    @Override
+    public String toString() {
+      return who + "'s request " + num + " for " + want;
+    }
+  }
+
+  @Override
+  protected Instance begin(String source) {
+    return new Instance();
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    finish(event.timeNs(), report);
+    if (liveness.observe(event)) {
+      behindGhosts.assumeAll(liveness.isFair(), event.timeNs());
+      behindDead.assumeAll(liveness.isFair(), event.timeNs());
+      instances().values().forEach(mutex -> livenessChanged(mutex, event.timeNs()));
+    }
+    super.observe(event, report);
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    behindGhosts.expire(
+        endNs,
+        (asker, sinceNs, dueNs) -> {
+          String detail = asker + " waits only for a ghost since " + Time.text(sinceNs, 3);
+          report.overdue(MutexProgress.SERVED, dueNs, List.of(asker.who.robot()), detail);
+        });
+    behindDead.expire(
+        endNs,
+        (pair, sinceNs, dueNs) -> {
+          String detail =
+              pair.get(0)
+                  + " waits for the dead "
+                  + pair.get(1)
+                  + " since "
+                  + Time.text(sinceNs, 3);
+          report.overdue(MutexProgress.SERVED, dueNs, List.of(pair.get(0).robot()), detail);
+        });
+  }
+
+  @Override
+  protected void acted(TraceEvent.Action action, Report report) {
+    Instance mutex = instance(action.source());
+    MutexTrace.read(action).ifPresent(event -> acted(mutex, event, action.timeNs(), report));
+  }
+
+  private void acted(Instance mutex, MutexEvent event, long nowNs, Report report) {
+    mutex.robots.add(event.who().robot());
+    Asker asker = mutex.of(event.who());
+    switch (event) {
+      case MutexEvent.DoMutex e -> {
+        asker.num = e.num();
+        asker.want = e.want();
+        asker.known = e.known();
+        asker.answered.clear();
+        asker.isTrying = true;
+      }
+      case MutexEvent.Known e -> asker.known = e.known();
+      case MutexEvent.Learned e -> asker.view = e.view();
+      case MutexEvent.Fence e -> asker.fenced.add(e.suspect());
+      case MutexEvent.Grant e -> granted(asker, e.to(), e.num(), nowNs, report);
+      case MutexEvent.OdMutex e -> {
+        asker.want = e.held();
+        entered(mutex, asker, nowNs, report);
+        asker.isTrying = false;
+      }
+      case MutexEvent.Withdraw e -> asker.isTrying &= e.num() != asker.num;
+      default -> {}
+    }
+    await(mutex, asker, nowNs);
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    switch (event) {
+      case Sent sent when MutexTrace.isMutex(sent.channel()) -> sent(sent, report);
+      case Delivered delivered when isRequest(delivered) -> {
+        Instance mutex = instance(delivered.channel());
+        Asker asker = mutex.of(process(delivered.message(), "to"));
+        long admittedBy = Long.parseLong(MessageText.field(delivered.message(), "admittedBy"));
+        asker.heard.put(process(delivered.message(), "from"), admittedBy);
+        await(mutex, asker, delivered.timeNs());
+      }
+      case Fault fault -> isRealTime |= fault.isRealTime();
+      default -> {}
+    }
+  }
+
+  private static boolean isRequest(Delivered delivered) {
+    return MutexTrace.isMutex(delivered.channel()) && MessageText.isA("Req", delivered.message());
+  }
+
+  private static ProcessId process(String message, String field) {
+    return ProcessId.parse(MessageText.field(message, field));
+  }
+
+  private void sent(Sent sent, Report report) {
+    Instance mutex = instance(sent.channel());
+    mutex.hasMessages = true;
+    if (MessageText.isA("Ok", sent.message())) {
+      Asker from = mutex.of(process(sent.message(), "from"));
+      ProcessId to = process(sent.message(), "to");
+      long num = Long.parseLong(MessageText.field(sent.message(), "num"));
+      granted(from, to, num, sent.timeNs(), report);
+      Asker asker = mutex.of(to);
+      if (asker.num == num && asker.answered.add(from.who)) {
+        await(mutex, asker, sent.timeNs());
+      }
+    }
+  }
+
+  private static void granted(Asker by, ProcessId to, long num, long nowNs, Report report) {
+    report.checked(FENCED);
+    boolean isNew = num > Objects.requireNonNullElse(by.granted.put(to, num), 0L);
+    if (isNew && by.fenced.contains(to)) {
+      String detail =
+          by.who + " consents to request " + num + " of " + to + ", which it has fenced";
+      report.violated(FENCED, nowNs, List.of(by.who.robot()), detail);
+    }
+  }
+
+  private void entered(Instance mutex, Asker asker, long nowNs, Report report) {
+    if (isRealTime || !mutex.hasMessages) {
+      return;
+    }
+    report.checked(CONSENT);
+    Set<ProcessId> missing = asker.missing();
+    if (!missing.isEmpty() || asker.hasGhostInTheWay()) {
+      String detail =
+          asker + " enters " + (missing.isEmpty() ? "a ghost's section" : "without " + missing);
+      report.violated(CONSENT, nowNs, List.of(asker.who.robot()), detail);
+    }
+  }
+
+  /** Updates what a request waits for. */
+  private void await(Instance mutex, Asker asker, long nowNs) {
+    Set<ProcessId> missing = asker.isTrying ? asker.missing() : Set.of();
+    if (asker.isTrying && missing.isEmpty() && asker.hasGhostInTheWay()) {
+      behindGhosts.start(asker, nowNs);
+    } else {
+      behindGhosts.stop(asker);
+    }
+    Set<ProcessId> dead = new TreeSet<>(missing);
+    dead.removeIf(id -> !isToBeConfined(mutex, asker.view, id));
+    for (ProcessId id : List.copyOf(asker.awaited)) {
+      if (!dead.contains(id)) {
+        asker.awaited.remove(id);
+        behindDead.stop(List.of(asker.who, id));
+      }
+    }
+    for (ProcessId id : dead) {
+      if (asker.awaited.add(id)) {
+        behindDead.start(List.of(asker.who, id), nowNs);
+      }
+    }
+  }
+
+  /** Whether a live participant that the dead one had to ask is listed, and views can be decided. */
+  private boolean isToBeConfined(Instance mutex, View view, ProcessId id) {
+    if (!liveness.isDead(id) || !view.contains(id)) {
+      return false;
+    }
+    long up = mutex.robots.stream().filter(liveness::isUp).count();
+    boolean hasFencer =
+        view.admitted().entrySet().stream()
+            .anyMatch(other ->
+                !liveness.isDead(other.getKey()) && other.getValue() <= view.admittedBy(id));
+    return hasFencer && 2 * up > mutex.robots.size();
+  }
+
+  /** Ends the requests of dead participants, and looks at what others wait for. */
+  private void livenessChanged(Instance mutex, long nowNs) {
+    for (Asker asker : List.copyOf(mutex.askers.values())) {
+      boolean isDead = liveness.isDead(asker.who);
+      asker.isTrying &= !isDead;
+      await(mutex, asker, nowNs);
+      if (isDead) {
+        mutex.askers.remove(asker.who);
+      }
+    }
+  }
+}

@@ -1,0 +1,191 @@
+package org.starl.primitives.paths;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.spec.InstanceMonitor;
+import org.starl.trace.MessageText;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * The rules of claims, on the messages and tubes of every robot: a broken rule is seen long before
+ * two robots hold tubes that meet. A restart changes nothing: a robot keeps what it has said.
+ *
+ * <ul>
+ *   <li>{@code Consents}: a robot consents to no tube that meets one of another robot to which it has
+ *       consented, unless that robot has told it of newer tubes.
+ *   <li>{@code Claimed}: a new tube is held after the consent of a majority; other changes, those of a
+ *       restart too, only give parts back.
+ * </ul>
+ *
+ * <p>{@code Claimed} is not checked of runs in real time, since the end of a killed process's trace
+ * may be missing, nor of traces without messages.
+ */
+final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
+
+  static final String CONSENTS = "Consents";
+  static final String CLAIMED = "Claimed";
+
+  private boolean isRealTime;
+
+  TubeConsentSpec() {
+    super(TubeTrace::isTubes);
+    lemma(CONSENTS, "A robot consents to no two tubes of different robots that meet.");
+    lemma(CLAIMED, "A new tube is held after the consent of a majority.");
+  }
+
+  /** The claims of one instance. */
+  static final class Instance {
+    private final Set<String> participants = new TreeSet<>();
+    private final Map<RobotId, Claimant> claimants = new TreeMap<>();
+    // By voter: the latest tubes of each robot that it has heard of and consented to.
+    private final Map<RobotId, SortedMap<RobotId, Holding>> heard = new TreeMap<>();
+    private final Map<RobotId, SortedMap<RobotId, Holding>> consents = new TreeMap<>();
+
+    private Claimant claimant(RobotId robot) {
+      return claimants.computeIfAbsent(robot, any -> new Claimant());
+    }
+  }
+
+  /** One robot: its held tubes, its latest request, and who has consented to that. */
+  private static final class Claimant {
+    private List<Tube> held = List.of();
+    private @Nullable Holding asked;
+    private final Set<RobotId> votes = new TreeSet<>();
+  }
+
+  @Override
+  protected Instance begin(String source) {
+    return new Instance();
+  }
+
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (variable.name().equals(TubeTrace.HELD)) {
+      Instance all = instance(variable.source());
+      Claimant claimant = all.claimant(variable.robot());
+      List<Tube> now = Tube.parse(variable.value());
+      if (!isRealTime && !all.participants.isEmpty()) {
+        checkClaimed(variable, all, claimant, now, report);
+      }
+      claimant.held = now;
+    }
+  }
+
+  private static void checkClaimed(
+      Variable variable, Instance all, Claimant claimant, List<Tube> now, Report report) {
+    report.checked(CLAIMED);
+    for (Tube tube : now) {
+      boolean isGranted =
+          claimant.asked != null
+              && claimant.asked.wanted().contains(tube)
+              && 2 * claimant.votes.size() > all.participants.size();
+      if (!isGranted && claimant.held.stream().noneMatch(before -> isRestOf(tube, before))) {
+        String detail =
+            ("holds " + tube + " after " + Tube.text(claimant.held))
+                + (", with the consent of " + claimant.votes);
+        report.violated(CLAIMED, variable.timeNs(), List.of(variable.robot()), detail);
+      }
+    }
+  }
+
+  private static boolean isRestOf(Tube tube, Tube before) {
+    for (int passed = 0; passed <= before.parts(); passed++) {
+      if (before.from(passed).equals(tube)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    switch (event) {
+      case Sent sent when TubeTrace.isTubes(sent.channel()) -> sent(sent, report);
+      case Delivered delivered when TubeTrace.isTubes(delivered.channel()) -> delivered(delivered);
+      case Fault fault -> isRealTime |= fault.isRealTime();
+      default -> {}
+    }
+  }
+
+  private void sent(Sent sent, Report report) {
+    Instance all = instance(sent.channel());
+    if (MessageText.isA("Ask", sent.message())) {
+      all.participants.add(sent.to());
+      Claimant claimant = all.claimant(sent.robot());
+      Holding asked = holding(sent.message());
+      if (!asked.equals(claimant.asked) && !asked.wanted().isEmpty()) {
+        claimant.asked = asked;
+        claimant.votes.clear();
+      }
+    } else if (MessageText.isA("Vote", sent.message())) {
+      voted(sent, all, report);
+    }
+  }
+
+  private void voted(Sent sent, Instance all, Report report) {
+    RobotId to = new RobotId(sent.to());
+    long version = Long.parseLong(MessageText.field(sent.message(), "version"));
+    Claimant claimant = all.claimant(to);
+    if (claimant.asked != null && claimant.asked.version() == version) {
+      claimant.votes.add(sent.robot());
+    }
+    Holding theirs = byVoter(all.heard, sent.robot()).get(to);
+    if (theirs == null || theirs.version() != version) {
+      return;
+    }
+    SortedMap<RobotId, Holding> consents = byVoter(all.consents, sent.robot());
+    report.checked(CONSENTS);
+    consents.forEach((other, holding) -> {
+      if (!other.equals(to) && Tube.meet(theirs.wanted(), holding.all())) {
+        String detail =
+            ("consents to " + Tube.text(theirs.wanted()) + " of " + to)
+                + (", and had consented to " + Tube.text(holding.all()) + " of " + other);
+        report.violated(CONSENTS, sent.timeNs(), List.of(sent.robot()), detail);
+      }
+    });
+    consents.put(to, theirs);
+  }
+
+  private void delivered(Delivered delivered) {
+    if (MessageText.isA("Ask", delivered.message())) {
+      Instance all = instance(delivered.channel());
+      Holding holding = holding(delivered.message());
+      SortedMap<RobotId, Holding> heard = byVoter(all.heard, delivered.robot());
+      Holding before = heard.get(delivered.from());
+      if (before == null || before.version() < holding.version()) {
+        heard.put(delivered.from(), holding);
+        byVoter(all.consents, delivered.robot()).remove(delivered.from());
+      }
+    }
+  }
+
+  private static SortedMap<RobotId, Holding> byVoter(
+      Map<RobotId, SortedMap<RobotId, Holding>> all, RobotId voter) {
+    return all.computeIfAbsent(voter, any -> new TreeMap<>());
+  }
+
+  private static Holding holding(String ask) {
+    String holding = MessageText.field(ask, "holding");
+    return new Holding(
+        Long.parseLong(MessageText.field(holding, "version")),
+        tubes(MessageText.field(holding, "held")),
+        tubes(MessageText.field(holding, "wanted")));
+  }
+
+  private static List<Tube> tubes(String list) {
+    List<Tube> tubes = new ArrayList<>();
+    MessageText.parts(list).forEach(tube -> tubes.addAll(Tube.parse(tube)));
+    return tubes;
+  }
+}

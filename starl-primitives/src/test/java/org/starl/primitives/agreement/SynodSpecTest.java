@@ -1,0 +1,148 @@
+package org.starl.primitives.agreement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Vote;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+
+/** The rules on messages written by hand, among the acceptors a, b, c and d. */
+class SynodSpecTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final RobotId C = new RobotId("c");
+  private static final RobotId D = new RobotId("d");
+  private static final Ballot LOW = new Ballot(1, new ProcessId(A, 1));
+  private static final Ballot HIGH = new Ballot(2, new ProcessId(B, 1));
+  private static final Value X = Value.of(new byte[] {1});
+  private static final Value Y = Value.of(new byte[] {2});
+
+  private final Monitors monitors = new Monitors(List.of(new SynodSpec()));
+
+  SynodSpecTest() {
+    for (RobotId acceptor : List.of(A, B, C, D)) {
+      sends(A, acceptor, new Prepare(1, LOW, Value.EMPTY));
+    }
+  }
+
+  @Test
+  void aDecisionByThreeOfFourKeepsEveryRule() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    vote(LOW, A, B, C);
+    promise(HIGH, new Vote(LOW, X), B, C);
+    promise(HIGH, null, D);
+    sends(B, B, new Accept(1, HIGH, X));
+    sends(A, D, new Decided(1, X));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
+    assertThat(monitors.report().neverChecked()).isEmpty();
+  }
+
+  @Test
+  void anAcceptorThatForgetsAPromiseViolatesBallots() {
+    promise(HIGH, null, C);
+    monitors.observe(new Fault(0, C, Fault.CRASH, ""));
+    monitors.observe(new Fault(0, C, Fault.RESTART, "lost"));
+    promise(LOW, null, C);
+    assertThat(monitors.report().violations(SynodSpec.BALLOTS)).isEqualTo(1);
+    assertThat(violations()).isEqualTo("Ballots 1, Votes 0, Quorums 0");
+  }
+
+  @Test
+  void anAcceptorThatForgetsItsVoteViolatesVotes() {
+    vote(LOW, C);
+    promise(HIGH, null, C);
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 1, Quorums 0");
+  }
+
+  @Test
+  void aPromiseWithAnotherValueThanTheBallotsViolatesVotes() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    promise(HIGH, new Vote(LOW, Y), C);
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 1, Quorums 0");
+  }
+
+  @Test
+  void aProposalAfterPromisesOfHalfViolatesQuorums() {
+    promise(LOW, null, A, B);
+    sends(A, A, new Accept(1, LOW, X));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void aProposalAgainstTheVotesOfAMajorityViolatesQuorums() {
+    promise(HIGH, new Vote(LOW, X), A, B, C);
+    sends(B, A, new Accept(1, HIGH, Y));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void twoValuesInOneBallotViolateQuorums() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    sends(A, B, new Accept(1, LOW, Y));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void aBallotOfAnotherRobotViolatesQuorums() {
+    promise(LOW, null, A, B, C);
+    sends(D, A, new Accept(1, LOW, X));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void aDecisionByHalfViolatesQuorums() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    vote(LOW, A, B);
+    sends(A, D, new Decided(1, X));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void theEndOfATraceInRealTimeMayBeMissing() {
+    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+    sends(A, A, new Accept(1, LOW, X));
+    sends(A, D, new Decided(1, X));
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  private void promise(Ballot ballot, @Nullable Vote vote, RobotId... acceptors) {
+    for (RobotId acceptor : acceptors) {
+      sends(acceptor, ballot.proposer().robot(), new Promise(1, ballot, vote, List.of()));
+    }
+  }
+
+  private void vote(Ballot ballot, RobotId... acceptors) {
+    for (RobotId acceptor : acceptors) {
+      sends(acceptor, ballot.proposer().robot(), new Accepted(1, ballot));
+    }
+  }
+
+  private void sends(RobotId from, RobotId to, SynodMessage message) {
+    monitors.observe(new Sent(0, from, to.name(), "agreement/x", 1, 1, message.toString()));
+  }
+
+  private String violations() {
+    StringBuilder text = new StringBuilder();
+    for (String lemma : monitors.lemmas()) {
+      String separator = text.length() == 0 ? "" : ", ";
+      text.append(separator).append(lemma).append(' ').append(monitors.report().violations(lemma));
+    }
+    return text.toString();
+  }
+}

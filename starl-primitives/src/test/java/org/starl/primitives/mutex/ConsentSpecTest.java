@@ -1,0 +1,159 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+
+/** Traces written by hand: a ghost blocks for at most 10 ns, a dead participant for 20. */
+class ConsentSpecTest {
+
+  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
+  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
+  private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
+  private static final ProcessId L = new ProcessId(new RobotId("l"), 1);
+
+  private final Monitors monitors = new Monitors(List.of(new ConsentSpec(10, 20)));
+
+  ConsentSpecTest() {
+    for (ProcessId id : List.of(I, J, K)) {
+      event(0, new MutexEvent.Learned(id, View.closed(List.of(I, J, K))));
+    }
+  }
+
+  @Test
+  void entryWithAllAnswersHolds() {
+    ask(0);
+    ok(1, J, I, 1);
+    ok(1, K, I, 1);
+    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  @Test
+  void entryWithoutAnAnswerViolatesConsent() {
+    ask(0);
+    ok(1, J, I, 1);
+    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
+  }
+
+  @Test
+  void anAnswerToAnEarlierRequestIsNoConsent() {
+    ask(0);
+    ok(1, J, I, 1);
+    ok(1, K, I, 0);
+    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
+  }
+
+  @Test
+  void aLaterParticipantThatHasAskedIsNeededToo() {
+    ask(0);
+    ok(1, J, I, 1);
+    ok(1, K, I, 1);
+    String req = new MutexMessage.Req(L, I, 1, 2, 5, set("A")).toString();
+    monitors.observe(new Delivered(1, I.robot(), L.robot(), "mutex/x", 1, req));
+    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
+  }
+
+  @Test
+  void entryIntoAGhostsSectionViolatesConsent() {
+    event(0, new MutexEvent.Learned(I, ghost()));
+    ask(0);
+    ok(1, J, I, 1);
+    ok(1, K, I, 1);
+    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
+  }
+
+  @Test
+  void aGrantAfterTheFenceViolatesFencedAlsoByAMessageAlone() {
+    ok(0, J, I, 1);
+    event(1, new MutexEvent.Fence(J, I, set("A")));
+    ok(2, J, I, 1);
+    assertThat(monitors.report().holds()).isTrue();
+    ok(3, J, I, 2);
+    assertThat(monitors.report().violations(ConsentSpec.FENCED)).isEqualTo(1);
+    event(4, new MutexEvent.Grant(J, I, 3));
+    assertThat(monitors.report().violations(ConsentSpec.FENCED)).isEqualTo(2);
+  }
+
+  @Test
+  void aRequestThatWaitsOnlyForAGhostMustEnd() {
+    event(0, new MutexEvent.Learned(I, ghost()));
+    ask(0);
+    ok(1, J, I, 1);
+    ok(5, K, I, 1);
+    monitors.finish(15);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aRequestThatWaitsTooLongForAGhostViolatesServed() {
+    event(0, new MutexEvent.Learned(I, ghost()));
+    ask(0);
+    ok(5, J, I, 1);
+    ok(5, K, I, 1);
+    monitors.finish(16);
+    assertThat(monitors.report().violations("Served")).isEqualTo(1);
+  }
+
+  @Test
+  void aDeadParticipantThatIsNotConfinedViolatesServed() {
+    monitors.observe(new Fault(0, K.robot(), Fault.CRASH, ""));
+    ask(1);
+    ok(1, J, I, 1);
+    monitors.finish(22);
+    assertThat(monitors.report().violations("Served")).isEqualTo(1);
+  }
+
+  @Test
+  void withoutAMajorityNoParticipantMustBeConfined() {
+    monitors.observe(new Fault(0, K.robot(), Fault.CRASH, ""));
+    monitors.observe(new Fault(0, J.robot(), Fault.CRASH, ""));
+    ask(1);
+    monitors.finish(50);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  private static View ghost() {
+    return View.closed(List.of(I, J, K)).next().confined(K, set("A"));
+  }
+
+  private void ask(long timeNs) {
+    event(timeNs, new MutexEvent.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
+  }
+
+  private void ok(long timeNs, ProcessId from, ProcessId to, long num) {
+    String ok = new MutexMessage.Ok(from, to, num).toString();
+    monitors.observe(new Sent(timeNs, from.robot(), to.robot().name(), "mutex/x", 1, 1, ok));
+  }
+
+  private static SortedSet<String> set(String... sections) {
+    return Sections.copyOf(List.of(sections));
+  }
+
+  private void event(long timeNs, MutexEvent event) {
+    monitors.observe(
+        new Action(
+            timeNs,
+            event.who().robot(),
+            "mutex/x",
+            MutexTrace.name(event),
+            MutexTrace.args(event)));
+  }
+}

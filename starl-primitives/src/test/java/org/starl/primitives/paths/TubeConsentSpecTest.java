@@ -1,0 +1,93 @@
+package org.starl.primitives.paths;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Point;
+import org.starl.id.RobotId;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Claims written by hand, among the robots a and b: both are a majority. */
+class TubeConsentSpecTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final Tube HERE = tube(0, 0, 1000, 0);
+  private static final Tube CROSSING = tube(500, -500, 500, 500);
+  private static final Tube FAR = tube(0, 5000, 1000, 5000);
+
+  private final Monitors monitors = new Monitors(List.of(new TubeConsentSpec()));
+
+  @Test
+  void aTubeWithTheConsentOfAllIsHeldAndGivenBackInParts() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(A, A, 1);
+    votes(B, A, 1);
+    holds(A, HERE);
+    holds(A, HERE.from(1));
+    assertThat(monitors.report().holds()).isTrue();
+    assertThat(monitors.report().neverChecked()).isEmpty();
+  }
+
+  @Test
+  void aTubeWithTheConsentOfHalfViolatesClaimed() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(A, A, 1);
+    votes(B, A, 0);
+    holds(A, HERE);
+    assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
+  }
+
+  @Test
+  void aTubeThatIsHeldAgainAfterARestartViolatesClaimed() {
+    aTubeWithTheConsentOfAllIsHeldAndGivenBackInParts();
+    asks(A, new Holding(2, List.of(HERE.from(1)), List.of(FAR)));
+    holds(A, HERE);
+    assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
+  }
+
+  @Test
+  void consentsToTwoTubesThatMeetViolateConsents() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(B, A, 1);
+    asks(B, new Holding(1, List.of(), List.of(CROSSING)));
+    votes(B, B, 1);
+    assertThat(monitors.report().violations(TubeConsentSpec.CONSENTS)).isEqualTo(1);
+  }
+
+  @Test
+  void aVoterMayForgetATubeThatItsRobotHasGivenUp() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(B, A, 1);
+    asks(A, new Holding(2, List.of(), List.of(FAR)));
+    asks(B, new Holding(1, List.of(), List.of(CROSSING)));
+    votes(B, B, 1);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  private static Tube tube(double x1, double y1, double x2, double y2) {
+    return new Tube(List.of(new Point(x1, y1), new Point(x2, y2)), 300);
+  }
+
+  /** Sends a request to both robots, which receive it. */
+  private void asks(RobotId robot, Holding holding) {
+    String ask = new TubeMessage.Ask(holding).toString();
+    for (RobotId to : List.of(A, B)) {
+      monitors.observe(new Sent(0, robot, to.name(), "tubes/x", 1, 1, ask));
+      monitors.observe(new Delivered(0, to, robot, "tubes/x", 1, ask));
+    }
+  }
+
+  private void votes(RobotId voter, RobotId to, long version) {
+    String vote = new TubeMessage.Vote(version).toString();
+    monitors.observe(new Sent(0, voter, to.name(), "tubes/x", 1, 1, vote));
+  }
+
+  private void holds(RobotId robot, Tube tube) {
+    monitors.observe(new Variable(0, robot, "tubes/x", "held", tube.toString()));
+  }
+}
