@@ -72,7 +72,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new AgreementConformance(), new SynodSpec());
+    return List.of(new AgreementConformance(), new SynodSpec(SetAgreement.PRIMITIVE));
   }
 
   @Override

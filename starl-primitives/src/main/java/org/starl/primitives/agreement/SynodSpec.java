@@ -40,10 +40,15 @@ public final class SynodSpec extends LemmaMonitor {
   private static final List<String> RULED =
       List.of("Prepare", "Promise", "Accept", "Accepted", "Decided");
 
+  private final String channels;
   private final Map<String, Instance> instances = new TreeMap<>();
   private boolean isRealTime;
 
-  public SynodSpec() {
+  /**
+   * @param primitive whose channels carry messages of a Synod, such as {@code registration}
+   */
+  public SynodSpec(String primitive) {
+    channels = primitive + "/";
     lemma(BALLOTS, "An acceptor answers no ballot below one that it has answered.");
     lemma(VOTES, "An acceptor's promise reports its latest vote.");
     lemma(QUORUMS, "A value is proposed, and reported as decided, only as a majority allows.");
@@ -60,6 +65,9 @@ public final class SynodSpec extends LemmaMonitor {
 
   private void sent(Sent sent, Report report) {
     String message = sent.message();
+    if (!sent.channel().startsWith(channels)) {
+      return; // An app may have messages of these names.
+    }
     if (RULED.stream().noneMatch(type -> MessageText.isA(type, message)) || isForgotten(sent)) {
       return;
     }

@@ -69,7 +69,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new BarrierConformance(), new SynodSpec());
+    return List.of(new BarrierConformance(), new SynodSpec(BarrierTrace.SYNOD));
   }
 
   @Override

@@ -83,7 +83,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new ElectionConformance(), new SynodSpec());
+    return List.of(new ElectionConformance(), new SynodSpec(ElectionTrace.SYNOD));
   }
 
   @Override

@@ -80,7 +80,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new RegistrationConformance(), new SynodSpec());
+    return List.of(new RegistrationConformance(), new SynodSpec(RegistrationTrace.PRIMITIVE));
   }
 
   @Override

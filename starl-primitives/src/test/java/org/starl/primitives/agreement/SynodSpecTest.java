@@ -29,7 +29,7 @@ class SynodSpecTest {
   private static final Value X = Value.of(new byte[] {1});
   private static final Value Y = Value.of(new byte[] {2});
 
-  private final Monitors monitors = new Monitors(List.of(new SynodSpec()));
+  private final Monitors monitors = new Monitors(List.of(new SynodSpec(SetAgreement.PRIMITIVE)));
 
   SynodSpecTest() {
     for (RobotId acceptor : List.of(A, B, C, D)) {
@@ -48,6 +48,12 @@ class SynodSpecTest {
     sends(A, D, new Decided(1, X));
     assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
     assertThat(monitors.report().neverChecked()).isEmpty();
+  }
+
+  @Test
+  void messagesOfAnAppMayHaveTheSameNames() {
+    monitors.observe(new Sent(0, A, B.name(), "orders/x", 1, 1, "Accept[order=5]"));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
   }
 
   @Test
