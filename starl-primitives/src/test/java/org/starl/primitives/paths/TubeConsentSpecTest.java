@@ -69,6 +69,17 @@ class TubeConsentSpecTest {
     assertThat(monitors.report().violations()).isEmpty();
   }
 
+  @Test
+  void aConsentMayBeRepeatedAfterAnotherRobotHoldsPartOfTheTube() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(B, A, 1);
+    // The others knew that A has given up.
+    asks(B, new Holding(1, List.of(CROSSING), List.of()));
+    votes(B, B, 1);
+    votes(B, A, 1);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
   private static Tube tube(double x1, double y1, double x2, double y2) {
     return new Tube(List.of(new Point(x1, y1), new Point(x2, y2)), 300);
   }
