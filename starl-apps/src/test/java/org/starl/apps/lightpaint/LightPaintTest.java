@@ -161,6 +161,29 @@ class LightPaintTest {
     }
   }
 
+  /**
+   * It is decided that a painter has the stroke for which it asked before it crashed. When it comes
+   * back, another one works near to that stroke.
+   */
+  @Test
+  void aPainterKeepsTheStrokeForWhichItAskedBeforeACrash() {
+    String faults =
+        String.join(
+            ";",
+            "partition(any,at=124ms,until=6035ms)",
+            "crash(any,at=7052ms,until=8337ms)",
+            "crash(any,at=22963ms,until=26156ms)",
+            "partition(any,at=26680ms,until=36212ms)",
+            "crash(half,lose=some,at=36108ms,until=37041ms)",
+            "crash(half,lose=some,at=39477ms,until=41098ms)",
+            "partition(any,at=49020ms,until=50548ms)",
+            "partition(all>any,at=21817ms,until=39184ms)",
+            "partition(any>all,at=35374ms,until=49548ms)",
+            "partition(all>any,at=8654ms,until=30070ms)");
+    SimResult result = run(58, 3, Map.of(), Map.of("faults", faults));
+    assertAllPainted(result, 20);
+  }
+
   @Test
   void aPainterThatCrashesAfterItsLastStrokeDoesNotDriveThereAgain(@TempDir Path folder)
       throws IOException {

@@ -65,7 +65,13 @@ public final class LightPaintApp extends LogicThread {
         case RESUME -> {
           if (gvh.gps.hasFix() && paths.isPlaced()) {
             work.resume(gvh.gps.pose().at());
-            location.set(work.isNone() ? Location.PICK : Location.GO);
+            if (work.isNone()) {
+              location.set(Location.PICK);
+            } else {
+              // Asked for before the crash: it may be decided that this robot paints it.
+              assignment.request(work.stroke());
+              location.set(Location.ASK);
+            }
           }
         }
         case PICK -> pick();
