@@ -13,6 +13,12 @@ public final class MessageText {
 
   private MessageText() {}
 
+  /** The type of a record, such as {@code Ok}; a text without fields is returned whole. */
+  public static String type(String message) {
+    int end = message.indexOf('[');
+    return end < 0 ? message : message.substring(0, end);
+  }
+
   /** Whether {@code message} is a record of this type, as in {@code Ok}. */
   public static boolean isA(String type, String message) {
     return message.startsWith(type) && message.startsWith("[", type.length());

@@ -68,20 +68,18 @@ public final class SynodSpec extends LemmaMonitor {
     if (!sent.channel().startsWith(channels)) {
       return; // An app may have messages of these names.
     }
-    if (RULED.stream().noneMatch(type -> MessageText.isA(type, message)) || isForgotten(sent)) {
+    String type = MessageText.type(message);
+    if (!RULED.contains(type) || isForgotten(sent)) {
       return;
     }
-    if (MessageText.isA("Prepare", message)) {
+    switch (type) {
       // The first question of a ballot goes to all acceptors.
-      instance(sent).acceptors.add(sent.to());
-    } else if (MessageText.isA("Promise", message)) {
-      decree(sent).promised(sent, field(message, "vote"), report);
-    } else if (MessageText.isA("Accepted", message)) {
-      decree(sent).voted(sent, report);
-    } else if (MessageText.isA("Accept", message)) {
-      decree(sent).proposed(sent, report);
-    } else if (MessageText.isA("Decided", message)) {
-      decree(sent).decided(sent, report);
+      case "Prepare" -> instance(sent).acceptors.add(sent.to());
+      case "Promise" -> decree(sent).promised(sent, field(message, "vote"), report);
+      case "Accepted" -> decree(sent).voted(sent, report);
+      case "Accept" -> decree(sent).proposed(sent, report);
+      case "Decided" -> decree(sent).decided(sent, report);
+      default -> throw new IllegalStateException(type + ": no rule");
     }
   }
 
