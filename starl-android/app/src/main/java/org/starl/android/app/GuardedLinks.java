@@ -1,7 +1,5 @@
 package org.starl.android.app;
 
-import static java.util.concurrent.TimeUnit.MILLISECONDS;
-
 import android.content.ComponentName;
 import android.content.Context;
 import android.content.Intent;
@@ -16,15 +14,13 @@ import java.io.OutputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Objects;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.Guard;
 import org.starl.robot.create.WheelGuard;
 import org.starl.robot.file.Wheels.Port;
 import org.starl.robot.realtime.RealClock;
+import org.starl.time.Time;
 
 /**
  * Links to a Create through the process of {@link WheelsService}; each link has a guard of its own. A
@@ -34,10 +30,10 @@ import org.starl.robot.realtime.RealClock;
 final class GuardedLinks implements ByteLink.Source {
 
   /** A process starts, and Bluetooth connects or gives up. */
-  private static final long OPEN_MS = 30_000;
+  private static final long OPEN_NS = 30 * Time.NS_PER_S;
 
   /** A guard that has not closed its link by then is frozen, or stuck in a write. */
-  private static final long CLOSE_MS = 1000;
+  private static final long CLOSE_NS = Time.NS_PER_S;
 
   private static final String DEAD = "the process that guards the wheels has ended";
   private static final String SILENT = "the process that guards the wheels does not answer";
@@ -68,11 +64,10 @@ final class GuardedLinks implements ByteLink.Source {
   }
 
   private final class GuardedLink implements ByteLink, ServiceConnection {
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
+    private final Guard state = new Guard();
     private final Calls calls = new Calls();
 
-    // Guarded by the lock.
+    // Of the state.
     private final ArrayDeque<byte[]> received = new ArrayDeque<>();
     private @Nullable IBinder line;
     private int guardsPid;
@@ -100,8 +95,8 @@ final class GuardedLinks implements ByteLink.Source {
       if (!context.bindService(guard, this, Context.BIND_AUTO_CREATE | Context.BIND_IMPORTANT)) {
         throw new IOException("Android does not start the process that guards the wheels");
       }
-      await(() -> line != null || endReason != null, OPEN_MS);
-      String problem = get(() -> line == null && endReason == null ? SILENT : endReason);
+      state.await(() -> line != null || endReason != null, OPEN_NS);
+      String problem = state.get(() -> line == null && endReason == null ? SILENT : endReason);
       if (problem != null) {
         throw new IOException(problem);
       }
@@ -135,7 +130,7 @@ final class GuardedLinks implements ByteLink.Source {
         line = newLine;
         guardsPid = pid;
       });
-      if (get(() -> isClosed)) {
+      if (state.get(() -> isClosed)) {
         sendClose(); // it has opened too late
       }
     }
@@ -167,22 +162,27 @@ final class GuardedLinks implements ByteLink.Source {
     }
 
     private int take(byte[] into, int offset, int length) throws IOException {
-      await(() -> !received.isEmpty() || endReason != null || isClosed, Long.MAX_VALUE);
-      lock.lock();
-      try {
-        byte[] first = received.poll();
-        if (first == null) {
-          throw new IOException(endReason == null ? port + " was closed" : endReason);
-        }
-        int count = Math.min(length, first.length);
-        System.arraycopy(first, 0, into, offset, count);
-        if (count < first.length) {
-          received.addFirst(Arrays.copyOfRange(first, count, first.length));
-        }
-        return count;
-      } finally {
-        lock.unlock();
+      state.await(() -> !received.isEmpty() || endReason != null || isClosed, Long.MAX_VALUE);
+      int count = state.get(() -> takeWaiting(into, offset, length));
+      if (count < 0) {
+        String reason = state.get(() -> endReason);
+        throw new IOException(reason == null ? port + " was closed" : reason);
       }
+      return count;
+    }
+
+    /** With the state held: the number of bytes taken; -1 if none wait. */
+    private int takeWaiting(byte[] into, int offset, int length) {
+      byte[] first = received.poll();
+      if (first == null) {
+        return -1;
+      }
+      int count = Math.min(length, first.length);
+      System.arraycopy(first, 0, into, offset, count);
+      if (count < first.length) {
+        received.addFirst(Arrays.copyOfRange(first, count, first.length));
+      }
+      return count;
     }
 
     @Override
@@ -198,7 +198,7 @@ final class GuardedLinks implements ByteLink.Source {
           byte[] row = Arrays.copyOfRange(bytes, offset, offset + length);
           try {
             GuardCalls.send(
-                Objects.requireNonNull(get(() -> line)),
+                Objects.requireNonNull(state.get(() -> line)),
                 GuardCalls.WRITE,
                 call -> {
                   call.writeLong(RealClock.machineNs());
@@ -215,13 +215,13 @@ final class GuardedLinks implements ByteLink.Source {
     // Two threads may close a link: the next guard needs the port, so the second one waits.
     @Override
     public synchronized void close() throws IOException {
-      if (get(() -> isClosed)) {
+      if (state.get(() -> isClosed)) {
         return;
       }
       change(() -> isClosed = true);
       try {
         if (!hasEndedByItself()) {
-          Process.killProcess(get(() -> guardsPid));
+          Process.killProcess(state.get(() -> guardsPid));
           WheelGuard.stopWheels(SerialPorts.at(context, port));
         }
       } finally {
@@ -231,54 +231,28 @@ final class GuardedLinks implements ByteLink.Source {
 
     /** False if the wheels may still turn. A guard that has never opened its link moved no wheel. */
     private boolean hasEndedByItself() {
-      if (get(() -> line == null)) {
+      if (state.get(() -> line == null)) {
         return true;
       }
       sendClose();
-      await(() -> endReason != null, CLOSE_MS);
-      return get(() -> endReason != null && !isGuardDead);
+      state.await(() -> endReason != null, CLOSE_NS);
+      return state.get(() -> endReason != null && !isGuardDead);
     }
 
     private void sendClose() {
       try {
-        GuardCalls.send(Objects.requireNonNull(get(() -> line)), GuardCalls.CLOSE, call -> {});
+        GuardCalls.send(
+            Objects.requireNonNull(state.get(() -> line)), GuardCalls.CLOSE, call -> {});
       } catch (RemoteException e) {
         ended(DEAD, true);
       }
     }
 
     private void change(Runnable change) {
-      lock.lock();
-      try {
+      state.run(() -> {
         change.run();
-        changed.signalAll();
-      } finally {
-        lock.unlock();
-      }
-    }
-
-    private <T extends @Nullable Object> T get(Supplier<T> value) {
-      lock.lock();
-      try {
-        return value.get();
-      } finally {
-        lock.unlock();
-      }
-    }
-
-    /** Waits until the condition holds, the time is over, or the thread is interrupted. */
-    private void await(BooleanSupplier condition, long limitMs) {
-      lock.lock();
-      try {
-        long leftNs = MILLISECONDS.toNanos(limitMs);
-        while (!condition.getAsBoolean() && leftNs > 0) {
-          leftNs = changed.awaitNanos(leftNs);
-        }
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-      } finally {
-        lock.unlock();
-      }
+        state.signal();
+      });
     }
 
     @Override

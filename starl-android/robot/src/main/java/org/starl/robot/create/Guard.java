@@ -4,15 +4,16 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
-/** A lock with one condition. */
-final class Guard {
+/** A lock with one condition. All methods may be called from any thread. */
+public final class Guard {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
 
   /** Runs {@code action} with the lock held. */
-  void run(Runnable action) {
+  public void run(Runnable action) {
     lock.lock();
     try {
       action.run();
@@ -22,7 +23,7 @@ final class Guard {
   }
 
   /** Evaluates {@code value} with the lock held. */
-  <T> T get(Supplier<T> value) {
+  public <T extends @Nullable Object> T get(Supplier<T> value) {
     lock.lock();
     try {
       return value.get();
@@ -32,7 +33,7 @@ final class Guard {
   }
 
   /** Makes waiting threads check their conditions. Only with the lock held. */
-  void signal() {
+  public void signal() {
     changed.signalAll();
   }
 
@@ -41,7 +42,7 @@ final class Guard {
    *
    * @return whether it holds; false also after an interrupt, which stays set
    */
-  boolean await(BooleanSupplier condition, long ns) {
+  public boolean await(BooleanSupplier condition, long ns) {
     lock.lock();
     try {
       long leftNs = ns;

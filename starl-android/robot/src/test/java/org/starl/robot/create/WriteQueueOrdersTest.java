@@ -17,7 +17,7 @@ class WriteQueueOrdersTest {
 
   private static final int ORDERS = 500;
 
-  /** A link that nobody uses. */
+  /** A link without bytes, which must stay open. */
   private static final class NoLink implements ByteLink {
     @Override
     public InputStream input() {
