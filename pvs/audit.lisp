@@ -1,0 +1,135 @@
+;; What the proofs in some theories rest on besides proof: asked of PVS itself, after it has read and
+;; type-checked them, so that no trick of spelling hides anything.  pvs/check loads this file.
+;;
+;; (starl-audit FILE), FILE without .pvs, prints a line each, `starl: KIND WORDS`:
+;;   theory FILE NAME          each theory of the file, and each that these rest on
+;;   axiom THEORY NAME         taken for true without a proof
+;;   undischarged THEORY NAME  an assumption of a theory that none uses but those that assume something, too
+;;   empty THEORY NAME         a value parameter whose type may have no values, of a theory that no theory
+;;                             without parameters uses: its theorems may be about nothing
+;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
+;;                             wrong about later updates of that place (docs/proofs.md)
+(in-package :pvs)
+
+(defun starl-line (kind theory what)
+  (format t "~&starl: ~a ~a ~a~%" kind (id theory) what))
+
+(defun starl-own (theories)
+  "Those of THEORIES that are files of this folder, not of PVS."
+  (remove-if-not #'(lambda (th)
+                     (and (module? th)
+                          (filename th)
+                          (null (generated-by th))
+                          (probe-file (format nil "~a.pvs" (filename th)))))
+                 theories))
+
+(defun starl-declarations (th)
+  (append (remove-if-not #'declaration? (assuming th)) (remove-if-not #'declaration? (theory th))))
+
+(defun starl-axioms (th)
+  (dolist (d (theory th))
+    (when (and (formula-decl? d)
+               (not (tcc-decl? d))
+               (null (generated-by d)) ; those of data types and inductive definitions are PVS's own
+               (member (spelling d) '(axiom postulate assumption)))
+      (starl-line "axiom" th (id d)))))
+
+(defun starl-used? (th by)
+  "Whether BY, or what it uses, uses TH with actual parameters."
+  (some #'(lambda (use) (and (eq (id (car use)) (id th)) (some #'actuals (cdr use)))) (all-usings by)))
+
+(defun starl-assumptions (th all)
+  ;; PVS makes each use of a theory with assumptions prove them; a theory that assumes something itself
+  ;; may prove them by that.
+  (unless (some #'(lambda (user) (and (null (assuming user)) (starl-used? th user))) all)
+    (dolist (d (assuming th))
+      (when (formula-decl? d)
+        (starl-line "undischarged" th (id d))))))
+
+(defun starl-parameters (th all)
+  (dolist (d (formals th))
+    (when (and (formal-const-decl? d)
+               (not (nonempty? (type d)))
+               (subtype? (type d))
+               (notany #'(lambda (user) (and (null (formals user)) (starl-used? th user))) all))
+      (starl-line "empty" th (id d)))))
+
+;; Of these (posnat, finite_set) the prover does not conclude what the values are; tried.
+(defun starl-named-in-prelude? (type)
+  (let ((name (print-type type)))
+    (and (type-name? name)
+         (resolution name)
+         (let ((th (module (declaration name))))
+           (and (typep th 'module) (from-prelude? th))))))
+
+(defun starl-narrower? (has wanted)
+  "Whether type HAS has, somewhere inside, functions with values of a smaller type than WANTED has there."
+  (let ((has (find-supertype has))
+        (wanted (find-supertype wanted)))
+    (cond ((and (funtype? has) (funtype? wanted))
+           (or (and (subtype? (range has))
+                    (not (starl-named-in-prelude? (range has)))
+                    (not (tc-eq (range has) (range wanted)))
+                    (subtype-of? (range has) (range wanted)))
+               (starl-narrower? (range has) (range wanted))))
+          ((and (recordtype? has) (recordtype? wanted))
+           (loop for field in (fields wanted)
+                 for same = (find (id field) (fields has) :key #'id)
+                 thereis (and same (starl-narrower? (type same) (type field)))))
+          ((and (tupletype? has) (tupletype? wanted))
+           (loop for a in (types has)
+                 for b in (types wanted)
+                 thereis (starl-narrower? (starl-type a) (starl-type b)))))))
+
+(defun starl-type (type)
+  (if (dep-binding? type) (type type) type))
+
+(defun starl-structured? (type)
+  (let ((top (find-supertype type)))
+    (or (funtype? top) (recordtype? top) (tupletype? top))))
+
+(defun starl-places (ex)
+  "The expressions within EX that give something of a declared type its value, each with that type."
+  (cond ((or (record-expr? ex) (update-expr? ex))
+         (let ((record (find-supertype (type ex))))
+           (when (recordtype? record)
+             (loop for each in (assignments ex)
+                   for name = (caar (arguments each))
+                   for field = (and (null (cdr (arguments each)))
+                                    (find (id name) (fields record) :key #'id))
+                   when field collect (cons (expression each) (type field))))))
+        ((and (application? ex) (not (let-expr? ex)) (not (equation? ex)) (not (disequation? ex)))
+         ;; What gives no function or record back cannot pass it on.
+         (let ((domain (and (starl-structured? (type ex)) (domain (find-supertype (type (operator ex)))))))
+           (if (or (null domain) (cdr (arguments ex)))
+               (let ((types (and domain (tupletype? (find-supertype domain)) (types (find-supertype domain)))))
+                 (when (= (length types) (length (arguments ex)))
+                   (mapcar #'cons (arguments ex) types)))
+               (list (cons (argument ex) domain)))))))
+
+(defun starl-narrow (th)
+  (flet ((tell (ex at)
+           (starl-line "narrow" th (elt (or (place ex) (place at) #("?")) 0))))
+    (mapobject #'(lambda (ex)
+                   (when (expr? ex)
+                     (loop for (value . wanted) in (starl-places ex)
+                           when (starl-narrower? (type value) (starl-type wanted))
+                             do (tell value ex)))
+                   nil)
+               (theory th))
+    (dolist (d (theory th))
+      (when (and (const-decl? d) (null (generated-by d)) (null (formals d)) (definition d)
+                 (starl-narrower? (type (definition d)) (type d)))
+        (tell (definition d) d)))))
+
+(defun starl-audit (file)
+  (let* ((all (starl-own (imported-theories-in-theories (theories-in-file file)))))
+    (dolist (th all)
+      (starl-line "theory" th (filename th)))
+    (dolist (th all)
+      (let ((*current-context* (context th)))
+        (starl-axioms th)
+        (starl-assumptions th all)
+        (starl-parameters th all)
+        (starl-narrow th)))
+    (starl-line "audited" (car all) (length all))))
