@@ -33,7 +33,7 @@ import org.starl.random.Rng;
  * Progress: DONE means that the estimated position is within the goal radius of the target, so the
  * true one is within goal radius plus error bound; FAIL, with a {@link #failure}, means that the
  * wheels are stopped and the target was not reached. During a motion a timer steps the automaton
- * once per period, and a bump steps it at once; an idle robot needs no computation.
+ * once per period, and a contact steps it at once; an idle robot needs no computation.
  */
 public final class MotionController {
 
@@ -223,8 +223,10 @@ public final class MotionController {
     Bumps bumps = chassis.bumps();
     bumped = bumps.any();
     gps.commanded(commanded, bumped);
-    if (run != null && run.needsSteps()) {
-      if (bumped && gps.location() instanceof Location.Known known) {
+    // A sensor that opens waits for the next step: else a robot that stops for its contact, and so
+    // frees itself, would drive against it again at the same time, and never let time pass.
+    if (bumped && run != null && run.needsSteps()) {
+      if (gps.location() instanceof Location.Known known) {
         handleContact(new Contact(known, bumps));
       }
       step(clock.nowNs());

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.body.Bumps;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Circle;
@@ -115,6 +116,23 @@ class MotionControllerTest {
     assertThat(traced()).containsSubsequence("failed", "motionflag=FAIL");
     assertThat(gvh.gps.knownObstacles().all().distanceMm(new Point(167.5, 0))).isLessThan(1);
     assertThat(gvh.gps.knownObstacles().contacts()).isEqualTo(1);
+  }
+
+  @Test
+  void aSensorThatOpensWaitsForTheNextStep() {
+    fix(0, 0, 0);
+    moat.setParameters(
+        moat.parameters().toBuilder().collisionPolicy(CollisionPolicy.BUMPERCARS).build());
+    moat.doMove(AHEAD);
+    world.runMs(10);
+    robot.bump(Bumps.BOTH);
+    world.runMs(0);
+    int steps = robot.driven.size();
+    robot.bump(Bumps.NONE);
+    world.runMs(0);
+    assertThat(robot.driven).hasSize(steps);
+    world.runMs(60);
+    assertThat(robot.driven).hasSizeGreaterThan(steps);
   }
 
   @Test
