@@ -62,6 +62,14 @@ final class MotionBodies {
     return bodies.isOnFloor(robot);
   }
 
+  /** Whether the body drives or turns. */
+  boolean isDriving(RobotId robot) {
+    Moved drive = drives.get(robot);
+    return drive != null
+        && bodies.isOnFloor(robot)
+        && (drive.linearMmPerS() != 0 || drive.angularRadPerS() != 0);
+  }
+
   /** The true pose of a body on the floor. */
   Pose poseAt(RobotId robot, long nowNs) {
     return bodies.poseAt(robot, nowNs);

@@ -3,6 +3,8 @@ package org.starl.primitives.motion;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
@@ -30,6 +32,8 @@ public final class MotionSpec extends LemmaMonitor {
   static final String ARRIVES = "arrives";
   static final String TOLD = "told";
 
+  private static final long NEVER = Long.MAX_VALUE;
+
   /**
    * A correct motion's largest deviation from the straight line; its arcs begin within 25 degrees.
    */
@@ -45,7 +49,12 @@ public final class MotionSpec extends LemmaMonitor {
   // The numbers of active faults, and of active faults that affect time.
   private int faults;
   private int faultsOfTime;
-  private long firstDeadlineNs = Long.MAX_VALUE;
+  private long firstDeadlineNs = NEVER;
+
+  // From when a robot stands, because its motion has failed or was cancelled.
+  private final SortedMap<RobotId, Long> standsFromNs = new TreeMap<>();
+  private long firstStandsNs = NEVER;
+  private boolean isRealTime;
 
   /** For robots with the default motion parameters, and position errors below 50 mm. */
   public MotionSpec() {
@@ -74,7 +83,8 @@ public final class MotionSpec extends LemmaMonitor {
     lemma(ARRIVES, "A move without an obstacle succeeds.");
     lemma(
         TOLD,
-        "A robot that reports done is at its goal; every move reports done or failed in time.");
+        "A robot that reports done is at its goal; every move reports done or failed in time; a robot"
+            + " that has failed or stopped stands.");
   }
 
   /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
@@ -91,10 +101,13 @@ public final class MotionSpec extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     checkDeadlines(event.timeNs(), report);
+    checkStanding(event.timeNs(), report);
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
       case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
       case Variable variable when MotionTrace.isFlag(variable) -> flagged(variable, report);
+      case Moved moved when standsFromNs.getOrDefault(moved.robot(), NEVER) < moved.timeNs() ->
+          checkStands(moved.robot(), moved.timeNs(), report);
       case Joined joined -> startOf(joined.robot(), joined.timeNs());
       case Fault fault -> failing(fault);
       default -> {}
@@ -104,6 +117,7 @@ public final class MotionSpec extends LemmaMonitor {
   @Override
   public void finish(long endNs, Report report) {
     checkDeadlines(endNs, report);
+    checkStanding(endNs, report);
     bodies.finish(endNs, (motion, moved) -> followed(motion, moved, report));
   }
 
@@ -161,12 +175,41 @@ public final class MotionSpec extends LemmaMonitor {
     }
   }
 
+  private void checkStanding(long nowNs, Report report) {
+    if (nowNs <= firstStandsNs) {
+      return;
+    }
+    firstStandsNs = NEVER;
+    standsFromNs.forEach((robot, fromNs) -> {
+      if (fromNs < nowNs) {
+        checkStands(robot, nowNs, report);
+      } else {
+        firstStandsNs = Math.min(firstStandsNs, fromNs);
+      }
+    });
+  }
+
+  private void checkStands(RobotId robot, long nowNs, Report report) {
+    if (bodies.isDriving(robot) && !isRealTime) {
+      String detail = "drives, although its motion has failed or was cancelled";
+      report.violated(TOLD, nowNs, List.of(robot), detail);
+    }
+  }
+
   private void flagged(Variable variable, Report report) {
+    MotionFlag flag = MotionFlag.valueOf(variable.value());
+    if (flag == MotionFlag.FAIL || flag == MotionFlag.IDLE) {
+      long fromNs = variable.timeNs() + p.reactionMs() * NS_PER_MS;
+      standsFromNs.put(variable.robot(), fromNs);
+      firstStandsNs = Math.min(firstStandsNs, fromNs);
+    } else {
+      standsFromNs.remove(variable.robot());
+    }
     MotionRecord motion = bodies.of(variable.robot());
     if (motion == null) {
       return;
     }
-    switch (MotionFlag.valueOf(variable.value())) {
+    switch (flag) {
       case MOVING, IDLE -> {
         // Nothing to check.
       }
@@ -224,6 +267,7 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void failing(Fault fault) {
+    isRealTime |= fault.isRealTime();
     switch (fault.name()) {
       case Fault.BEGIN -> {
         faults++;
@@ -264,7 +308,7 @@ public final class MotionSpec extends LemmaMonitor {
     if (nowNs <= firstDeadlineNs || faultsOfTime > 0) {
       return;
     }
-    firstDeadlineNs = Long.MAX_VALUE;
+    firstDeadlineNs = NEVER;
     for (MotionRecord motion : bodies.motions().values()) {
       if (motion.isOpen && nowNs > motion.deadlineNs) {
         motion.isOpen = false;

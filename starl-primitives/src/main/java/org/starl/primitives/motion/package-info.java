@@ -10,7 +10,8 @@
  *   <li>{@code told}: {@code motionflag} is DONE only if the true position is within goal radius
  *       plus error bound of t, and the estimated position is within that bound of the true one. It
  *       is DONE or FAIL at the latest {@code longestMs(distance)} after the call, even if wheels
- *       are stuck or slow, or positions are lost.
+ *       are stuck or slow, or positions are lost. After FAIL and {@code motion_stop} the body stands,
+ *       from {@code reactionMs} on, until the next command.
  * </ul>
  *
  * <p>Progress: {@code arrives}: it is DONE, not FAIL, if the way is free: A is not near the
