@@ -1,6 +1,9 @@
 package org.starl.workload;
 
+import java.time.Duration;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.Request;
+import org.starl.body.CollisionPolicy;
 import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -8,20 +11,31 @@ import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionControl;
 import org.starl.primitives.motion.MotionPrim;
 import org.starl.primitives.motion.MotionSpec;
+import org.starl.random.Rng;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
 
 /**
  * Each robot drives to places around its start, outside a region that is sometimes in the way: then
- * it stops, reports failure, and tries elsewhere.
+ * it stops, reports failure, and tries elsewhere. Robots sometimes bump into each other, and cancel
+ * some of their motions.
  */
 final class MotionClient extends Client {
 
   private static final long THINK_MS = 500;
 
-  /** Some times the longest wait in 60 runs of 12 robots without faults. */
-  private static final long PROMPT_MS = 20_000;
+  /** Well above the longest wait in 1000 runs. */
+  private static final long PROMPT_MS = 90_000;
 
-  private static final double REACH_MM = 1_000;
+  /** Far enough to meet robots that start beside it. */
+  private static final double REACH_MM = 2_500;
+
   private static final double MAX_RADIUS_MM = 300;
+
+  /** Part of the motions that are cancelled, after at most so much time. */
+  private static final double CANCELLED = 0.1;
+
+  private static final long CANCEL_MS = 4_000;
 
   private final MotionPrim motion;
   private Point home = new Point(0, 0);
@@ -38,6 +52,18 @@ final class MotionClient extends Client {
     setup.promise(PROMPT_MS, true);
   }
 
+  /** Wheels and fixes with errors, and one of the reactions to a bump. */
+  static void settings(Request request, SimSettings.Builder settings) {
+    CollisionPolicy[] policies = CollisionPolicy.values();
+    Rng drawn = new Rng(request.seed()).fork("motion");
+    settings
+        .set(Setting.SPEED_ERROR, 0.1)
+        .set(Setting.POSITION_NOISE, 10.0)
+        .set(Setting.HEADING_NOISE, 0.01)
+        .set(Setting.REACTION, Duration.ofMillis(50))
+        .set(Setting.COLLISION_POLICY, policies[drawn.nextInt(policies.length)]);
+  }
+
   @Override
   protected void prepare() {
     await(gvh.gps::hasFix);
@@ -52,6 +78,10 @@ final class MotionClient extends Client {
     Point to = around(home, REACH_MM);
     Circle avoid = new Circle(around(home, REACH_MM), MAX_RADIUS_MM * rng.nextDouble());
     motion.do_move(new ItemPosition("place" + round, to.xMm(), to.yMm()), avoid);
+    if (rng.nextBoolean(CANCELLED)) {
+      sleep(rng.nextLong(0, CANCEL_MS));
+      motion.motion_stop();
+    }
     await(() -> motion.motionflag().get() != MotionFlag.MOVING);
     return motion.motionflag().get() == MotionFlag.DONE;
   }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
@@ -71,7 +72,8 @@ public final class PrimitiveWorkloads {
               Duration.ofSeconds(2),
               parameters(8, "20s"),
               Map.of(),
-              MotionClient::setUp),
+              MotionClient::setUp,
+              MotionClient::settings),
           new Workload(
               "mutex",
               "robots enter sets of sections, each again and again, over a registration",
@@ -141,6 +143,7 @@ public final class PrimitiveWorkloads {
    * @param timeout the longest one of the protocols
    * @param variants another value of some parameters, for half of the runs with chaos
    * @param preparation adds robots and monitors
+   * @param world changes the simulator's default settings
    */
   private record Workload(
       String name,
@@ -150,8 +153,30 @@ public final class PrimitiveWorkloads {
       Duration timeout,
       List<Parameter> parameters,
       Map<Parameter, String> variants,
-      Consumer<Setup> preparation)
+      Consumer<Setup> preparation,
+      BiConsumer<Request, SimSettings.Builder> world)
       implements Demo {
+
+    Workload(
+        String name,
+        String summary,
+        Envelope envelope,
+        int maxRobots,
+        Duration timeout,
+        List<Parameter> parameters,
+        Map<Parameter, String> variants,
+        Consumer<Setup> preparation) {
+      this(
+          name,
+          summary,
+          envelope,
+          maxRobots,
+          timeout,
+          parameters,
+          variants,
+          preparation,
+          (request, settings) -> {});
+    }
 
     @Override
     public Kind kind() {
@@ -184,8 +209,11 @@ public final class PrimitiveWorkloads {
 
     @Override
     public SimSettings.Builder defaultSettings(Request request) {
-      return SimSettings.builder()
-          .set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
+      SimSettings.Builder settings =
+          SimSettings.builder()
+              .set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
+      world.accept(request, settings);
+      return settings;
     }
 
     @Override
