@@ -2,6 +2,7 @@ package org.starl.workload;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.Request;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.geometry.Circle;
@@ -15,6 +16,8 @@ import org.starl.primitives.geocast.Geocast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
 import org.starl.time.Time;
 
 /** Robots drive about and send to areas of all shapes and, every other time, to all robots. */
@@ -64,6 +67,11 @@ final class GeocastClient extends Client {
         setup.isLossless() ? GeocastSettings.DEFAULT.reachNs(setup.delayNs()) : GeocastSpec.NEVER;
     setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS, reachNs));
     setup.promise(PROMPT_MS, false);
+  }
+
+  /** Fixes with errors, so that robots near a border are uncertain. */
+  static void settings(Request request, SimSettings.Builder settings) {
+    settings.set(Setting.POSITION_NOISE, 20.0);
   }
 
   @Override

@@ -63,7 +63,8 @@ public final class PrimitiveWorkloads {
               Duration.ofMillis(GeocastClient.MAX_D_MS),
               parameters(12, "20s"),
               Map.of(),
-              GeocastClient::setUp),
+              GeocastClient::setUp,
+              GeocastClient::settings),
           new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",

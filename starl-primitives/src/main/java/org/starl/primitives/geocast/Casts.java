@@ -59,7 +59,12 @@ final class Casts {
 
   /** The geocast of an action; null if its interval is over, or has not begun. */
   @Nullable CastRecord of(Action action) {
-    return action.args().isEmpty() ? null : active.get(key(action));
+    return action.args().isEmpty() ? null : of(action.source(), action.args().get(0));
+  }
+
+  /** The geocast of an instance; null if its interval is over, or has not begun. */
+  @Nullable CastRecord of(String source, String id) {
+    return active.get(source + " " + id);
   }
 
   /** Processes the next event. */

@@ -10,6 +10,7 @@ import org.starl.primitives.geocast.CastRecord.Copy;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
+import org.starl.trace.MessageText;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -17,7 +18,8 @@ import org.starl.trace.TraceEvent.Sent;
 
 /**
  * The specification of geocast and broadcast (paper, section 4.2), after the package's contract:
- * {@code exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies.
+ * {@code exclusion}, {@code deadline}, {@code once}, {@code acknowledged} and {@code inclusion}. It
+ * uses the true bodies.
  * Exclusion and inclusion are about the whole interval, so they are checked at its end; an interval
  * that outlasts the run is not checked.
  *
@@ -31,6 +33,7 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String INCLUSION = "inclusion";
   static final String DEADLINE = "deadline";
   static final String ONCE = "once";
+  static final String ACKNOWLEDGED = "acknowledged";
 
   /** No time is long enough for a copy to arrive certainly. */
   public static final long NEVER = Long.MAX_VALUE;
@@ -77,6 +80,7 @@ public final class GeocastSpec extends LemmaMonitor {
             + " message.");
     lemma(DEADLINE, "No robot gets the message after its interval is over.");
     lemma(ONCE, "No robot gets the message twice.");
+    lemma(ACKNOWLEDGED, "A robot acknowledges only a message that it has got.");
   }
 
   @Override
@@ -90,7 +94,7 @@ public final class GeocastSpec extends LemmaMonitor {
     faults.observe(event);
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
-      case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
+      case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent, report);
       case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
           reached(delivered);
       default -> {}
@@ -138,11 +142,26 @@ public final class GeocastSpec extends LemmaMonitor {
     cast.deliveredNs.putIfAbsent(robot, action.timeNs());
   }
 
-  private void sent(Sent sent) {
+  private void sent(Sent sent, Report report) {
+    if (MessageText.isA("Ack", sent.message())) {
+      acknowledged(sent, report);
+      return;
+    }
     CastRecord cast = announced.get(sent.robot());
     if (cast != null && sent.to().equals(EVERYONE) && sent.channel().equals(cast.source)) {
       announced.remove(sent.robot());
       cast.copies.add(new Copy(sent.robot(), sent.seq()));
+    }
+  }
+
+  private void acknowledged(Sent sent, Report report) {
+    CastRecord cast = casts.of(sent.channel(), MessageText.field(sent.message(), "id"));
+    if (cast != null) {
+      report.checked(ACKNOWLEDGED);
+      if (!cast.deliveredNs.containsKey(sent.robot())) {
+        String detail = "acknowledges " + cast.id + ", which it has not delivered";
+        report.violated(ACKNOWLEDGED, sent.timeNs(), List.of(sent.robot()), detail);
+      }
     }
   }
 

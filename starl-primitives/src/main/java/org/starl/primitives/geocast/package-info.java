@@ -17,6 +17,7 @@
  *       Moreover, a robot that delivers is in A at that moment.
  *   <li>{@code deadline}: no robot delivers it after t0 + d.
  *   <li>{@code once}: no robot delivers it twice, unless it restarts in between.
+ *   <li>{@code acknowledged}: a robot acknowledges it only after it has delivered it.
  * </ul>
  *
  * <p>A robot that enters or leaves A in the interval may deliver it or not. {@code Gcastflag} is

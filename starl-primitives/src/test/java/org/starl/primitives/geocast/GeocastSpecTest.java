@@ -49,6 +49,17 @@ class GeocastSpecTest {
   }
 
   @Test
+  void anAcknowledgementBeforeTheDeliveryViolatesAcknowledged() {
+    castWithoutReceiversAfterTheFirstDatagram();
+    Sent ack = new Sent(20, OTHER, "bot0", SOURCE, 1, 10, "Ack[id=bot0#1/1]");
+    see(act(20, OTHER, "deliver", "bot0#1/1"), ack);
+    assertThat(monitors.report().violations("acknowledged")).isZero();
+    see(new Sent(20, ORIGIN, "bot0", SOURCE, 2, 10, "Ack[id=bot0#1/1]"));
+    assertThat(monitors.report().violations("acknowledged")).isEqualTo(1);
+    assertThat(monitors.report().checks("acknowledged")).isEqualTo(2);
+  }
+
+  @Test
   void inAWorldWithoutFaultsARepeatedCopyReachesEveryRobot() {
     Monitors strict = new Monitors(List.of(new GeocastSpec(50, 0, 500)));
     assertThat(withoutFaultsSince(strict, 400)).isEqualTo(1);
