@@ -12,6 +12,7 @@ import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.primitives.Phases;
 
 /**
  * Agreement on one value, once. A robot that constructs it serves as an acceptor, if it is
@@ -33,6 +34,22 @@ public final class SetAgreement<T> extends SynodPrimitive {
 
   /** The primitive's name in sources. */
   public static final String PRIMITIVE = "agreement";
+
+  private static final String IDLE = "IDLE";
+  private static final String PROPOSING = "PROPOSING";
+  private static final String HAS_DECIDED = "DECIDED";
+  private static final String GAVE_UP = "FAILED";
+
+  /** The phases: it has not proposed, proposes, knows the decision, or has given up. */
+  public static final Phases PHASES =
+      Phases.of(
+          PRIMITIVE,
+          SynodMessage.class,
+          () -> SetAgreement::phase,
+          IDLE,
+          PROPOSING,
+          HAS_DECIDED,
+          GAVE_UP);
 
   private static final long ONLY_NUMBER = 1;
 
@@ -107,6 +124,16 @@ public final class SetAgreement<T> extends SynodPrimitive {
   /** Whether the latest proposal was given up at its deadline. */
   public GvhVariable<Boolean> failed() {
     return failed;
+  }
+
+  private static String phase(String before, String name, List<String> texts) {
+    boolean hasDecided = before.equals(HAS_DECIDED);
+    return switch (name) {
+      case PROPOSE -> hasDecided ? before : PROPOSING;
+      case DECIDED -> texts.get(0).equals("null") ? before : HAS_DECIDED;
+      case FAILED -> texts.get(0).equals("true") && !hasDecided ? GAVE_UP : before;
+      default -> before;
+    };
   }
 
   /** Whether {@code source} is an agreement, as in {@code agreement/colour}. */

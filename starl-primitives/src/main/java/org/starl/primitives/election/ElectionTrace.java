@@ -1,5 +1,9 @@
 package org.starl.primitives.election;
 
+import java.util.List;
+import org.starl.primitives.Phases;
+import org.starl.primitives.agreement.SynodMessage;
+
 /**
  * The names of elections in a trace. Ids are as {@link org.starl.id.ProcessId#parse} reads them.
  */
@@ -25,7 +29,37 @@ public final class ElectionTrace {
   /** Variable: whether {@code Leader} is {@code fail}. */
   static final String FAILED = "failed";
 
+  private static final String NO_CANDIDATE = "NO_CANDIDATE";
+  private static final String WAITING = "WAITING";
+  private static final String KNOWS_LEADER = "KNOWS_LEADER";
+  private static final String HAS_FAILED = "FAILED";
+
+  /** The phases: it has not called {@code do_election}, shows null, a leader, or fail. */
+  public static final Phases PHASES =
+      Phases.of(
+              PRIMITIVE,
+              ElectionMessage.class,
+              () -> ElectionTrace::phase,
+              NO_CANDIDATE,
+              WAITING,
+              KNOWS_LEADER,
+              HAS_FAILED)
+          .with(SYNOD, SynodMessage.class);
+
   private ElectionTrace() {}
+
+  private static String phase(String before, String name, List<String> texts) {
+    return switch (name) {
+      case DO_ELECTION -> before.equals(NO_CANDIDATE) ? WAITING : before;
+      case LEADER ->
+          switch (texts.get(0)) {
+            case "null" -> before.equals(NO_CANDIDATE) ? before : WAITING;
+            case "fail" -> HAS_FAILED;
+            default -> KNOWS_LEADER;
+          };
+      default -> before;
+    };
+  }
 
   /** Whether {@code source} is an election, as in {@code election/convoy}. */
   static boolean isElection(String source) {

@@ -1,7 +1,10 @@
 package org.starl.primitives.geocast;
 
+import java.util.List;
+import org.starl.primitives.Phases;
+
 /** The names of geocasts in the trace; {@link GeocastSpec} reads them. */
-final class GeocastTrace {
+public final class GeocastTrace {
 
   static final String GEOCAST = "geocast";
   static final String BROADCAST = "broadcast";
@@ -29,7 +32,26 @@ final class GeocastTrace {
 
   static final String GCASTFLAG = "Gcastflag";
 
+  private static final String IDLE = "IDLE";
+  private static final String CASTING = "CASTING";
+
+  /** The phases: whether the sending of a message of this robot is incomplete. */
+  public static final Phases PHASES =
+      Phases.of(GEOCAST, GeocastMessage.class, () -> GeocastTrace::phase, IDLE, CASTING);
+
+  /** As {@link #PHASES}, for broadcasts. */
+  public static final Phases BROADCAST_PHASES =
+      Phases.of(BROADCAST, GeocastMessage.class, () -> GeocastTrace::phase, IDLE, CASTING);
+
   private GeocastTrace() {}
+
+  private static String phase(String before, String name, List<String> texts) {
+    return switch (name) {
+      case DO_GEOCAST, B_CAST -> CASTING;
+      case GCASTFLAG -> texts.get(0).equals("true") ? IDLE : before;
+      default -> before;
+    };
+  }
 
   /** Whether {@code source} is a geocast or a broadcast, as in {@code geocast/alarm}. */
   static boolean isGeocast(String source) {

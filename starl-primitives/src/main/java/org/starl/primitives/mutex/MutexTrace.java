@@ -10,8 +10,10 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.starl.gvh.Trace;
 import org.starl.id.ProcessId;
+import org.starl.primitives.Phases;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -47,7 +49,21 @@ public final class MutexTrace {
   private static final String FENCE = "fence";
   private static final String STANDS_IN = "stands_in";
 
+  /** The phases of {@link MutexProtocol.Phase}, for all ids of a robot's program together. */
+  public static final Phases PHASES =
+      Phases.of(PRIMITIVE, MutexMessage.class, () -> MutexTrace::phase, (Object[]) Phase.values());
+
   private MutexTrace() {}
+
+  private static String phase(String before, String name, List<String> texts) {
+    return switch (name) {
+      case DO_MUTEX -> Phase.TRYING.name();
+      case OD_MUTEX -> Phase.CRITICAL.name();
+      case WITHDRAW -> Phase.IDLE.name();
+      case RELEASE -> texts.get(3).isEmpty() ? Phase.IDLE.name() : before;
+      default -> before;
+    };
+  }
 
   /** The source of instance {@code xid}: {@code mutex/crossing}. */
   public static String source(String xid) {

@@ -1,5 +1,9 @@
 package org.starl.primitives.registration;
 
+import org.starl.primitives.Phases;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.registration.RegistrationProtocol.Phase;
+
 /**
  * The names of registrations in a trace. Views are as {@link
  * org.starl.primitives.membership.View#parse} reads them, ids as {@link org.starl.id.ProcessId#parse}.
@@ -33,6 +37,10 @@ public final class RegistrationTrace {
 
   /** Variable: the latest view that the robot has learned. */
   public static final String VIEW = "view";
+
+  /** The phases of {@link RegistrationProtocol.Phase}. */
+  public static final Phases PHASES =
+      Phases.of(PRIMITIVE, SynodMessage.class, ShownPhase::new, (Object[]) Phase.values());
 
   private RegistrationTrace() {}
 

@@ -61,6 +61,7 @@ final class MutexWorld {
   final List<MutexNode> nodes = new ArrayList<>();
   final List<MutexMessage> inFlight = new ArrayList<>();
   final List<View> log = new ArrayList<>();
+  final List<TraceEvent.Action> trace = new ArrayList<>();
   final Monitors monitors = new Monitors(List.of(new MutexSpec()));
   long entries;
   long failures;
@@ -402,9 +403,11 @@ final class MutexWorld {
     changes++;
     entries += event instanceof MutexEvent.OdMutex ? 1 : 0;
     failures += event instanceof MutexEvent.Withdraw ? 1 : 0;
-    monitors.observe(
+    TraceEvent.Action action =
         new TraceEvent.Action(
-            nowNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event)));
+            nowNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event));
+    trace.add(action);
+    monitors.observe(action);
   }
 
   private Optional<MutexNode> any(Predicate<MutexNode> such) {
