@@ -102,8 +102,13 @@ public final class ExceptRobots implements Monitor {
     }
 
     @Override
-    public void reached(String theory, Class<?> action, String guard) {
-      report.reached(theory, action, guard);
+    public void taken(String theory, Class<?> action) {
+      report.taken(theory, action);
+    }
+
+    @Override
+    public void evaluated(String theory, Class<?> action, String conjunct, boolean holds) {
+      report.evaluated(theory, action, conjunct, holds);
     }
 
     @Override

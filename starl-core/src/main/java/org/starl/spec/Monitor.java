@@ -69,13 +69,21 @@ public interface Monitor {
     void checked(String lemma);
 
     /**
-     * The automaton of a theory took an action, or would not have taken it.
+     * The automaton of a theory took an action.
      *
      * @param theory its name: {@code Mutex_decls}
      * @param action the class of the action
-     * @param guard empty if it took the action; else the conjunct that was false, as in the theory
      */
-    default void reached(String theory, Class<?> action, String guard) {}
+    default void taken(String theory, Class<?> action) {}
+
+    /**
+     * A conjunct of an action's guard was evaluated, after those before it were true.
+     *
+     * @param theory its name: {@code Mutex_decls}
+     * @param action the class of the action
+     * @param conjunct as in the theory
+     */
+    default void evaluated(String theory, Class<?> action, String conjunct, boolean holds) {}
 
     /**
      * {@code lemma} is violated.

@@ -68,9 +68,10 @@ public final class SpecReport implements Monitor.Report {
    * What a run reached of a theory's automaton.
    *
    * @param action the class of the action
-   * @param guard empty if the action was taken; else a conjunct of its guard that was false
+   * @param conjunct of its guard; empty if the action was taken
+   * @param holds the value of the conjunct
    */
-  public record Reached(String theory, Class<?> action, String guard) {}
+  public record Reached(String theory, Class<?> action, String conjunct, boolean holds) {}
 
   private static final class Tally {
     private long checks;
@@ -85,11 +86,16 @@ public final class SpecReport implements Monitor.Report {
   private final SortedMap<String, String> inapplicable = new TreeMap<>();
 
   @Override
-  public void reached(String theory, Class<?> action, String guard) {
-    reached.computeIfAbsent(new Reached(theory, action, guard), any -> new long[1])[0]++;
+  public void taken(String theory, Class<?> action) {
+    evaluated(theory, action, "", true);
   }
 
-  /** How often the theories' actions were taken, and which conjuncts of their guards were false. */
+  @Override
+  public void evaluated(String theory, Class<?> action, String conjunct, boolean holds) {
+    reached.computeIfAbsent(new Reached(theory, action, conjunct, holds), any -> new long[1])[0]++;
+  }
+
+  /** How often the theories' actions were taken, and the conjuncts of their guards true or false. */
   public Map<Reached, Long> reached() {
     Map<Reached, Long> counts = new LinkedHashMap<>();
     reached.forEach((what, count) -> counts.put(what, count[0]));

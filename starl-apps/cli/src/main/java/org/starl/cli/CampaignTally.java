@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
+import org.starl.cli.report.Chances;
 import org.starl.cli.report.Coverage;
 import org.starl.cli.report.SeedRow;
 import org.starl.sim.check.CampaignResult;

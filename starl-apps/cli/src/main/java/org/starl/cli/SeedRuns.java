@@ -9,7 +9,9 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.starl.apps.Plan;
+import org.starl.cli.report.Chances;
 import org.starl.cli.report.Coverage;
+import org.starl.cli.report.DeliveryCounter;
 import org.starl.cli.report.MessageCounts;
 import org.starl.cli.report.RunFacts;
 import org.starl.cli.report.SeedRow;
@@ -70,6 +72,8 @@ final class SeedRuns {
     SortedSet<String> faults = Chances.watch(plan.simulation());
     kinds.put(seed, faults);
     MessageCounts messages = new MessageCounts();
+    DeliveryCounter deliveries = new DeliveryCounter();
+    plan.simulation().observer(deliveries);
     if (countsMessages) {
       plan.simulation().observer(messages);
     }
@@ -79,7 +83,8 @@ final class SeedRuns {
     SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
     figures.putAll(facts.measures().figures());
     outcome = outcome.withFigures(figures);
-    rows.put(seed, new SeedRow(key, seed, outcome, faults, facts, Coverage.of(result.spec())));
+    Coverage coverage = Coverage.of(result.spec(), deliveries);
+    rows.put(seed, new SeedRow(key, seed, outcome, faults, facts, coverage));
     return outcome;
   }
 

@@ -1,6 +1,8 @@
 package org.starl.spec.automaton;
 
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.spec.Monitor.Report;
 
 /**
  * The value of an enabling condition, a conjunction as in the theory: true, or the first false
@@ -9,12 +11,15 @@ import java.util.function.Supplier;
 public final class Enabled {
 
   /** For an action that is always enabled. */
-  public static final Enabled TRUE = new Enabled("", "");
+  public static final Enabled TRUE = new Enabled(null, "", null);
 
+  private final @Nullable Enabled before;
   private final String conjunct;
-  private final String values;
+  // Of the last conjunct if it is false; null if it is true.
+  private final @Nullable String values;
 
-  private Enabled(String conjunct, String values) {
+  private Enabled(@Nullable Enabled before, String conjunct, @Nullable String values) {
+    this.before = before;
     this.conjunct = conjunct;
     this.values = values;
   }
@@ -29,13 +34,13 @@ public final class Enabled {
     return TRUE.and(conjunct, holds, values);
   }
 
-  /** Adds a conjunct. */
-  public Enabled and(String conjunct, boolean holds, Supplier<String> values) {
-    return holds || !isTrue() ? this : new Enabled(conjunct, values.get());
+  /** Adds a conjunct; after a false one it is not evaluated. */
+  public Enabled and(String added, boolean holds, Supplier<String> addedValues) {
+    return isTrue() ? new Enabled(this, added, holds ? null : addedValues.get()) : this;
   }
 
   public boolean isTrue() {
-    return conjunct.isEmpty();
+    return values == null;
   }
 
   /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
@@ -43,9 +48,11 @@ public final class Enabled {
     return isTrue() ? "" : conjunct + " is false: " + values;
   }
 
-  /** The first false conjunct as in the theory, without its values; empty if it is true. */
-  public String conjunct() {
-    return conjunct;
+  /** Reports the evaluated conjuncts: all true, but the last one of a condition that is false. */
+  void report(String theory, Class<?> action, Report report) {
+    for (Enabled at = this; at.before != null; at = at.before) {
+      report.evaluated(theory, action, at.conjunct, at.isTrue());
+    }
   }
 
   /** {@code true}, or the {@link #falseConjunct}. */

@@ -56,7 +56,10 @@ public final class Replay<S, A extends Action> {
     report.checked(automaton.theory());
     Enabled enabled = automaton.enabled(action, state);
     state = automaton.trans(action, state);
-    report.reached(automaton.theory(), action.getClass(), enabled.conjunct());
+    if (enabled.isTrue()) {
+      report.taken(automaton.theory(), action.getClass());
+    }
+    enabled.report(automaton.theory(), action.getClass(), report);
     tryGuard(action, report);
     steps.onStep(instance, event, action, state);
     if (!enabled.isTrue()) {
@@ -65,16 +68,14 @@ public final class Replay<S, A extends Action> {
   }
 
   /**
-   * Tries, now and then, whether an earlier action would be enabled now: so it is known which
-   * conjuncts of the guards made a difference in this run.
+   * Evaluates, now and then, the guard of an earlier action in the present state: so it is known
+   * which conjuncts of the guards made a difference in this run.
    */
   private void tryGuard(A action, Report report) {
     A earlier = probe;
     if (taken % TRY_EVERY == 0 && earlier != null) {
       Enabled now = automaton.enabled(earlier, state);
-      if (!now.isTrue()) {
-        report.reached(automaton.theory(), earlier.getClass(), now.conjunct());
-      }
+      now.report(automaton.theory(), earlier.getClass(), report);
     }
     if (taken % CHANGE_EVERY == 0) {
       probe = action;

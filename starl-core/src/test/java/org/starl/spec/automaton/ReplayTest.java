@@ -116,4 +116,28 @@ class ReplayTest {
         .extracting(SpecReport.Violation::detail)
         .containsExactly("lamp/x: on(1) is false, but the trace has true");
   }
+
+  @Test
+  void conjunctsAreReportedUpToTheFirstFalseOne() {
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    SpecReport other = new SpecReport();
+    new Replay<>(new Lamp(), "lamp/y", AutomatonListener.none())
+        .step(EVENT, new Switch.switch_on(0), other);
+    assertThat(counts(report))
+        .containsOnly("taken 1", "i > 0 true 2", "NOT on(s) true 1", "NOT on(s) false 1");
+    assertThat(counts(other)).containsOnly("i > 0 false 1");
+  }
+
+  private static List<String> counts(SpecReport report) {
+    List<String> counts = new ArrayList<>();
+    report
+        .reached()
+        .forEach((what, times) ->
+            counts.add(
+                what.conjunct().isEmpty()
+                    ? "taken " + times
+                    : what.conjunct() + " " + what.holds() + " " + times));
+    return counts;
+  }
 }

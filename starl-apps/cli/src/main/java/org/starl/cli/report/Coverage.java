@@ -3,64 +3,95 @@ package org.starl.cli.report;
 import com.fasterxml.jackson.annotation.JsonCreator;
 import com.fasterxml.jackson.annotation.JsonValue;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
-import java.util.SortedSet;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Reached;
 
 /**
- * What runs reached of the theories: each action of the automata, and each conjunct of their guards
- * that was false for an action that was taken at another time.
+ * What runs reached. Of the theories: each action of the automata, and the values of each conjunct of
+ * their guards, for the actions that were taken and for some of them at other times. Of the
+ * protocols: the {@link Deliveries}.
  */
 public final class Coverage {
+
+  /** How often a conjunct was evaluated, by its value. */
+  record Values(long isTrue, long isFalse) {
+
+    Values plus(Values other) {
+      return new Values(isTrue + other.isTrue, isFalse + other.isFalse);
+    }
+  }
 
   /**
    * One action of a theory.
    *
    * @param taken how often
-   * @param falseGuards conjuncts of its guard that were false
+   * @param guard the evaluated conjuncts of its guard
    */
-  record Action(long taken, SortedSet<String> falseGuards) {
+  record Action(long taken, SortedMap<String, Values> guard) {
 
-    static final Action NEVER = new Action(0, new TreeSet<>());
+    static final Action NEVER = new Action(0, new TreeMap<>());
 
     Action plus(Action other) {
-      SortedSet<String> guards = new TreeSet<>(falseGuards);
-      guards.addAll(other.falseGuards);
-      return new Action(taken + other.taken, guards);
+      SortedMap<String, Values> sum = new TreeMap<>(guard);
+      other.guard.forEach((conjunct, values) -> sum.merge(conjunct, values, Values::plus));
+      return new Action(taken + other.taken, sum);
+    }
+
+    private long seenFalse() {
+      return guard.values().stream().filter(values -> values.isFalse > 0).count();
     }
   }
 
-  /** By the theory's name and the action's. */
-  @JsonValue private final SortedMap<String, SortedMap<String, Action>> theories;
+  /**
+   * The coverage as a row of a shard has it.
+   *
+   * @param theories by the theory's name and the action's
+   */
+  record Parts(SortedMap<String, SortedMap<String, Action>> theories, Deliveries deliveries) {}
+
+  private final SortedMap<String, SortedMap<String, Action>> theories;
+  private final Deliveries deliveries;
 
   @JsonCreator(mode = JsonCreator.Mode.DELEGATING)
-  Coverage(SortedMap<String, SortedMap<String, Action>> theories) {
-    this.theories = theories;
+  Coverage(Parts parts) {
+    theories = parts.theories;
+    deliveries = parts.deliveries;
   }
 
   /** Of no run. */
   public Coverage() {
-    this(new TreeMap<>());
+    this(new Parts(new TreeMap<>(), new Deliveries()));
   }
 
-  /** Of one run. */
-  public static Coverage of(SpecReport report) {
-    Coverage coverage = new Coverage();
+  @JsonValue
+  Parts parts() {
+    return new Parts(theories, deliveries);
+  }
+
+  /**
+   * Of one run.
+   *
+   * @param counter an observer of the run
+   */
+  public static Coverage of(SpecReport report, DeliveryCounter counter) {
+    Coverage coverage = new Coverage(new Parts(new TreeMap<>(), counter.deliveries()));
     for (Map.Entry<Reached, Long> entry : report.reached().entrySet()) {
       Reached reached = entry.getKey();
       Class<?> action = reached.action();
       SortedMap<String, Action> actions =
           coverage.theories.computeIfAbsent(reached.theory(), any -> actions(action));
-      boolean isTaken = reached.guard().isEmpty();
-      Action more =
-          isTaken
-              ? new Action(entry.getValue(), new TreeSet<>())
-              : new Action(0, new TreeSet<>(List.of(reached.guard())));
+      long times = entry.getValue();
+      SortedMap<String, Values> guard = new TreeMap<>();
+      if (!reached.conjunct().isEmpty()) {
+        guard.put(
+            reached.conjunct(), reached.holds() ? new Values(times, 0) : new Values(0, times));
+      }
+      Action more = new Action(guard.isEmpty() ? times : 0, guard);
       actions.merge(action.getSimpleName(), more, Action::plus);
     }
     return coverage;
@@ -85,28 +116,41 @@ public final class Coverage {
       SortedMap<String, Action> sums = theories.computeIfAbsent(theory, any -> new TreeMap<>());
       actions.forEach((name, action) -> sums.merge(name, action, Action::plus));
     });
+    deliveries.add(other.deliveries);
   }
 
-  /** A line for each theory; none without a theory. */
+  SortedMap<String, SortedMap<String, Action>> theories() {
+    return Collections.unmodifiableSortedMap(theories);
+  }
+
+  /** The table of each channel with a delivery. */
+  List<Deliveries.Table> deliveries() {
+    return deliveries.tables();
+  }
+
+  /** A line for each theory, then one for each channel with a delivery. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     theories.forEach((theory, actions) -> {
       long taken = actions.values().stream().filter(action -> action.taken > 0).count();
-      int guards = actions.values().stream().mapToInt(action -> action.falseGuards.size()).sum();
+      long guards = actions.values().stream().mapToLong(action -> action.guard.size()).sum();
+      long seenFalse = actions.values().stream().mapToLong(Action::seenFalse).sum();
       List<String> never =
           actions.entrySet().stream()
               .filter(action -> action.getValue().taken == 0)
               .map(Map.Entry::getKey)
               .toList();
       lines.add(
-          "coverage of %s: %d of %d actions, %d guards seen false%s"
+          "coverage of %s: %d of %d actions, %d of %d guards seen false%s"
               .formatted(
                   theory,
                   taken,
                   actions.size(),
+                  seenFalse,
                   guards,
                   never.isEmpty() ? "" : "; never: " + String.join(" ", never)));
     });
+    lines.addAll(deliveries.lines());
     return lines;
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.spec.SpecReport;
@@ -80,14 +81,18 @@ class CoverageTest {
     return report;
   }
 
+  private static Coverage of(SpecReport report) {
+    return Coverage.of(report, new DeliveryCounter());
+  }
+
   @Test
   void actionsThatNoRunTookAreNamed() {
     Coverage coverage = new Coverage();
-    coverage.add(Coverage.of(run(new Up(), new Up())));
+    coverage.add(of(run(new Up(), new Up())));
     assertThat(coverage.lines())
         .containsExactly(
-            "coverage of Counter_decls: 1 of 3 actions, 0 guards seen false; never: Down Reset");
-    coverage.add(Coverage.of(run(new Up(), new Down())));
+            "coverage of Counter_decls: 1 of 3 actions, 0 of 1 guards seen false; never: Down Reset");
+    coverage.add(of(run(new Up(), new Down())));
     assertThat(coverage.lines().get(0)).contains("2 of 3 actions").endsWith("never: Reset");
   }
 
@@ -99,7 +104,26 @@ class CoverageTest {
       steps.addAll(List.of(new Up(), new Up(), new Up(), new Down(), new Down(), new Down()));
     }
     Coverage coverage = new Coverage();
-    coverage.add(Coverage.of(run(steps.toArray(Step[]::new))));
-    assertThat(coverage.lines().get(0)).contains("2 of 3 actions, 2 guards seen false");
+    coverage.add(of(run(steps.toArray(Step[]::new))));
+    assertThat(coverage.lines().get(0)).contains("2 of 3 actions, 2 of 2 guards seen false");
+  }
+
+  @Test
+  void conjunctsAreCountedByTheirValues() {
+    List<Step> steps = new ArrayList<>();
+    for (int round = 0; round < 20; round++) {
+      steps.addAll(List.of(new Up(), new Up(), new Up(), new Down(), new Down(), new Down()));
+    }
+    Coverage.Action up =
+        Objects.requireNonNull(
+            Objects.requireNonNull(
+                    of(run(steps.toArray(Step[]::new))).theories().get("Counter_decls"))
+                .get("Up"));
+    assertThat(up.taken()).isEqualTo(60);
+    assertThat(up.guard()).containsOnlyKeys("count < 3");
+    Coverage.Values values = Objects.requireNonNull(up.guard().get("count < 3"));
+    // Sixty times for the actions, and again for each try.
+    assertThat(values.isTrue()).isGreaterThan(60);
+    assertThat(values.isFalse()).isBetween(1L, 17L);
   }
 }

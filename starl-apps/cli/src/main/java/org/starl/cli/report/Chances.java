@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.report;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -19,7 +19,7 @@ import org.starl.trace.TraceEvent.Fault;
  * What a campaign shows of the probability that a run is bad, over all runs and over those with each
  * kind of fault: upper bounds, since seeds are independent samples of what the campaign draws.
  */
-final class Chances {
+public final class Chances {
 
   /** Faults that last so long also count under {@link #LONG}: others suspect a silent robot by then. */
   private static final long LONG_NS = 10_000_000_000L;
@@ -31,7 +31,7 @@ final class Chances {
   private final SortedMap<String, Count> byKind = new TreeMap<>();
 
   /** The kinds of faults of a run that is about to be built; complete at its end. */
-  static SortedSet<String> watch(Simulation.Builder simulation) {
+  public static SortedSet<String> watch(Simulation.Builder simulation) {
     SortedSet<String> mine = new TreeSet<>();
     SortedMap<String, Long> beganNs = new TreeMap<>();
     simulation.observer(
@@ -53,7 +53,7 @@ final class Chances {
   }
 
   /** Bad runs, all runs. */
-  private record Count(long bad, long runs) {
+  record Count(long bad, long runs) {
     Count plus(boolean isGood) {
       return new Count(bad + (isGood ? 0 : 1), runs + 1);
     }
@@ -61,18 +61,23 @@ final class Chances {
     double below() {
       return ErrorRate.below(bad, runs, CONFIDENCE);
     }
+
+    /** {@code 1.5e-02}. */
+    String belowText() {
+      return String.format(Locale.ROOT, "%.1e", below());
+    }
   }
 
   /** Adds a run with these kinds of faults. */
-  void add(SortedSet<String> kinds, boolean isGood) {
+  public void add(SortedSet<String> kinds, boolean isGood) {
     all = all.plus(isGood);
     for (String kind : kinds) {
       byKind.put(kind, byKind.getOrDefault(kind, new Count(0, 0)).plus(isGood));
     }
   }
 
-  /** The name of each group of runs: all, then those with one kind of fault. */
-  private Map<String, Count> counts() {
+  /** Each group of runs: all, with an empty name, then those with one kind of fault. */
+  Map<String, Count> counts() {
     Map<String, Count> counts = new LinkedHashMap<>();
     counts.put("", all);
     counts.putAll(byKind);
@@ -80,7 +85,7 @@ final class Chances {
   }
 
   /** A line for each group: {@code bad runs: 0 of 200: below 1.5e-2 at 95 %}. */
-  List<String> lines() {
+  public List<String> lines() {
     List<String> lines = new ArrayList<>();
     counts()
         .forEach((kind, count) ->
@@ -90,18 +95,21 @@ final class Chances {
                         kind.isEmpty() ? "bad runs: " : "  with " + kind + ": ",
                         count.bad(),
                         count.runs(),
-                        String.format(Locale.ROOT, "%.1e", count.below()))));
+                        count.belowText())));
     return lines;
   }
 
   /** For {@code --json}. */
-  Map<String, Object> json() {
+  public Map<String, Object> json() {
     Map<String, Object> json = new LinkedHashMap<>();
     counts()
-        .forEach((kind, count) ->
-            json.put(
-                kind.isEmpty() ? "all" : kind,
-                Json.object("bad", count.bad(), "runs", count.runs(), "below", count.below())));
+        .forEach((kind, count) -> {
+          Map<String, Object> object = new LinkedHashMap<>();
+          object.put("bad", count.bad());
+          object.put("runs", count.runs());
+          object.put("below", count.below());
+          json.put(kind.isEmpty() ? "all" : kind, object);
+        });
     return json;
   }
 }
