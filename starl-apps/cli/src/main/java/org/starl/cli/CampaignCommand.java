@@ -197,6 +197,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           ReportFile.description(request, output.typed(), range),
           seed -> SeedRuns.plan(request, seed, output.carriers()),
           shrunk == null ? List.of() : shrunk.lines(),
+          tally,
           err);
     }
     if (output.isJson()) {

@@ -73,12 +73,14 @@ final class ReportFile implements Closeable {
   /**
    * Writes the page. Runs some seeds again for their pictures.
    *
+   * @param tally the sums over the same rows
    * @param plans makes the plan of a seed, including its carriers
    */
   void write(
       CampaignDescription description,
       LongFunction<Plan> plans,
       List<String> shrunk,
+      CampaignTally tally,
       PrintWriter err)
       throws IOException {
     CampaignResult result = new CampaignResult(runs);
@@ -96,7 +98,17 @@ final class ReportFile implements Closeable {
     IllustratedRun example = shown.isEmpty() ? IllustratedRun.best(first, plans) : null;
     SimulationPlan plan = plans.apply(first).simulation().build().plan();
     List<Monitor> monitors = Monitors.of(plan.monitors()).monitors();
-    Report report = new Report(description, result, facts, monitors, example, illustrated, shrunk);
+    Report report =
+        new Report(
+            description,
+            result,
+            facts,
+            tally.chances(),
+            tally.coverage(),
+            monitors,
+            example,
+            illustrated,
+            shrunk);
     file.stream().write(new Page(report).write().getBytes(StandardCharsets.UTF_8));
   }
 

@@ -30,6 +30,8 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
+import org.w3c.dom.Node;
+import org.w3c.dom.NodeList;
 
 /** {@code starl campaign --report}. */
 class ReportTest {
@@ -128,6 +130,31 @@ class ReportTest {
       if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
         report.violated(HOSTILE, event.timeNs(), List.of(event.robot()), "drives " + HOSTILE);
       }
+    }
+  }
+
+  /** Hello with a lemma that is never checked. */
+  private static final class Unchecked extends HelloWithATwist {
+    Unchecked() {
+      super("unchecked", "Hello with a lemma that is never checked.");
+    }
+
+    @Override
+    Plan twist(Plan plan, Request request) {
+      plan.simulation()
+          .monitor(() ->
+              new Monitor() {
+                @Override
+                public List<String> lemmas() {
+                  return List.of("blind");
+                }
+
+                @Override
+                public void observe(TraceEvent event, Report report) {
+                  // checks nothing
+                }
+              });
+      return plan;
     }
   }
 
@@ -236,6 +263,56 @@ class ReportTest {
         .map(Element::getTextContent)
         .map(text -> text.replace('\u00A0', ' '))
         .toList();
+  }
+
+  @Test
+  void thePageShowsWhatWasReachedAndTheErrorRates() throws Exception {
+    String[] more = {"--robots=3", "--set=rounds=4", "--fault=loss(0.1,until=5s)"};
+    campaign(Main.ALL, "mutex", "1..2", more);
+    Document page = Parsed.page(Files.readString(file()));
+    assertThat(rows(page, "Bad runs").get(0)).startsWith("all 0 2 ").endsWith("7.8e-01");
+    assertThat(rows(page, "Bad runs").get(1)).startsWith("loss 0 2 ");
+    assertThat(rows(page, "Mutex_decls"))
+        .anyMatch(row -> row.matches("do_mutex empty\\?\\(crit_set\\(i, s\\)\\) \\d+ \\d+ .*"))
+        .anyMatch(row -> row.matches("nonempty\\?\\(RS\\) \\d+ never"))
+        .anyMatch(row -> row.matches("stands_in  never  "));
+    assertThat(rows(page, "mutex"))
+        .hasSize(3)
+        .anyMatch(row -> row.matches("TRYING \\d+ \\d+ .* never never never"));
+  }
+
+  @Test
+  void thePageNamesLemmasThatNoRunChecked() throws Exception {
+    Demos blind = new Demos(List.of(new Unchecked()));
+    String told = "Never checked, so unknown: blind.";
+    assertThat(campaign(blind, "unchecked", "1..2").status()).isZero();
+    assertThat(Files.readString(file())).contains(told).doesNotContain("is a failure");
+    assertThat(campaign(blind, "unchecked", "1..100").status()).isEqualTo(1);
+    assertThat(Files.readString(file())).contains(told).contains("is a failure");
+  }
+
+  /** The rows of the table with this caption; cells are separated by spaces. */
+  private static List<String> rows(Document page, String caption) {
+    Element table =
+        Parsed.elements(page, "table").stream()
+            .filter(any -> any.getElementsByTagName("caption").getLength() > 0)
+            .filter(
+                any -> any.getElementsByTagName("caption").item(0).getTextContent().equals(caption))
+            .findFirst()
+            .orElseThrow();
+    List<String> rows = new ArrayList<>();
+    NodeList all =
+        ((Element) table.getElementsByTagName("tbody").item(0)).getElementsByTagName("tr");
+    for (int i = 0; i < all.getLength(); i++) {
+      List<String> cells = new ArrayList<>();
+      for (Node cell = all.item(i).getFirstChild(); cell != null; cell = cell.getNextSibling()) {
+        if (cell instanceof Element) {
+          cells.add(cell.getTextContent().replaceAll("[\\u202F\\u00A0]", ""));
+        }
+      }
+      rows.add(String.join(" ", cells));
+    }
+    return rows;
   }
 
   @Test

@@ -175,6 +175,25 @@ class ShardTest {
   }
 
   @Test
+  void coverageOfShardsIsThatOfOneProcess() throws IOException {
+    Path page = folder.resolve("page.html");
+    String campaign = "campaign mutex --seeds 1..5 --robots 3 --set rounds=4";
+    Cli whole = Cli.run((campaign + " --report " + page).split(" "));
+    String expected = Files.readString(page);
+    assertThat(whole.text()).contains("deliveries of mutex: ").contains("coverage of Mutex_decls");
+    List<String> merge = new ArrayList<>(List.of("merge"));
+    for (String part : List.of("2/2", "1/2")) {
+      String file = folder.resolve(part.replace('/', '-')).toString();
+      Cli cli = Cli.run((campaign + " --shard " + part + " --out " + file).split(" "));
+      assertThat(cli.status()).as("%s", cli).isZero();
+      merge.add(file);
+    }
+    merge.addAll(List.of("--report", page.toString()));
+    assertSame(Cli.run(merge.toArray(String[]::new)), whole);
+    assertThat(Files.readString(page)).isEqualTo(expected).contains("Deliveries by phase");
+  }
+
+  @Test
   void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
     String campaign = "campaign mixed --seeds 1..12";
     Path whole = part(campaign, 1, 1);

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
@@ -113,12 +114,45 @@ final class CampaignTables {
     html.empty("rect", "class", "bar", "width", width, "height", "10").close().close();
   }
 
+  /** The upper bounds of the probability that a run is bad. */
+  void chances() {
+    html.open("section").element("h2", "Error rates");
+    html.element(
+        "p",
+        "A run of this campaign's kind is bad with a probability below the bound, at 95\u00A0%"
+            + " confidence (Clopper and Pearson). Each row has the runs with one kind of fault.",
+        "class",
+        "note");
+    html.table("", "Bad runs", List.of("runs with", "bad", "all", "share", "below"));
+    report
+        .chances()
+        .counts()
+        .forEach((kind, count) -> {
+          if (kind.isEmpty()) {
+            html.open("tr").element("th", "all", "scope", "row");
+          } else {
+            html.row(kind);
+          }
+          html.number(count(count.bad())).number(count(count.runs()));
+          html.number(NumberFormats.percent(count.bad(), count.runs()));
+          html.number(count.belowText()).close();
+        });
+    html.endTable().close();
+  }
+
   /** The specifications: meaning, number of checks and violations. */
   void lemmas() {
     if (report.lemmas().isEmpty()) {
       return;
     }
     html.open("section").element("h2", "Specifications");
+    SortedSet<String> never = report.result().neverChecked();
+    if (!never.isEmpty()) {
+      String text = "Never checked, so unknown: " + String.join(", ", never) + ".";
+      String verdict = " In a campaign of so many runs that is a failure.";
+      html.element(
+          "p", text + (report.result().leavesUnchecked() ? verdict : ""), "class", "verdict bad");
+    }
     html.open("div", "class", "wide").open("table", "class", "lemmas").open("thead").open("tr");
     html.element("th", "specification", "scope", "col");
     html.element("th", "meaning", "scope", "col");

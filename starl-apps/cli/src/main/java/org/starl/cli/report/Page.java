@@ -41,7 +41,9 @@ public final class Page {
     samples();
     CampaignTables tables = new CampaignTables(html, report);
     tables.messages();
+    tables.chances();
     tables.lemmas();
+    new CoverageTables(html, report.coverage()).write();
     tables.figures();
     tables.runs();
     html.close();

@@ -21,6 +21,8 @@ import org.starl.spec.Monitor;
  * @param description the campaign's app, seeds and settings
  * @param result how each run ended
  * @param facts facts of the runs that ended without an exception, by seed
+ * @param chances the bad runs, over all runs and for each kind of fault
+ * @param coverage what the runs reached
  * @param monitors that checked each run
  * @param example a run to show where all runs went well; may be null
  * @param illustrated some of the bad runs, with stories and pictures
@@ -30,6 +32,8 @@ public record Report(
     CampaignDescription description,
     CampaignResult result,
     SortedMap<Long, RunFacts> facts,
+    Chances chances,
+    Coverage coverage,
     List<Monitor> monitors,
     @Nullable IllustratedRun example,
     List<IllustratedRun> illustrated,
