@@ -1,14 +1,31 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
+import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** The context of a command: its writers, and the apps that the command line knows. */
 abstract class BaseCommand {
+
+  private static final List<String> FLAGS_OF_OUTPUT = List.of("--json", "--resume", "--shrink");
+  private static final List<String> OPTIONS_OF_OUTPUT =
+      List.of(
+          "--chart",
+          "--csv",
+          "--on",
+          "--out",
+          "--parquet",
+          "--print-job",
+          "--report",
+          "--shard",
+          "--shards",
+          "--threads");
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -26,5 +43,28 @@ abstract class BaseCommand {
 
   final Demos demos() {
     return ((Main) spec().root().userObject()).demos();
+  }
+
+  /**
+   * The words of the command line as the user typed it, after the launcher, without the options that
+   * do not change the result.
+   */
+  final List<String> words() {
+    CommandLine root = spec().root().commandLine();
+    List<String> words = new ArrayList<>();
+    boolean isValue = false;
+    for (String word : root.getParseResult().originalArgs()) {
+      String option = word.split("=", 2)[0];
+      if (!isValue && !FLAGS_OF_OUTPUT.contains(word) && !OPTIONS_OF_OUTPUT.contains(option)) {
+        words.add(word);
+      }
+      isValue = OPTIONS_OF_OUTPUT.contains(word);
+    }
+    return words;
+  }
+
+  /** The command line of {@link #words}. */
+  final String typed() {
+    return Shell.starl(words());
   }
 }

@@ -14,14 +14,12 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
-import org.starl.sim.check.Campaign;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.time.Time;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -39,18 +37,6 @@ import picocli.CommandLine.Option;
       "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html"
     })
 final class CampaignCommand extends BaseCommand implements Callable<Integer> {
-
-  private static final List<String> FLAGS_OF_OUTPUT = List.of("--json", "--resume", "--shrink");
-  private static final List<String> OPTIONS_OF_OUTPUT =
-      List.of(
-          "--on",
-          "--out",
-          "--parquet",
-          "--print-job",
-          "--report",
-          "--shard",
-          "--shards",
-          "--threads");
 
   /** The percentiles of waiting times to show. */
   private static final int[] WAITS = {50, 90, 95, 99, 100};
@@ -83,6 +69,12 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   @Mixin private EngineOptions engine = new EngineOptions();
 
   @Option(
+      names = "--parquet",
+      paramLabel = "FOLDER",
+      description = "With --on: also write a row for each run to FOLDER, as Parquet.")
+  private @Nullable String parquet;
+
+  @Option(
       names = "--shrink",
       description =
           "Reduce the first bad run to a smaller one that fails in the same way: fewer robots and"
@@ -101,52 +93,44 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException, IOException {
     Seeds.Range range = Seeds.Range.of(seeds);
     RunRequest request = options.request(demos());
-    Ending ending = Ending.of(stop, until, range);
-    boolean isShard = shards.isOn();
-    if (isShard && (shrink || report != null)) {
-      throw new BadInput(
-          (shrink ? "--shrink" : "--report")
-              + " cannot be used with --out; expected it at 'merge'");
+    SeedWork work = SeedWork.campaign(request, range, Ending.of(stop, until, range));
+    if (parquet != null && !engine.isOn()) {
+      throw new BadInput("--parquet needs --on ENGINE");
     }
-    if (engine.isOn() && isShard) {
-      throw new BadInput("--on cannot be used with --out: an engine makes its own shards");
-    }
-    Campaign campaign = new Campaign(range.first(), range.last(), threads.count(), stop);
+    boolean isShard =
+        shards.isOn(
+            OptionValues.given("--shrink", shrink, "--report", report, "--on", engine.isOn()));
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     request.plan(range.first()).simulation().build();
     request.unusedRobots(range.first()).ifPresent(err()::println);
-    if (shards.printJob(out(), request.demo().name(), words(), range)) {
+    if (shards.printJob(this, work)) {
       return ExitStatus.GOOD;
     }
     if (isShard) {
-      return shards.run(this, request, range, threads.count(), ending, typed(), json);
+      return shards.run(this, work, threads.count(), json);
     }
     try (ReportFile page = ReportFile.of(report, range)) {
-      return run(campaign, request, range, ending, page);
+      return run(work, page);
     }
   }
 
-  private int run(
-      Campaign campaign,
-      RunRequest request,
-      Seeds.Range range,
-      Ending ending,
-      @Nullable ReportFile page)
+  private int run(SeedWork work, @Nullable ReportFile page)
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
     CampaignTally tally = new CampaignTally();
-    Predicate<SeedRow> isLast = collector(ending, tally, page);
+    Predicate<SeedRow> isLast = collector(work.ending(), tally, page);
     if (engine.isOn()) {
-      ShardHeader header = ShardHeader.of(request, range, new Shard(1, 1), ending, typed());
-      engine.run(header, ShardHeader.key(request), threads.count(), isLast, err());
+      engine.run(work, typed(), threads.count(), parquet, isLast, err());
     } else {
       ProgressLine progress = new ProgressLine(err(), "runs");
-      new SeedRuns(request, carriers, page != null).run(campaign, progress::show, isLast);
+      work.runSeeds(
+          work.numbers(),
+          new ShardWork.How(carriers, threads.count(), progress::show),
+          page != null,
+          isLast);
       progress.end();
     }
-    Output output =
-        new Output(this, request, range, ending, carriers, json.isOn(), shrink, report, typed());
-    return print(output, tally, page);
+    return print(new Output(this, work, carriers, json.isOn(), shrink, report, typed()), tally, page);
   }
 
   /** Adds each row to the sums and the page, and answers whether it decides the campaign. */
@@ -170,14 +154,25 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
    */
   record Output(
       BaseCommand command,
-      RunRequest request,
-      Seeds.Range range,
-      Ending ending,
+      SeedWork work,
       CarrierKind carriers,
       boolean isJson,
       boolean shrinks,
       @Nullable String report,
-      String typed) {}
+      String typed) {
+
+    RunRequest request() {
+      return work.points().getFirst();
+    }
+
+    Seeds.Range range() {
+      return work.seeds();
+    }
+
+    Ending ending() {
+      return work.ending();
+    }
+  }
 
   /** Prints a finished campaign and writes its page; returns the exit status. */
   static int print(Output output, CampaignTally tally, @Nullable ReportFile page)
@@ -268,25 +263,6 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
   private static Monitors monitors(RunRequest request, long seed) {
     return Monitors.of(request.plan(seed).simulation().build().plan().monitors());
-  }
-
-  /** The command line as the user typed it, without the options that do not change the result. */
-  private String typed() {
-    return Shell.starl(words());
-  }
-
-  private List<String> words() {
-    CommandLine root = spec().root().commandLine();
-    List<String> words = new ArrayList<>();
-    boolean isValue = false;
-    for (String word : root.getParseResult().originalArgs()) {
-      String option = word.split("=", 2)[0];
-      if (!isValue && !FLAGS_OF_OUTPUT.contains(word) && !OPTIONS_OF_OUTPUT.contains(option)) {
-        words.add(word);
-      }
-      isValue = OPTIONS_OF_OUTPUT.contains(word);
-    }
-    return words;
   }
 
   private static List<String> table(RunRequest request, CampaignTally tally) {

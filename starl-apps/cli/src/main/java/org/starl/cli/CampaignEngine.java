@@ -6,7 +6,7 @@ import java.util.ServiceLoader;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs the seeds of a campaign, usually on many machines. Found by {@link ServiceLoader}, so the
+ * Runs a campaign, a sweep or an exploration, usually on many machines. Found by {@link ServiceLoader}, so the
  * command line depends on no engine.
  */
 public interface CampaignEngine {
@@ -17,12 +17,12 @@ public interface CampaignEngine {
     /**
      * Takes the result of {@link SeedPart#run}; parts may come in any order, each once.
      *
-     * @return whether the campaign is decided: no further part is needed
+     * @return whether the whole is decided: no further part is needed
      */
     boolean take(SeedPart part, List<String> lines);
 
-    /** The last seed of the result, once the campaign is decided or all parts are taken. */
-    long lastSeed();
+    /** The last number of the result, once the whole is decided or all parts are taken. */
+    long last();
   }
 
   /** The word after {@code --on}: lower case. */

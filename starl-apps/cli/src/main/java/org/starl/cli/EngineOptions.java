@@ -8,53 +8,53 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 
-/** The options of a campaign that an engine runs. */
+/** The option of a command whose runs an engine can run. */
 final class EngineOptions {
 
   @Option(
       names = "--on",
       paramLabel = "ENGINE[=MASTER]",
       description =
-          "Run the seeds on an engine: 'spark' on this machine, 'spark=spark://host:7077' on a"
+          "Use an engine: 'spark' on this machine, 'spark=spark://host:7077' on a"
               + " cluster. The output is the same.")
   private @Nullable String engine;
 
-  @Option(
-      names = "--parquet",
-      paramLabel = "FOLDER",
-      description = "With --on: also write a row for each run to FOLDER, as Parquet.")
-  private @Nullable String parquet;
-
-  /**
-   * Whether an engine runs the campaign.
-   *
-   * @throws BadInput if an option needs the other
-   */
+  /** Whether an engine runs. */
   boolean isOn() {
-    if (engine == null && parquet != null) {
-      throw new BadInput("--parquet needs --on ENGINE");
-    }
     return engine != null;
   }
 
   /**
-   * Runs the campaign.
+   * Runs all.
    *
+   * @param command as the user typed it
    * @param cores of this machine to use, if it is the only one
-   * @param isLast gets each row in seed order; after the first true the campaign ends
+   * @param parquet the folder for the rows as Parquet; null without
+   * @param isLast gets each row in order; after the first true the work ends
+   * @throws BadInput if an engine cannot run it
    */
-  void run(ShardHeader header, String key, int cores, Predicate<SeedRow> isLast, PrintWriter err)
+  <R> void run(
+      ShardWork<R> work,
+      String command,
+      int cores,
+      @Nullable String parquet,
+      Predicate<R> isLast,
+      PrintWriter err)
       throws InterruptedException, IOException {
+    if (!work.isNumbered()) {
+      throw new BadInput(
+          "--on cannot be used with --strategy exhaustive; expected --shard, or another strategy");
+    }
     String[] words = String.valueOf(engine).split("=", 2);
     String master = words.length == 1 ? "" : words[1];
-    Seeds.Range seeds = header.range();
-    SeedPart all = new SeedPart(header.line(), seeds.first(), seeds.last());
-    ProgressLine progress = new ProgressLine(err, "runs");
-    InOrder rows = new InOrder(key, seeds, isLast, progress);
+    Seeds.Range numbers = work.numbers();
+    String header = ShardHeader.of(work, new Shard(1, 1), command).line();
+    SeedPart all = new SeedPart(header, numbers.first(), numbers.last());
+    ProgressLine progress = new ProgressLine(err, work.unit().equals("schedule") ? "schedules" : "runs");
+    InOrder<R> rows = new InOrder<>(work, isLast, progress);
     named(words[0]).run(master, cores, all, parquet, rows);
     progress.end();
     rows.requireAll();
@@ -74,31 +74,29 @@ final class EngineOptions {
     throw new BadInput("--on: " + BadInput.quote(name) + ": expected spark or spark=MASTER");
   }
 
-  /** Hands on the rows of parts in the order of seeds; those that are early wait as text. */
-  private static final class InOrder implements CampaignEngine.Rows {
+  /** Hands on the rows of parts in order; those that are early wait as text. */
+  private static final class InOrder<R> implements CampaignEngine.Rows {
 
-    private final String key;
-    private final Seeds.Range range;
-    private final Predicate<SeedRow> isLast;
+    private final ShardWork<R> work;
+    private final Predicate<R> isLast;
     private final ProgressLine progress;
     private final SortedMap<Long, List<String>> early = new TreeMap<>();
     private long next;
     private long taken;
     private boolean isOver;
 
-    InOrder(String key, Seeds.Range range, Predicate<SeedRow> isLast, ProgressLine progress) {
-      this.key = key;
-      this.range = range;
+    InOrder(ShardWork<R> work, Predicate<R> isLast, ProgressLine progress) {
+      this.work = work;
       this.isLast = isLast;
       this.progress = progress;
-      next = range.first();
+      next = work.numbers().first();
     }
 
     @Override
     public boolean take(SeedPart part, List<String> lines) {
       early.put(part.first(), lines);
       taken += lines.size();
-      progress.show(taken, range.size());
+      progress.show(taken, work.numbers().size());
       for (List<String> ready = early.remove(next);
           ready != null && !isOver;
           ready = early.remove(next)) {
@@ -111,23 +109,23 @@ final class EngineOptions {
       if (isOver) {
         return;
       }
-      String where = "seed " + next + ": ";
-      SeedRow row = SeedRow.of(where, line);
-      if (row.seed() != next || !row.key().equals(key)) {
-        throw new IllegalStateException(where + "got the row of seed " + row.seed());
+      String where = work.unit() + " " + next + ": ";
+      R row = work.row(where, line);
+      if (!work.place(row).equals(List.of(next))) {
+        throw new IllegalStateException(where + "got the row of " + work.place(row));
       }
       next++;
-      isOver = isLast.test(row) || next > range.last();
+      isOver = isLast.test(row) || next > work.numbers().last();
     }
 
     @Override
-    public long lastSeed() {
+    public long last() {
       return next - 1;
     }
 
     void requireAll() {
       if (!isOver) {
-        throw new IllegalStateException("the engine gave no row of seed " + next);
+        throw new IllegalStateException("the engine gave no row of " + work.unit() + " " + next);
       }
     }
   }

@@ -13,13 +13,12 @@ import org.starl.apps.Plan;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.Setting;
-import org.starl.sim.check.RunOutcome;
 import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Exploration;
+import org.starl.sim.explore.ExplorationTally;
 import org.starl.sim.explore.Explorer;
-import org.starl.sim.explore.Order;
 import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
-import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.TimeRange;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.time.Time;
@@ -40,6 +39,7 @@ import picocli.CommandLine.Option;
       "Example: starl explore mutex --robots 3 --seed 1",
       "         starl explore intersection --seed 1 --strategy pct --depth 5 --losses 2",
       "         starl explore registration --robots 2 --seed 1 --strategy exhaustive --depth 6",
+      "         starl explore mutex --seed 1 --schedules 1000000 --shard 17/64 --out part-17",
       "         starl explore intersection --from out/crossing.trace@12.3s --strategy exhaustive"
     })
 final class ExploreCommand extends BaseCommand implements Callable<Integer> {
@@ -117,6 +117,12 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
           "Write a message sequence chart of the events before the failure, an SVG picture.")
   private @Nullable String chart;
 
+  @Mixin private ThreadsOption threads = new ThreadsOption();
+
+  @Mixin private ShardOptions shards = new ShardOptions();
+
+  @Mixin private EngineOptions engine = new EngineOptions();
+
   @Mixin private JsonOption json = new JsonOption();
 
   /** The run to repeat. */
@@ -124,35 +130,55 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException, IOException {
-    if (chart == null) {
-      return explore(null);
-    }
-    try (OutputFile file = new OutputFile("--chart", chart)) {
-      return explore(file);
-    }
-  }
-
-  private int explore(@Nullable OutputFile file) throws InterruptedException, IOException {
     Strategy strategy = OptionValues.read("--strategy", strategyName, Strategy::parse);
     int most = OptionValues.whole("--schedules", schedules, 1, MOST);
     int usual = strategy == Strategy.EXHAUSTIVE ? USUAL_CHOICES : USUAL_CHANGES;
     int changes = depth == null ? usual : OptionValues.whole("--depth", depth, 1, MOST_FAULTS);
+    boolean isShard = shards.isOn(OptionValues.given("--chart", chart, "--on", engine.isOn()));
+    if (shards.isShared() && !from.contains("@")) {
+      seedOption.requireGiven();
+    }
     Subject subject = subject();
-    Bounds bounds = bounds(subject);
-    CarrierKind carriers = Carriers.select(null, err());
+    Exploration exploration =
+        new Exploration(strategy, changes, subject.seed(), most, bounds(subject));
+    ExploreWork work = new ExploreWork(subject.request(), subject.seed(), exploration);
+    if (shards.printJob(this, work)) {
+      return ExitStatus.GOOD;
+    }
+    if (isShard) {
+      return shards.run(this, work, threads.count(), json);
+    }
+    try (OutputFile file = chart == null ? null : new OutputFile("--chart", chart)) {
+      return explore(work, file);
+    }
+  }
+
+  private int explore(ExploreWork work, @Nullable OutputFile file)
+      throws InterruptedException, IOException {
+    Output output =
+        new Output(this, work, Carriers.select(null, err()), json.isOn(), chart, file);
+    if (engine.isOn()) {
+      ExplorationTally tally = new ExplorationTally(work.exploration());
+      engine.run(
+          work, typed(), threads.count(), null, row -> tally.add(row.explored()), err());
+      return print(output, tally.result(false));
+    }
     ProgressLine progress = new ProgressLine(err(), "schedules");
-    Explorer explorer =
-        new Explorer(
-            bounds,
-            (schedule, order) -> run(subject, schedule, order, carriers),
-            most,
-            progress::show);
     Explorer.Result result =
-        strategy == Strategy.EXHAUSTIVE
-            ? explorer.exhaust(changes)
-            : explorer.draw(strategy, changes, subject.seed());
+        work.explorer(
+                new ShardWork.How(
+                    output.carriers(),
+                    threads.count(),
+                    (finished, planned, bad) -> progress.show(finished, planned)))
+            .run();
     progress.end();
-    return print(subject, strategy, changes, result, progress.elapsedNs(), carriers, file);
+    if (!json.isOn()) {
+      err()
+          .println(
+              "%,.0f steps a second"
+                  .formatted(result.steps() / Time.seconds(progress.elapsedNs())));
+    }
+    return print(output, result);
   }
 
   private Subject subject() {
@@ -227,73 +253,69 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     }
   }
 
-  private static RunOutcome run(
-      Subject subject, List<Fault> schedule, Order order, CarrierKind carriers) {
-    Plan plan = SeedRuns.plan(subject.request().withFaults(schedule), subject.seed(), carriers);
-    plan.simulation().observer(order);
-    return RunOutcome.of(plan.simulation().build().run());
-  }
-
-  private int print(
-      Subject subject,
-      Strategy strategy,
-      int depthUsed,
-      Explorer.Result result,
-      long elapsedNs,
+  /**
+   * How to print an exploration: the options of a command, and what it explored.
+   *
+   * @param chart the name of {@code file}; both null without
+   */
+  record Output(
+      BaseCommand command,
+      ExploreWork work,
       CarrierKind carriers,
-      @Nullable OutputFile file)
-      throws InterruptedException, IOException {
+      boolean isJson,
+      @Nullable String chart,
+      @Nullable OutputFile file) {}
+
+  /** Shrinks the bad schedule and prints the result; returns the exit status. */
+  static int print(Output output, Explorer.Result result) throws InterruptedException, IOException {
+    ExploreWork work = output.work();
+    PrintWriter out = output.command().out();
+    PrintWriter err = output.command().err();
     Explorer.Found found = result.found();
     Shrinking.Shrunk shrunk =
         found == null
             ? null
             : new Shrinking(
-                    demos(),
-                    subject.request().withFaults(found.schedule()),
-                    subject.seed(),
-                    carriers)
-                .run(err());
-    PrintWriter out = out();
-    if (json.isOn()) {
-      out.println(Json.line(summary(subject, strategy, depthUsed, result, shrunk)));
+                    output.command().demos(),
+                    work.request().withFaults(found.schedule()),
+                    work.seed(),
+                    output.carriers())
+                .run(err);
+    if (output.isJson()) {
+      out.println(Json.line(summary(work, result, shrunk)));
     } else {
       out.println(
           "%s, seed %d: %,d schedules (%s, depth %d%s), %,d orders, %,d steps; %s"
               .formatted(
-                  subject.request().demo().name(),
-                  subject.seed(),
+                  work.app(),
+                  work.seed(),
                   result.schedules(),
-                  strategy,
-                  depthUsed,
+                  work.exploration().strategy(),
+                  work.exploration().depth(),
                   result.isComplete() ? ", all that there are" : "",
                   result.orders(),
                   result.steps(),
                   found == null ? "none went wrong" : "number " + found.number() + " went wrong"));
-      err().println("%,.0f steps a second".formatted(result.steps() / Time.seconds(elapsedNs)));
     }
     if (found == null || shrunk == null) {
       return ExitStatus.GOOD;
     }
-    err().println("schedule " + found.number() + ": " + found.outcome().detail());
-    shrunk.lines().forEach(err()::println);
-    if (file != null) {
-      file.stream().write(shrunk.chart().getBytes(StandardCharsets.UTF_8));
-      err().println("chart: " + chart);
+    err.println("schedule " + found.number() + ": " + found.outcome().detail());
+    shrunk.lines().forEach(err::println);
+    if (output.file() != null) {
+      output.file().stream().write(shrunk.chart().getBytes(StandardCharsets.UTF_8));
+      err.println("chart: " + output.chart());
     }
     return ExitStatus.VIOLATED;
   }
 
   private static Map<String, Object> summary(
-      Subject subject,
-      Strategy strategy,
-      int depthUsed,
-      Explorer.Result result,
-      Shrinking.@Nullable Shrunk shrunk) {
+      ExploreWork work, Explorer.Result result, Shrinking.@Nullable Shrunk shrunk) {
     Map<String, Object> summary = new LinkedHashMap<>();
-    summary.put("app", subject.request().demo().name());
-    summary.put("seed", subject.seed());
-    summary.put("strategy", strategy.toString());
-    summary.put("depth", depthUsed);
+    summary.put("app", work.app());
+    summary.put("seed", work.seed());
+    summary.put("strategy", work.exploration().strategy().toString());
+    summary.put("depth", work.exploration().depth());
     summary.put("schedules", result.schedules());
     summary.put("orders", result.orders());
     summary.put("steps", result.steps());

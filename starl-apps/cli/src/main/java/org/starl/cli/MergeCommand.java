@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
+import org.starl.sim.explore.ExplorationTally;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -14,13 +16,13 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "merge",
     description =
-        "Merges the files of 'starl campaign --out' and prints what one campaign of all their seeds"
-            + " prints. A seed may be in several files: if its rows differ, the program is not"
-            + " deterministic, and the status is 1.",
+        "Merges the files of 'campaign --out', 'sweep --out' or 'explore --out', and prints what the"
+            + " command prints in one process. A run may be in several files: if its rows differ, the"
+            + " program is not deterministic, and the status is 1.",
     footer = {"", "Example: starl merge part-* --report crossings.html"})
 final class MergeCommand extends BaseCommand implements Callable<Integer> {
 
-  @Parameters(arity = "1..*", paramLabel = "FILE", description = "Files of 'starl campaign --out'.")
+  @Parameters(arity = "1..*", paramLabel = "FILE", description = "Files of '--out'.")
   private List<String> files = new ArrayList<>();
 
   @Option(names = "--shrink", description = "Reduce the first bad run, as 'campaign --shrink'.")
@@ -29,35 +31,91 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--report",
       paramLabel = "FILE",
-      description = "Write an HTML page, as 'campaign --report'.")
+      description = "Write an HTML page, as 'campaign --report' and 'sweep --report'.")
   private @Nullable String report;
+
+  @Option(
+      names = "--csv",
+      paramLabel = "FILE",
+      description = "Write all measures of all points, as 'sweep --csv'.")
+  private @Nullable String csv;
+
+  @Option(
+      names = "--chart",
+      paramLabel = "FILE",
+      description = "Write a message sequence chart of the failure, as 'explore --chart'.")
+  private @Nullable String chart;
 
   @Mixin private JsonOption json = new JsonOption();
 
   @Override
   public Integer call() throws InterruptedException, IOException {
-    try (ShardMerge merge = new ShardMerge(files, demos())) {
-      ShardHeader header = merge.header();
-      CampaignTally tally = new CampaignTally();
-      try (ReportFile page = ReportFile.of(report, header.range())) {
-        merge.read(CampaignCommand.collector(header.ending(), tally, page));
-        if (!merge.differences().isEmpty()) {
-          merge.differences().forEach(line -> err().println("starl: " + line));
-          return ExitStatus.VIOLATED;
-        }
-        CampaignCommand.Output output =
-            new CampaignCommand.Output(
-                this,
-                merge.request(),
-                header.range(),
-                header.ending(),
-                Carriers.select(null, err()),
-                json.isOn(),
-                shrink,
-                report,
-                header.command());
-        return CampaignCommand.print(output, tally, page);
+    try (ShardMerge merge = new ShardMerge(files)) {
+      ShardWork<?> work = merge.work(demos());
+      if (work instanceof ExploreWork exploration) {
+        requireNone(work, "--shrink", shrink, "--report", report, "--csv", csv);
+        return explored(merge, exploration);
       }
+      SeedWork seeds = (SeedWork) work;
+      if (seeds.sweep() != null) {
+        requireNone(work, "--shrink", shrink, "--chart", chart, "--json", json.isOn());
+        return swept(merge, seeds, seeds.sweep());
+      }
+      requireNone(work, "--csv", csv, "--chart", chart);
+      return ran(merge, seeds);
     }
+  }
+
+  private static void requireNone(ShardWork<?> work, @Nullable Object... namesAndValues) {
+    for (String option : OptionValues.given(namesAndValues)) {
+      throw new BadInput(
+          option + " cannot be used with files of 'starl " + work.command() + " --out'");
+    }
+  }
+
+  private int ran(ShardMerge merge, SeedWork work) throws InterruptedException, IOException {
+    CampaignTally tally = new CampaignTally();
+    try (ReportFile page = ReportFile.of(report, work.seeds())) {
+      merge.read(work, CampaignCommand.collector(work.ending(), tally, page));
+      return differs(merge)
+          ? ExitStatus.VIOLATED
+          : CampaignCommand.print(
+              new CampaignCommand.Output(
+                  this,
+                  work,
+                  Carriers.select(null, err()),
+                  json.isOn(),
+                  shrink,
+                  report,
+                  merge.header().command()),
+              tally,
+              page);
+    }
+  }
+
+  private int swept(ShardMerge merge, SeedWork work, SweepFile file) throws IOException {
+    try (SweepCommand.Output output = new SweepCommand.Output(this, file, work, csv, report)) {
+      merge.read(work, output::add);
+      return differs(merge) ? ExitStatus.VIOLATED : output.print();
+    }
+  }
+
+  private int explored(ShardMerge merge, ExploreWork work)
+      throws InterruptedException, IOException {
+    try (OutputFile file = chart == null ? null : new OutputFile("--chart", chart)) {
+      ExplorationTally tally = new ExplorationTally(work.exploration());
+      boolean isAll = merge.read(work, row -> tally.add(row.explored()));
+      return differs(merge)
+          ? ExitStatus.VIOLATED
+          : ExploreCommand.print(
+              new ExploreCommand.Output(
+                  this, work, Carriers.select(null, err()), json.isOn(), chart, file),
+              tally.result(isAll && !work.isNumbered()));
+    }
+  }
+
+  private boolean differs(ShardMerge merge) {
+    merge.differences().forEach(line -> err().println("starl: " + line));
+    return !merge.differences().isEmpty();
   }
 }

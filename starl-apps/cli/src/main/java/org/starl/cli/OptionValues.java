@@ -1,6 +1,9 @@
 package org.starl.cli;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 
@@ -25,5 +28,21 @@ final class OptionValues {
   /** A whole number; both ends are included. */
   static int whole(String option, String text, int min, int max) {
     return read(option, text, number -> (int) Quantities.whole(number, min, max));
+  }
+
+  /**
+   * The names of the options that are given.
+   *
+   * @param namesAndValues alternating; a value that is null or false is not given
+   */
+  static String[] given(@Nullable Object... namesAndValues) {
+    List<String> given = new ArrayList<>();
+    for (int i = 0; i < namesAndValues.length; i += 2) {
+      Object value = namesAndValues[i + 1];
+      if (value != null && !value.equals(false)) {
+        given.add(String.valueOf(namesAndValues[i]));
+      }
+    }
+    return given.toArray(String[]::new);
   }
 }

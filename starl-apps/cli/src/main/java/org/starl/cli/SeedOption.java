@@ -24,6 +24,17 @@ final class SeedOption {
     }
   }
 
+  /**
+   * Checks the option for work of several processes: each must have the same seed.
+   *
+   * @throws BadInput if no seed is given
+   */
+  void requireGiven() {
+    if (seed == null) {
+      throw new BadInput("--out and --print-job need --seed S, the same for all shards");
+    }
+  }
+
   /** The given seed, or else a random seed, a new one at each call. */
   long value() {
     return Seeds.of(seed);

@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.cli.report.Chances;
 import org.starl.cli.report.Coverage;
@@ -21,13 +22,12 @@ import org.starl.sim.check.Campaign;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.kernel.CarrierKind;
 
-/** Runs a request with many seeds, and hands on a row for each. */
+/** Runs the seeds of a campaign or a sweep, and hands on a row for each. */
 final class SeedRuns {
 
-  private final RunRequest request;
+  private final SeedWork work;
   private final CarrierKind carriers;
   private final boolean countsMessages;
-  private final String key;
 
   /** The kinds of faults of each run; also of one that an exception ended. */
   private final Map<Long, SortedSet<String>> kinds = new ConcurrentSkipListMap<>();
@@ -38,17 +38,16 @@ final class SeedRuns {
   /**
    * @param countsMessages whether rows have the messages by channel, which only a report shows
    */
-  SeedRuns(RunRequest request, CarrierKind carriers, boolean countsMessages) {
-    this.request = request;
+  SeedRuns(SeedWork work, CarrierKind carriers, boolean countsMessages) {
+    this.work = work;
     this.carriers = carriers;
     this.countsMessages = countsMessages;
-    key = ShardHeader.key(request);
   }
 
   /**
-   * Runs the campaign.
+   * Runs the campaign, whose seeds are the numbers of the work.
    *
-   * @param isLast called on the calling thread for each row in seed order; after the first true the
+   * @param isLast called on the calling thread for each row in order; after the first true the
    *     campaign ends
    */
   void run(Campaign campaign, Campaign.Progress progress, Predicate<SeedRow> isLast)
@@ -56,21 +55,33 @@ final class SeedRuns {
     campaign.run(this::run, progress, run -> isLast.test(row(run.seed(), run.outcome())));
   }
 
-  /** The row of a run that {@link #run(long)} ended with this outcome; to be called once. */
-  SeedRow row(long seed, RunOutcome outcome) {
-    SortedSet<String> faults = kinds.remove(seed);
-    SeedRow row = rows.remove(seed);
+  /** The row of a run that ended with this outcome; to be called once. */
+  private SeedRow row(long number, RunOutcome outcome) {
+    SortedSet<String> faults = kinds.remove(number);
+    SeedRow row = rows.remove(number);
     SortedSet<String> none = new TreeSet<>();
     return row != null
         ? row
-        : new SeedRow(key, seed, outcome, faults == null ? none : faults, null, null);
+        : row(number, outcome, faults == null ? none : faults, null, null);
   }
 
-  /** Runs one seed; may be called on several threads at once. */
-  RunOutcome run(long seed) {
-    Plan plan = plan(request, seed, carriers);
+  private SeedRow row(
+      long number,
+      RunOutcome outcome,
+      SortedSet<String> faults,
+      @Nullable RunFacts facts,
+      @Nullable Coverage coverage) {
+    int point = work.point(number);
+    return new SeedRow(
+        work.keys().get(point), point, work.seed(number), outcome, faults, facts, coverage);
+  }
+
+  /** Runs one; may be called on several threads at once. */
+  private RunOutcome run(long number) {
+    long seed = work.seed(number);
+    Plan plan = plan(work.points().get(work.point(number)), seed, carriers);
     SortedSet<String> faults = Chances.watch(plan.simulation());
-    kinds.put(seed, faults);
+    kinds.put(number, faults);
     MessageCounts messages = new MessageCounts();
     DeliveryCounter deliveries = new DeliveryCounter();
     plan.simulation().observer(deliveries);
@@ -84,7 +95,7 @@ final class SeedRuns {
     figures.putAll(facts.measures().figures());
     outcome = outcome.withFigures(figures);
     Coverage coverage = Coverage.of(result.spec(), deliveries);
-    rows.put(seed, new SeedRow(key, seed, outcome, faults, facts, coverage));
+    rows.put(number, row(number, outcome, faults, facts, coverage));
     return outcome;
   }
 

@@ -22,7 +22,7 @@ final class Seeds {
             "--seed", text, seed -> Quantities.whole(seed, Long.MIN_VALUE, Long.MAX_VALUE));
   }
 
-  /** {@code A..B}. */
+  /** {@code A..B}: seeds, or other numbers of runs. */
   record Range(long first, long last) {
 
     private static final int MAX_RUNS = 10_000_000;
@@ -48,6 +48,10 @@ final class Seeds {
     /** The number of seeds. */
     long size() {
       return last - first + 1;
+    }
+
+    boolean has(long seed) {
+      return first <= seed && seed <= last;
     }
 
     @Override

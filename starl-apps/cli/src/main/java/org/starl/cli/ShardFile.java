@@ -9,12 +9,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.function.Consumer;
-import org.starl.cli.report.SeedRow;
+import java.util.function.Predicate;
 import org.starl.input.BadInput;
 
 /**
- * The file of a shard: a header, then a row for each run in seed order. Each row is appended as soon
+ * The file of a shard: a header, then a row for each run in order. Each row is appended as soon
  * as its run and all before it have ended, so a killed process leaves whole rows and at most one
  * incomplete line, from which {@link #resume} continues.
  */
@@ -70,31 +69,33 @@ final class ShardFile implements Closeable {
   /**
    * Continues a file after its whole rows; begins it if there is none.
    *
-   * @param rows gets each whole row
-   * @throws BadInput if it is of another campaign or shard, is damaged, or cannot be written
+   * @param rows gets each whole row; false if one before it is missing
+   * @throws BadInput if it is of another work or shard, is damaged, or cannot be written
    */
-  static ShardFile resume(String name, ShardHeader header, String key, Consumer<SeedRow> rows)
-      throws IOException {
+  static <R> ShardFile resume(
+      String name, ShardHeader header, ShardWork<R> work, Predicate<R> rows) throws IOException {
     if (length(name) == 0) {
       return create(name, header);
     }
-    Seeds.Range seeds = header.shard().seeds(header.range());
+    Shard shard = header.shard(name, work);
     long wholeBytes;
     try (ShardReader reader = new ShardReader(name)) {
       String first = reader.line();
       if (first != null) {
         ShardHeader old = ShardHeader.read(name, first);
-        old.requireSameCampaign(name, header);
-        if (!old.shard().equals(header.shard())) {
+        old.requireSameWork(name, header);
+        if (!old.part().equals(header.part())) {
           throw new BadInput(
-              name + ":1: shard: " + old.shard() + ": expected " + header.shard() + ", to resume");
+              name + ":1: shard: " + old.part() + ": expected " + header.part() + ", to resume");
         }
-        long next = seeds.first();
-        for (String line = reader.line(); line != null; line = reader.line()) {
-          SeedRow row = SeedRow.of(reader.where(), line);
-          reader.require(row, key, new Seeds.Range(next, seeds.last()));
-          rows.accept(row);
-          next++;
+        for (ShardReader.Line<R> line = reader.row(work, shard);
+            line != null;
+            line = reader.row(work, shard)) {
+          if (!rows.test(line.row())) {
+            throw new BadInput(
+                "%s%s: %s: expected all before it"
+                    .formatted(reader.where(), work.unit(), ShardReader.text(line.place())));
+          }
         }
       }
       wholeBytes = reader.wholeBytes();
@@ -106,11 +107,7 @@ final class ShardFile implements Closeable {
     return file;
   }
 
-  void append(SeedRow row) throws IOException {
-    append(row.line());
-  }
-
-  private void append(String line) throws IOException {
+  void append(String line) throws IOException {
     ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.UTF_8));
     try {
       while (bytes.hasRemaining()) {

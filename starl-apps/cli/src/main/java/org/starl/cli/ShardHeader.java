@@ -1,51 +1,60 @@
 package org.starl.cli;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.cli.report.RowJson;
 import org.starl.input.BadInput;
+import org.starl.sim.explore.Exploration;
 
 /**
- * The first line of a shard's file: the campaign, and its part.
+ * The first line of a shard's file: the work, and its part.
  *
- * @param starl the version that wrote it
- * @param settings the parameters of the app, and the given settings
- * @param command the campaign's, as the user typed it
+ * @param work all that shards of one work have in common, by name
+ * @param part the shard, as text
+ * @param command that of the whole work, as the user typed it
  */
-record ShardHeader(
-    String starl,
-    String app,
-    SortedMap<String, String> settings,
-    Seeds.Range range,
-    Shard shard,
-    Ending ending,
-    String command) {
+record ShardHeader(Map<String, Object> work, String part, String command) {
 
-  private static final String FORMAT = "starl-campaign 1";
   private static final int KEY_BYTES = 8;
   private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final TypeReference<LinkedHashMap<String, Object>> OBJECT =
+      new TypeReference<>() {};
 
-  static ShardHeader of(
-      RunRequest request, Seeds.Range range, Shard shard, Ending ending, String command) {
-    return new ShardHeader(
-        Version.STARL, request.demo().name(), settings(request), range, shard, ending, command);
+  static ShardHeader of(ShardWork<?> work, Shard shard, String command) {
+    Map<String, Object> all =
+        Json.object(
+            "format", format(work.command()), "starl", Version.STARL, "app", work.app());
+    all.putAll(work.fields());
+    return new ShardHeader(parsed(Json.line(all)), shard.toString(), command);
   }
 
-  /** A digest of what decides the run of a seed: the version, the app and its settings. */
-  static String key(RunRequest request) {
+  private static String format(String command) {
+    return "starl-" + command + " 1";
+  }
+
+  /**
+   * A digest of what decides a run: the version, the app and its settings.
+   *
+   * @param more that decides
+   */
+  static String key(RunRequest request, Map<String, Object> more) {
     Map<String, Object> deciding =
         Json.object(
             "starl", Version.STARL, "app", request.demo().name(), "settings", settings(request));
+    deciding.putAll(more);
     try {
       byte[] text = Json.line(deciding).getBytes(StandardCharsets.UTF_8);
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(text);
@@ -55,31 +64,27 @@ record ShardHeader(
     }
   }
 
-  private static SortedMap<String, String> settings(RunRequest request) {
+  /** The parameters of the app, and the given settings. */
+  static SortedMap<String, String> settings(RunRequest request) {
     SortedMap<String, String> settings = new TreeMap<>(request.parameters());
     request.settings().given().forEach((setting, value) -> settings.put(setting.key(), value));
     return settings;
   }
 
-  /** What shards of one campaign have in common, by name. */
-  private Map<String, Object> campaign() {
-    Map<String, Object> campaign = new LinkedHashMap<>();
-    campaign.put("format", FORMAT);
-    campaign.put("starl", starl);
-    campaign.put("app", app);
-    campaign.put("settings", settings);
-    campaign.put("seeds", range.toString());
-    campaign.put("stop", ending.stops());
-    campaign.put("until", ending.untilText());
-    return campaign;
-  }
-
   /** As JSON on one line. */
   String line() {
-    Map<String, Object> all = campaign();
-    all.put("shard", shard.toString());
+    Map<String, Object> all = new LinkedHashMap<>(work);
+    all.put("shard", part);
     all.put("command", command);
     return Json.line(all);
+  }
+
+  private static Map<String, Object> parsed(String line) {
+    try {
+      return MAPPER.readValue(line, OBJECT);
+    } catch (JsonProcessingException e) {
+      return Map.of();
+    }
   }
 
   /**
@@ -89,72 +94,86 @@ record ShardHeader(
    */
   static ShardHeader read(String file, String line) {
     String where = file + ":1: ";
-    JsonNode json;
-    try {
-      json = MAPPER.readTree(line);
-    } catch (JsonProcessingException e) {
-      throw notAShard(where, line);
+    Map<String, Object> all = new LinkedHashMap<>(parsed(line));
+    List<String> formats = new ArrayList<>();
+    ShardOptions.COMMANDS.forEach(command -> formats.add(format(command)));
+    if (!formats.contains(text(all, "format"))) {
+      throw new BadInput(
+          where
+              + BadInput.quote(line)
+              + ": expected a file of 'starl campaign --out', or of sweep or explore");
     }
-    if (!json.path("format").asText().equals(FORMAT)) {
-      throw notAShard(where, line);
-    }
-    String starl = json.path("starl").asText();
+    String starl = text(all, "starl");
     if (!starl.equals(Version.STARL)) {
       throw new BadInput(
           "%swas written by StarL %s; expected this version, %s"
               .formatted(where, BadInput.quote(starl), Version.STARL));
     }
-    SortedMap<String, String> settings = new TreeMap<>();
-    json.path("settings")
-        .properties()
-        .forEach(entry -> settings.put(entry.getKey(), entry.getValue().asText()));
-    try {
-      Seeds.Range range = Seeds.Range.of(json.path("seeds").asText());
-      return new ShardHeader(
-          starl,
-          json.path("app").asText(),
-          settings,
-          range,
-          Shard.of("shard", json.path("shard").asText(), range),
-          Ending.of(json.path("stop").asBoolean(), json.path("until").asText(), range),
-          json.path("command").asText());
-    } catch (BadInput e) {
-      throw new BadInput(where + e.getMessage());
-    }
+    String shard = String.valueOf(all.remove("shard"));
+    String command = String.valueOf(all.remove("command"));
+    return new ShardHeader(all, shard, command);
   }
 
-  private static BadInput notAShard(String where, String line) {
-    return new BadInput(
-        where + BadInput.quote(line) + ": expected a file of 'starl campaign --out'");
+  private static String text(Map<String, Object> all, String name) {
+    return String.valueOf(all.get(name));
   }
 
   /**
-   * Checks that both are of one campaign.
+   * The part, of {@code work}.
+   *
+   * @throws BadInput if there is no such part
+   */
+  Shard shard(String file, ShardWork<?> of) {
+    return Shard.of(file + ":1: shard", part, of);
+  }
+
+  /**
+   * Checks that both are of one work.
    *
    * @throws BadInput with the first difference
    */
-  void requireSameCampaign(String file, ShardHeader expected) {
-    Map<String, Object> mine = campaign();
-    expected
-        .campaign()
-        .forEach((name, value) -> {
-          if (!value.equals(mine.get(name))) {
-            throw new BadInput(
-                "%s:1: %s: %s: expected %s, as in the same campaign"
-                    .formatted(file, name, mine.get(name), value));
-          }
-        });
+  void requireSameWork(String file, ShardHeader expected) {
+    expected.work.forEach((name, value) -> {
+      if (!value.equals(work.get(name))) {
+        throw new BadInput(
+            "%s:1: %s: %s: expected %s, as in the other shards"
+                .formatted(file, name, work.get(name), value));
+      }
+    });
   }
 
   /**
-   * The request that this campaign runs.
+   * The work of which this is a part.
    *
-   * @throws BadInput if {@code demos} do not have its app, or a setting is unknown
+   * @throws BadInput if {@code demos} do not have its app, or a value is unknown
    */
-  RunRequest request(String file, Demos demos) {
+  ShardWork<?> work(String file, Demos demos) {
     String where = file + ":1: ";
-    RunRequest.Builder request = RunRequest.Builder.of(demos, app, where, "");
-    settings.forEach((key, value) -> request.set(where, key, value));
+    try {
+      String format = text(work, "format");
+      if (format.equals(format("sweep"))) {
+        SweepFile sweep = SweepFile.of(text(work, "file"), text(work, "text"));
+        return SeedWork.sweep(sweep, demos);
+      }
+      RunRequest request = request(where, demos);
+      if (format.equals(format("explore"))) {
+        Exploration exploration =
+            RowJson.record(work.getOrDefault("exploration", ""), Exploration.class);
+        return new ExploreWork(request, Seeds.of(text(work, "seed")), exploration);
+      }
+      Seeds.Range seeds = Seeds.Range.of(text(work, "seeds"));
+      boolean stops = Boolean.parseBoolean(text(work, "stop"));
+      return SeedWork.campaign(request, seeds, Ending.of(stops, text(work, "until"), seeds));
+    } catch (BadInput e) {
+      throw e.getMessage().startsWith(where) ? e : new BadInput(where + e.getMessage());
+    }
+  }
+
+  private RunRequest request(String where, Demos demos) {
+    RunRequest.Builder request = RunRequest.Builder.of(demos, text(work, "app"), where, "");
+    if (work.get("settings") instanceof Map<?, ?> settings) {
+      settings.forEach((key, value) -> request.set(where, key.toString(), value.toString()));
+    }
     return request.build();
   }
 }

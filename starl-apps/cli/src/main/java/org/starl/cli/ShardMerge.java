@@ -9,43 +9,35 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.PriorityQueue;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
-import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 
 /**
- * Reads the files of a campaign's shards at once, in seed order; one row of each file is in memory.
- * A seed may be in several files: its rows must be equal.
+ * Reads the files of shards at once, in the order of their rows; one row of each file is in memory.
+ * A run may be in several files: its rows must be equal.
  */
 final class ShardMerge implements Closeable {
 
   private static final int MOST_DIFFERENCES = 20;
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
-  /** The next row of a file. */
-  private record Next(ShardReader file, int index, SeedRow row, String line) {}
-
   private final List<ShardReader> files = new ArrayList<>();
   private final List<ShardHeader> headers = new ArrayList<>();
-  private final RunRequest request;
-  private final String key;
   private final List<String> differences = new ArrayList<>();
-
-  private final PriorityQueue<Next> queue =
-      new PriorityQueue<>(
-          Comparator.comparingLong((Next next) -> next.row.seed()).thenComparing(Next::index));
 
   /**
    * Opens the files.
    *
    * @throws BadInput if one is not a shard's file of this version, or they are of different
-   *     campaigns
+   *     works
    */
-  ShardMerge(List<String> names, Demos demos) throws IOException {
+  ShardMerge(List<String> names) throws IOException {
     boolean isOpen = false;
     try {
       for (String name : names) {
@@ -53,10 +45,8 @@ final class ShardMerge implements Closeable {
         files.add(file);
         String first = file.line();
         headers.add(ShardHeader.read(name, first == null ? "" : first));
-        headers.getLast().requireSameCampaign(name, headers.getFirst());
+        headers.getLast().requireSameWork(name, headers.getFirst());
       }
-      request = header().request(names.getFirst(), demos);
-      key = ShardHeader.key(request);
       isOpen = true;
     } finally {
       if (!isOpen) {
@@ -65,16 +55,17 @@ final class ShardMerge implements Closeable {
     }
   }
 
-  /** That of the first file; all have the same campaign. */
+  /** That of the first file; all have the same work. */
   ShardHeader header() {
     return headers.getFirst();
   }
 
-  RunRequest request() {
-    return request;
+  /** The work of all files. */
+  ShardWork<?> work(Demos demos) {
+    return header().work(files.getFirst().name(), demos);
   }
 
-  /** A line for each of the first seeds whose rows differ. */
+  /** A line for each of the first runs whose rows differ. */
   List<String> differences() {
     return Collections.unmodifiableList(differences);
   }
@@ -82,89 +73,118 @@ final class ShardMerge implements Closeable {
   /**
    * Reads all rows.
    *
-   * @param isLast gets each seed's row in seed order; after the first true no row is missed, and
-   *     further rows are only compared
-   * @throws BadInput if a seed is missing or a file is damaged
+   * @param isLast gets each run's row in order; after the first true no row is missed, and further
+   *     rows are only compared
+   * @return whether the last row of the whole was read
+   * @throws BadInput if a row is missing or a file is damaged
    */
-  void read(Predicate<SeedRow> isLast) throws IOException {
-    for (int i = 0; i < files.size(); i++) {
-      advance(i);
+  <R> boolean read(ShardWork<R> work, Predicate<R> isLast) throws IOException {
+    return new Reading<>(work).read(isLast);
+  }
+
+  /** The next row of a file. */
+  private record Next<R>(int file, ShardReader.Line<R> line) {}
+
+  private final class Reading<R> {
+
+    private final ShardWork<R> work;
+    private final List<Shard> shards = new ArrayList<>();
+
+    private final PriorityQueue<Next<R>> queue =
+        new PriorityQueue<>(
+            Comparator.comparing((Next<R> next) -> next.line.place(), ShardReader.PLACES)
+                .thenComparing(Next::file));
+
+    Reading(ShardWork<R> work) {
+      this.work = work;
+      for (int i = 0; i < files.size(); i++) {
+        shards.add(headers.get(i).shard(files.get(i).name(), work));
+      }
     }
-    long expected = header().range().first();
-    boolean isOver = false;
-    while (!queue.isEmpty()) {
-      Next next = take();
+
+    boolean read(Predicate<R> isLast) throws IOException {
+      for (int i = 0; i < files.size(); i++) {
+        advance(i);
+      }
+      ShardWork.Sequence<R> whole = work.whole();
+      boolean isOver = false;
+      while (!queue.isEmpty()) {
+        ShardReader.Line<R> line = take();
+        if (!isOver) {
+          requireNext(whole.next(), line.place());
+          whole.take(line.row());
+          isOver = isLast.test(line.row());
+        }
+      }
       if (!isOver) {
-        requireNoneMissing(expected, next.row.seed());
-        isOver = isLast.test(next.row);
-        expected++;
+        requireNext(whole.next(), null);
+      }
+      return whole.next() == null;
+    }
+
+    /** The next row. */
+    private ShardReader.Line<R> take() throws IOException {
+      Next<R> first = queue.remove();
+      advance(first.file);
+      for (Next<R> other = queue.peek();
+          other != null && other.line.place().equals(first.line.place());
+          other = queue.peek()) {
+        queue.remove();
+        advance(other.file);
+        if (!other.line.text().equals(first.line.text())
+            && differences.size() < MOST_DIFFERENCES) {
+          differences.add(difference(first, other));
+        }
+      }
+      return first.line;
+    }
+
+    private void advance(int file) throws IOException {
+      ShardReader.Line<R> line = files.get(file).row(work, shards.get(file));
+      if (line != null) {
+        queue.add(new Next<>(file, line));
       }
     }
-    if (!isOver) {
-      requireNoneMissing(expected, header().range().last() + 1);
-    }
-  }
 
-  /** The next seed's row. */
-  private Next take() throws IOException {
-    Next first = queue.remove();
-    advance(first.index);
-    for (Next other = queue.peek();
-        other != null && other.row.seed() == first.row.seed();
-        other = queue.peek()) {
-      queue.remove();
-      advance(other.index);
-      if (!other.line.equals(first.line) && differences.size() < MOST_DIFFERENCES) {
-        differences.add(difference(first, other));
+    private void requireNext(@Nullable List<Long> expected, @Nullable List<Long> found) {
+      if (Objects.equals(expected, found)) {
+        return;
       }
-    }
-    return first;
-  }
-
-  private void advance(int index) throws IOException {
-    ShardReader file = files.get(index);
-    String line = file.line();
-    if (line != null) {
-      SeedRow row = SeedRow.of(file.where(), line);
-      ShardHeader header = headers.get(index);
-      file.require(row, key, header.shard().seeds(header.range()));
-      queue.add(new Next(file, index, row, line));
-    }
-  }
-
-  private void requireNoneMissing(long expected, long found) {
-    if (found == expected) {
-      return;
-    }
-    String missing =
-        found - 1 == expected ? "seed " + expected : "seeds " + expected + ".." + (found - 1);
-    SortedSet<String> shards = new TreeSet<>();
-    for (int i = 0; i < files.size(); i++) {
-      ShardHeader header = headers.get(i);
-      Seeds.Range seeds = header.shard().seeds(header.range());
-      if (seeds.first() <= expected && expected <= seeds.last()) {
-        shards.add(files.get(i).name());
+      if (expected == null) {
+        throw new BadInput(
+            "%s %s: expected no more".formatted(work.unit(), ShardReader.text(found)));
       }
+      SortedSet<String> owners = new TreeSet<>();
+      for (int i = 0; i < files.size(); i++) {
+        if (work.owns(shards.get(i), expected)) {
+          owners.add(files.get(i).name());
+        }
+      }
+      throw new BadInput(
+          work.missing(expected, found)
+              + " missing: "
+              + (owners.isEmpty()
+                  ? "expected the files of all shards"
+                  : "expected '--resume' to complete " + String.join(" or ", owners)));
     }
-    throw new BadInput(
-        missing
-            + " of "
-            + header().range()
-            + (found - 1 == expected ? " is missing: " : " are missing: ")
-            + (shards.isEmpty()
-                ? "expected the files of all shards"
-                : "expected '--resume' to complete " + String.join(" or ", shards)));
-  }
 
-  private static String difference(Next one, Next other) {
-    String where;
-    try {
-      where = difference("", MAPPER.readTree(one.line), MAPPER.readTree(other.line));
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a row that was read before", e);
+    private String difference(Next<R> one, Next<R> other) {
+      String where;
+      try {
+        where =
+            ShardMerge.difference(
+                "", MAPPER.readTree(one.line.text()), MAPPER.readTree(other.line.text()));
+      } catch (JsonProcessingException e) {
+        throw new IllegalStateException("a row that was read before", e);
+      }
+      return "determinism bug: %s %s has different rows in %s and %s%s"
+          .formatted(
+              work.unit(),
+              ShardReader.text(one.line.place()),
+              files.get(one.file).name(),
+              files.get(other.file).name(),
+              where);
     }
-    return "determinism bug: seed %d has different rows in %s and %s%s"
-        .formatted(one.row.seed(), one.file.name(), other.file.name(), where);
   }
 
   /** The first value that differs: {@code : outcome.figures.end_s: 12.3 and 12.4}. */

@@ -1,29 +1,31 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
-import org.starl.sim.check.Campaign;
 import picocli.CommandLine.Option;
 
-/** The options of a campaign that writes a row for each run, for {@code starl merge}. */
+/** The options of a command that writes a row for each run, for {@code starl merge}. */
 final class ShardOptions {
+
+  /** The commands with these options. */
+  static final List<String> COMMANDS = List.of("campaign", "sweep", "explore");
 
   @Option(
       names = "--shard",
       paramLabel = "K/N",
       description =
-          "Run only part K of N of the seeds; needs --out. 'starl merge' joins the parts.")
+          "Run only part K of N; needs --out. 'starl merge' joins the parts.")
   private @Nullable String shard;
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "Write a row for each run to FILE, for 'starl merge', instead of a table.")
+      description = "Write a row for each run to FILE, for 'starl merge', instead of the result.")
   private @Nullable String out;
 
   @Option(
@@ -47,19 +49,37 @@ final class ShardOptions {
   private String shards = "64";
 
   /** Prints a job and returns true, if {@code --print-job} is given. */
-  boolean printJob(PrintWriter out, String app, List<String> words, Seeds.Range range) {
+  boolean printJob(BaseCommand command, ShardWork<?> work) {
     if (scheduler == null) {
       return false;
     }
-    int count = OptionValues.whole("--shards", shards, 1, (int) range.size());
-    out.print(JobScript.of(scheduler, app, words, count));
+    int most = (int) work.numbers().size();
+    int count = OptionValues.whole("--shards", shards, 1, most);
+    command.out().print(JobScript.of(scheduler, work.app(), command.words(), count));
     return true;
   }
 
-  /** Whether the campaign writes rows. */
-  boolean isOn() {
+  /** Whether several processes are to share the work. */
+  boolean isShared() {
+    return out != null || scheduler != null;
+  }
+
+  /**
+   * Whether the command writes rows.
+   *
+   * @param others names of the given options that need the result
+   */
+  boolean isOn(String... others) {
     if (out == null && (shard != null || resume)) {
       throw new BadInput((shard != null ? "--shard" : "--resume") + " needs --out FILE");
+    }
+    if (out != null && others.length > 0) {
+      throw new BadInput(
+          others[0]
+              + " cannot be used with --out"
+              + (others[0].equals("--on")
+                  ? ": an engine makes its own shards"
+                  : "; expected it at 'merge'"));
     }
     return out != null;
   }
@@ -69,75 +89,70 @@ final class ShardOptions {
    *
    * @return the exit status: good if the file is complete. Its runs may be bad; the merge tells
    */
-  int run(
-      BaseCommand command,
-      RunRequest request,
-      Seeds.Range range,
-      int workers,
-      Ending ending,
-      String typed,
-      JsonOption json)
+  <R> int run(BaseCommand command, ShardWork<R> work, int workers, JsonOption json)
       throws InterruptedException, IOException {
     String name = out == null ? "" : out;
-    Shard part = shard == null ? new Shard(1, 1) : Shard.of("--shard", shard, range);
-    Seeds.Range seeds = part.seeds(range);
-    ShardHeader header = ShardHeader.of(request, range, part, ending, typed);
-    CampaignTally tally = new CampaignTally();
+    Shard part = shard == null ? new Shard(1, 1) : Shard.of("--shard", shard, work);
+    ShardHeader header = ShardHeader.of(work, part, command.typed());
+    ShardWork.Part<R> runs = work.part(part);
+    Counts counts = new Counts();
+    Predicate<R> kept =
+        row -> {
+          counts.add(work.isGood(row));
+          return runs.keep(row);
+        };
+    ProgressLine progress = new ProgressLine(command.err(), work.unit().equals("schedule") ? "schedules" : "runs");
     try (ShardFile file =
         resume
-            ? ShardFile.resume(name, header, ShardHeader.key(request), tally::add)
+            ? ShardFile.resume(name, header, work, kept)
             : ShardFile.create(name, header)) {
-      boolean isOver = ending.stops() && tally.bad() > 0;
-      long next = seeds.first() + tally.runs();
-      if (!isOver && next <= seeds.last()) {
-        run(
-            command,
-            request,
-            new Campaign(next, seeds.last(), workers, ending.stops()),
-            file,
-            tally);
-      }
+      runs.run(
+          new ShardWork.How(Carriers.select(null, command.err()), workers, progress::show),
+          row -> {
+            try {
+              file.append(work.line(row));
+            } catch (IOException e) {
+              throw new UncheckedIOException(e);
+            }
+            counts.add(work.isGood(row));
+            return false;
+          });
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
-    Map<String, Object> object =
-        Json.object(
-            "app", request.demo().name(),
-            "shard", part.toString(),
-            "seeds", seeds.toString(),
-            "rows", tally.runs(),
-            "bad", tally.bad(),
-            "file", name);
-    json.print(
-        command.out(),
-        object,
-        List.of(
-            "%s, shard %s, seeds %s: %d rows in %s, %d bad"
-                .formatted(request.demo().name(), part, seeds, tally.runs(), name, tally.bad())));
+    progress.end();
+    print(command, work, part, counts, name, json);
     return ExitStatus.GOOD;
   }
 
-  private static void run(
+  private static void print(
       BaseCommand command,
-      RunRequest request,
-      Campaign campaign,
-      ShardFile file,
-      CampaignTally tally)
-      throws InterruptedException {
-    ProgressLine progress = new ProgressLine(command.err(), "runs");
-    new SeedRuns(request, Carriers.select(null, command.err()), true)
-        .run(
-            campaign,
-            progress::show,
-            row -> {
-              try {
-                file.append(row);
-              } catch (IOException e) {
-                throw new UncheckedIOException(e);
-              }
-              tally.add(row);
-              return false;
-            });
-    progress.end();
+      ShardWork<?> work,
+      Shard part,
+      Counts counts,
+      String name,
+      JsonOption json) {
+    String units = work.unit() + "s";
+    Map<String, Object> object = Json.object("app", work.app(), "shard", part.toString());
+    String numbers = "";
+    if (work.isNumbered()) {
+      object.put(units, part.seeds(work.numbers()).toString());
+      numbers = ", " + units + " " + part.seeds(work.numbers());
+    }
+    object.putAll(Json.object("rows", counts.rows, "bad", counts.bad, "file", name));
+    String line =
+        "%s, shard %s%s: %d rows in %s, %d bad"
+            .formatted(work.app(), part, numbers, counts.rows, name, counts.bad);
+    json.print(command.out(), object, List.of(line));
+  }
+
+  private static final class Counts {
+    private long rows;
+    private long bad;
+
+    void add(boolean isGood) {
+      rows++;
+      bad += isGood ? 0 : 1;
+    }
   }
 }

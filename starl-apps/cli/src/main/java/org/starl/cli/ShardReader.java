@@ -8,8 +8,10 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 
@@ -24,11 +26,22 @@ final class ShardReader implements Closeable {
 
   private static final String EXPECTED = "expected a file of 'starl campaign --out'";
 
+  /** The order of the places of rows. */
+  static final Comparator<List<Long>> PLACES =
+      Comparator.<List<Long>>comparingInt(List::size)
+          .thenComparing((one, other) -> {
+            int i = 0;
+            while (i < one.size() - 1 && one.get(i).equals(other.get(i))) {
+              i++;
+            }
+            return one.isEmpty() ? 0 : Long.compare(one.get(i), other.get(i));
+          });
+
   private final String name;
   private final InputStream in;
   private long wholeBytes;
   private int lines;
-  private long lastSeed = Long.MIN_VALUE;
+  private @Nullable List<Long> last;
 
   /**
    * @throws BadInput if it cannot be read
@@ -74,21 +87,33 @@ final class ShardReader implements Closeable {
   }
 
   /**
-   * Checks a row that was just read.
+   * The next row, of a shard of {@code work}; null at the end.
    *
-   * @throws BadInput if its campaign is not {@code key}, it is not in {@code range}, or a row before
-   *     it has a larger seed
+   * @throws BadInput if it is none, is not in {@code shard}, or does not come after the row before
+   *     it
    */
-  void require(SeedRow row, String key, Seeds.Range range) {
-    if (!row.key().equals(key)) {
-      throw new BadInput(
-          where() + "key: " + BadInput.quote(row.key()) + ": expected " + key + ", the campaign's");
+  <R> @Nullable Line<R> row(ShardWork<R> work, Shard shard) throws IOException {
+    String line = line();
+    if (line == null) {
+      return null;
     }
-    if (row.seed() <= lastSeed || row.seed() < range.first() || row.seed() > range.last()) {
+    R row = work.row(where(), line);
+    List<Long> place = work.place(row);
+    if (last != null && PLACES.compare(last, place) >= 0 || !work.owns(shard, place)) {
       throw new BadInput(
-          where() + "seed: " + row.seed() + ": expected the seeds " + range + " in order");
+          "%s%s: %s: expected those of shard %s in order"
+              .formatted(where(), work.unit(), text(place), shard));
     }
-    lastSeed = row.seed();
+    last = place;
+    return new Line<>(row, place, line);
+  }
+
+  /** A row that was read. */
+  record Line<R>(R row, List<Long> place, String text) {}
+
+  /** {@code 17}, or {@code 3.7}. */
+  static String text(List<Long> place) {
+    return place.stream().map(String::valueOf).collect(Collectors.joining("."));
   }
 
   @Override

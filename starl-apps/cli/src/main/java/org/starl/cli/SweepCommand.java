@@ -1,8 +1,9 @@
 package org.starl.cli;
 
+import java.io.Closeable;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,9 +12,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.cli.report.SweepPage;
 import org.starl.cli.report.SweepTable;
-import org.starl.input.BadInput;
-import org.starl.sim.check.Campaign;
-import org.starl.sim.kernel.CarrierKind;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -28,7 +26,8 @@ import picocli.CommandLine.Parameters;
             + " the middle 80 %% of the runs.",
     footer = {
       "",
-      "Example: starl sweep scenarios/sweeps/open-road.yaml --csv road.csv --report road.html"
+      "Example: starl sweep scenarios/sweeps/open-road.yaml --csv road.csv --report road.html",
+      "         starl sweep scenarios/sweeps/open-road.yaml --shard 1/4 --out part-1"
     })
 final class SweepCommand extends BaseCommand implements Callable<Integer> {
 
@@ -52,81 +51,108 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
       description = "Write an HTML page: a chart of each measure against each setting.")
   private @Nullable String report;
 
+  @Mixin private ShardOptions shards = new ShardOptions();
+
+  @Mixin private EngineOptions engine = new EngineOptions();
+
   @Override
   public Integer call() throws InterruptedException, IOException {
+    boolean isShard =
+        shards.isOn(OptionValues.given("--csv", csv, "--report", report, "--on", engine.isOn()));
     SweepFile file = SweepFile.read(name);
-    List<List<String>> points = file.points();
-    List<RunRequest> requests = new ArrayList<>();
-    for (List<String> point : points) {
-      requests.add(file.request(demos(), point));
+    SeedWork work = SeedWork.sweep(file, demos());
+    if (shards.printJob(this, work)) {
+      return ExitStatus.GOOD;
     }
-    SweepTable table = new SweepTable(file.swept().stream().map(SweptKey::key).toList(), points);
-    try (OutputFile csvFile = csv == null ? null : new OutputFile("--csv", csv);
-        OutputFile page = report == null ? null : new OutputFile("--report", report)) {
-      run(file, requests, table);
-      List<String> shown = shown(file, table);
-      table.lines(shown).forEach(out()::println);
-      if (csvFile != null) {
-        csvFile.stream().write(table.csv().getBytes(StandardCharsets.UTF_8));
+    if (isShard) {
+      return shards.run(this, work, threads.count(), new JsonOption());
+    }
+    try (Output output = new Output(this, file, work, csv, report)) {
+      if (engine.isOn()) {
+        engine.run(work, typed(), threads.count(), null, work.checked(output::add), err());
+      } else {
+        ProgressLine progress = new ProgressLine(err(), "runs");
+        ShardWork.How how =
+            new ShardWork.How(Carriers.select(null, err()), threads.count(), progress::show);
+        // All runs of all points are one campaign, so that no core waits at the end of a point.
+        work.runSeeds(work.numbers(), how, false, work.checked(output::add));
+        progress.end();
+      }
+      return output.print();
+    }
+  }
+
+  /** Collects the rows of a sweep, and prints its result. */
+  static final class Output implements Closeable {
+    private final BaseCommand command;
+    private final SweepFile file;
+    private final SeedWork work;
+    private final SweepTable table;
+    private final @Nullable OutputFile csv;
+    private final @Nullable OutputFile page;
+    private @Nullable SeedRow firstBad;
+
+    /**
+     * @param csv the name of a file, as {@code report}; null without
+     */
+    Output(
+        BaseCommand command,
+        SweepFile file,
+        SeedWork work,
+        @Nullable String csv,
+        @Nullable String report) {
+      this.command = command;
+      this.file = file;
+      this.work = work;
+      table = new SweepTable(file.swept().stream().map(SweptKey::key).toList(), file.points());
+      this.csv = csv == null ? null : new OutputFile("--csv", csv);
+      page = report == null ? null : new OutputFile("--report", report);
+    }
+
+    /** Adds the next row; none is the last. */
+    boolean add(SeedRow row) {
+      table.add(row);
+      if (firstBad == null && !row.outcome().isGood()) {
+        firstBad = row;
+      }
+      return false;
+    }
+
+    /** Prints the table and writes the files; returns the exit status. */
+    int print() throws IOException {
+      file.requireShown(table.measures());
+      List<String> shown =
+          file.show().isEmpty()
+              ? STANDARD.stream().filter(name -> table.measures().contains(name)).toList()
+              : file.show();
+      table.lines(shown).forEach(command.out()::println);
+      if (firstBad != null) {
+        PrintWriter err = command.err();
+        err.println("seed " + firstBad.seed() + ": " + firstBad.outcome().detail());
+        err.println("replay: " + work.points().get(firstBad.point()).replay(firstBad.seed()));
+      }
+      if (csv != null) {
+        csv.stream().write(table.csv().getBytes(StandardCharsets.UTF_8));
       }
       if (page != null) {
-        String app = file.scenario().app();
-        String html = new SweepPage(app, description(file), table, shown).write();
+        String html = new SweepPage(work.app(), description(file), table, shown).write();
         page.stream().write(html.getBytes(StandardCharsets.UTF_8));
       }
+      return table.bad() == 0 ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     }
-    return table.bad() == 0 ? ExitStatus.GOOD : ExitStatus.VIOLATED;
-  }
 
-  /** All runs of all points are one campaign, so that no core waits at the end of a point. */
-  private void run(SweepFile file, List<RunRequest> requests, SweepTable table)
-      throws InterruptedException {
-    CarrierKind carriers = Carriers.select(null, err());
-    List<SeedRuns> points =
-        requests.stream().map(request -> new SeedRuns(request, carriers, false)).toList();
-    List<String> firstBad = new ArrayList<>();
-    Seeds.Range seeds = file.seeds();
-    long size = seeds.size();
-    ProgressLine progress = new ProgressLine(err(), "runs");
-    new Campaign(0, points.size() * size - 1, threads.count(), false)
-        .run(
-            index -> points.get((int) (index / size)).run(seeds.first() + index % size),
-            progress::show,
-            run -> {
-              int point = (int) (run.seed() / size);
-              long seed = seeds.first() + run.seed() % size;
-              SeedRow row = points.get(point).row(seed, run.outcome());
-              table.points().get(point).add(row);
-              if (firstBad.isEmpty() && !run.outcome().isGood()) {
-                firstBad.add("seed " + seed + ": " + run.outcome().detail());
-                firstBad.add("replay: " + requests.get(point).replay(seed));
-              }
-              return false;
-            });
-    progress.end();
-    firstBad.forEach(err()::println);
-  }
-
-  private static List<String> shown(SweepFile file, SweepTable table) {
-    if (file.show().isEmpty()) {
-      return STANDARD.stream().filter(name -> table.measures().contains(name)).toList();
-    }
-    for (String measure : file.show()) {
-      if (!table.measures().contains(measure)) {
-        throw BadInput.at(
-            file.scenario().file(),
-            file.showLine(),
-            "show: %s: expected some of %s"
-                .formatted(BadInput.quote(measure), String.join(" ", table.measures())));
+    @Override
+    public void close() throws IOException {
+      try (OutputFile first = csv;
+          OutputFile second = page) {
+        // closes both
       }
     }
-    return file.show();
   }
 
-  private Map<String, String> description(SweepFile file) {
+  private static Map<String, String> description(SweepFile file) {
     Map<String, String> description = new LinkedHashMap<>();
-    List<String> words = List.of("sweep", name);
-    description.put("Command", Shell.starl(words));
+    description.put("Command", Shell.starl(List.of("sweep", file.scenario().file())));
     description.put(
         "Points",
         file.samples() == 0

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
@@ -31,6 +32,7 @@ import org.starl.random.Rng;
  * @param sampleSeed of the samples
  * @param show the measures of the table and the report; may be empty
  * @param showLine its line
+ * @param text of the file
  */
 record SweepFile(
     ScenarioFile scenario,
@@ -39,7 +41,8 @@ record SweepFile(
     int samples,
     long sampleSeed,
     List<String> show,
-    int showLine) {
+    int showLine,
+    String text) {
 
   private static final int MOST_POINTS = 10_000;
   private static final int MOST_RUNS = 1_000_000;
@@ -51,9 +54,17 @@ record SweepFile(
    * @throws BadInput if the file is missing, or is not text, YAML or a sweep
    */
   static SweepFile read(String file) {
+    return of(file, TextFile.read(Path.of(file), EXPECTED));
+  }
+
+  /**
+   * The sweep in a file's text.
+   *
+   * @throws BadInput if it is not YAML or a sweep
+   */
+  static SweepFile of(String file, String text) {
     Map<String, Node> parts =
-        new LinkedHashMap<>(
-            DocumentReader.read(file, TextFile.read(Path.of(file), EXPECTED), EXPECTED).parts());
+        new LinkedHashMap<>(DocumentReader.read(file, text, EXPECTED).parts());
     Node sweep = parts.remove("sweep");
     if (!(sweep instanceof Node.Mapping mapping) || mapping.parts().isEmpty()) {
       throw BadInput.at(
@@ -84,7 +95,8 @@ record SweepFile(
             samples,
             sampleSeed,
             names(file, show),
-            show == null ? 1 : show.line());
+            show == null ? 1 : show.line(),
+            text);
     read.requireBounds();
     return read;
   }
@@ -213,6 +225,24 @@ record SweepFile(
                   scenario.file(), swept.getFirst().line(), text(point), error.getMessage()));
     }
     return request;
+  }
+
+  /**
+   * Checks the measures to show.
+   *
+   * @param measures of the runs so far
+   * @throws BadInput if one is not among them
+   */
+  void requireShown(SortedSet<String> measures) {
+    for (String measure : show) {
+      if (!measures.contains(measure)) {
+        throw BadInput.at(
+            scenario.file(),
+            showLine,
+            "show: %s: expected some of %s"
+                .formatted(BadInput.quote(measure), String.join(" ", measures)));
+      }
+    }
   }
 
   private String text(List<String> point) {

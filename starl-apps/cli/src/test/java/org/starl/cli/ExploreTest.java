@@ -6,13 +6,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -208,6 +214,106 @@ class ExploreTest {
     Cli cli = explore(options);
     assertThat(cli.status()).as("%s", cli).isEqualTo(2);
     assertThat(cli.err().toString()).contains(message);
+  }
+
+  private static final String EXPLORE = "explore impatient --robots 2 ";
+
+  private static final String TREE =
+      "explore registration --robots 2 --seed 1 --strategy exhaustive --depth ";
+
+  private void assertSharded(Demos demos, String line) {
+    Cli whole = Cli.line(demos, line);
+    List<Path> files = Cli.shards(demos, folder, line, 5);
+    files.addAll(Cli.shards(demos, folder, line, 2));
+    for (int order = 0; order < 3; order++) {
+      Collections.shuffle(files, new Random(order));
+      Cli.line(demos, "merge" + (line.endsWith("--json") ? " --json" : ""), files.toArray())
+          .assertSame(whole);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--seed 1 --strategy random",
+        "--seed 3 --strategy pct --losses 1 --json",
+        "--seed 1 --strategy pct --delays 1ms..40ms --schedules 40",
+        "--seed 1 --strategy exhaustive --losses 1"
+      })
+  void shardsMergedInAnyOrderPrintWhatOneProcessPrints(String options) {
+    assertSharded(IMPATIENT, EXPLORE + options);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(strings = {"2", "2 --schedules 100"})
+  void shardsOfATreePrintWhatOneProcessPrints(String depth) {
+    assertSharded(Main.ALL, TREE + depth);
+  }
+
+  @Test
+  void shardsMergedMakeTheChartOfOneProcess() throws IOException {
+    Path chart = folder.resolve("chart.svg");
+    String options = EXPLORE + "--seed 1 --strategy exhaustive";
+    Cli whole = Cli.line(IMPATIENT, options + " --chart", chart);
+    String expected = Files.readString(chart);
+    Files.delete(chart);
+    List<Path> files = Cli.shards(IMPATIENT, folder, options, 3);
+    Cli.line(IMPATIENT, "merge --chart " + chart, files.toArray()).assertSame(whole);
+    assertThat(Files.readString(chart)).isEqualTo(expected);
+  }
+
+  static Stream<Arguments> drawnAndExhaustive() {
+    return Stream.of(
+        Arguments.of(IMPATIENT, EXPLORE + "--seed 1 --strategy random --delays 1ms..40ms"),
+        Arguments.of(Main.ALL, TREE + "1"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("drawnAndExhaustive")
+  void anInterruptedShardIsResumedToTheSameBytes(Demos demos, String line) throws IOException {
+    Path file = Cli.shard(demos, folder, line + " --schedules 30", 2, 2);
+    Cli.assertResumes(demos, line + " --schedules 30 --shard 2/2", file);
+  }
+
+  @ParameterizedTest
+  @MethodSource("drawnAndExhaustive")
+  void aFileWithOtherRowsIsRefused(Demos demos, String line) throws IOException {
+    Path one = Cli.shard(demos, folder, line, 1, 2);
+    Path two = Cli.shard(demos, folder, line, 2, 2);
+    Cli.line(demos, "merge", one).assertRefused("missing: expected the files of all shards");
+    Path other = folder.resolve("other");
+    List<String> lines = new ArrayList<>(Files.readAllLines(two));
+    lines.set(2, lines.get(2).replaceFirst("\"steps\":", "\"steps\":1"));
+    Files.write(other, lines);
+    Cli differs = Cli.line(demos, "merge", one, two, other);
+    assertThat(differs.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(differs.out()).isEmpty();
+    assertThat(differs.err()).hasSize(1);
+    assertThat(differs.err().getFirst())
+        .startsWith("starl: determinism bug: schedule ")
+        .contains("explored.steps: '");
+    lines.remove(2);
+    Files.write(other, lines);
+    Cli.line(demos, "merge", one, other)
+        .assertRefused("schedule", "is missing: expected '--resume' to complete " + other);
+    Cli.line(demos, line + " --shard 2/2 --resume --out", other)
+        .assertRefused("schedule", "before it");
+    Cli.line(demos, "merge --csv x", one, two)
+        .assertRefused("--csv cannot be used with files of 'starl explore --out'");
+    Cli.line(demos, line + " --losses 1 --shard 2/2 --resume --out", two)
+        .assertRefused(":1: exploration: ");
+  }
+
+  @Test
+  void eachShardNeedsTheSameSeed() {
+    Cli.line(IMPATIENT, EXPLORE + "--shard 1/2 --out", folder.resolve("x"))
+        .assertRefused("--out and --print-job need --seed S");
+    Cli.line(IMPATIENT, EXPLORE + "--seed 1 --schedules 3 --shard 1/4 --out", folder.resolve("x"))
+        .assertRefused("--shard: '1/4': expected K/N", "each of 3 schedules");
+    Cli.line(IMPATIENT, EXPLORE + "--seed 1 --strategy exhaustive --on spark")
+        .assertRefused("--on cannot be used with --strategy exhaustive; expected --shard");
+    assertThat(folder).isEmptyDirectory();
   }
 
   private Cli replayed(String line) {

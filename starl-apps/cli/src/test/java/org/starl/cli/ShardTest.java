@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
@@ -106,37 +105,15 @@ class ShardTest {
   }
 
   private static Cli run(String line, Object... files) {
-    List<String> words = new ArrayList<>(Arrays.asList(line.split(" ")));
-    for (Object file : files) {
-      words.add(file.toString());
-    }
-    return Cli.run(MIXED, words.toArray(String[]::new));
+    return Cli.line(MIXED, line, files);
   }
 
   private Path part(String campaign, int number, int count) {
-    Path file = folder.resolve("part-" + number + "-of-" + count);
-    Cli cli = run(campaign + " --shard " + number + "/" + count + " --out", file);
-    assertThat(cli.status()).as("%s", cli).isZero();
-    return file;
+    return Cli.shard(MIXED, folder, campaign, number, count);
   }
 
   private List<Path> parts(String campaign, int count) {
-    List<Path> files = new ArrayList<>();
-    for (int i = 1; i <= count; i++) {
-      files.add(part(campaign, i, count));
-    }
-    return files;
-  }
-
-  /** Without the progress, which depends on the machine. */
-  private static List<String> messages(Cli cli) {
-    return cli.err().stream().filter(line -> !line.matches("\\d+ of \\d+ .*")).toList();
-  }
-
-  private static void assertSame(Cli actual, Cli expected) {
-    assertThat(actual.out()).isEqualTo(expected.out());
-    assertThat(messages(actual)).isEqualTo(messages(expected));
-    assertThat(actual.status()).isEqualTo(expected.status());
+    return Cli.shards(MIXED, folder, campaign, count);
   }
 
   @ParameterizedTest
@@ -154,8 +131,8 @@ class ShardTest {
     files.addAll(parts(campaign, 2));
     for (int order = 0; order < 3; order++) {
       Collections.shuffle(files, new Random(order));
-      assertSame(
-          run("merge" + (options.endsWith("--json") ? " --json" : ""), files.toArray()), whole);
+      run("merge" + (options.endsWith("--json") ? " --json" : ""), files.toArray())
+          .assertSame(whole);
     }
   }
 
@@ -170,7 +147,7 @@ class ShardTest {
     Collections.reverse(words);
     words.add("--report");
     words.add(page);
-    assertSame(run("merge", words.toArray()), whole);
+    run("merge", words.toArray()).assertSame(whole);
     assertThat(Files.readString(page)).isEqualTo(expected);
   }
 
@@ -196,20 +173,7 @@ class ShardTest {
   @Test
   void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
     String campaign = "campaign mixed --seeds 1..12";
-    Path whole = part(campaign, 1, 1);
-    byte[] expected = Files.readAllBytes(whole);
-    String text = Files.readString(whole);
-    int header = text.indexOf('\n') + 1;
-    int second = text.indexOf('\n', text.indexOf('\n', header) + 1) + 1;
-    for (int kept :
-        List.of(0, 10, header - 1, header, second - 1, second, second + 99, expected.length)) {
-      Path file = folder.resolve("cut-" + kept);
-      Files.write(file, Arrays.copyOf(expected, kept));
-      Cli cli = run(campaign + " --shard 1/1 --resume --out", file);
-      assertThat(cli.status()).as("%s", cli).isZero();
-      assertThat(Files.readAllBytes(file)).as("after %s bytes", kept).isEqualTo(expected);
-      assertThat(cli.text()).contains("12 rows");
-    }
+    Cli.assertResumes(MIXED, campaign, part(campaign, 1, 1));
   }
 
   @Test
@@ -246,42 +210,35 @@ class ShardTest {
                 + ": facts.measures.came: '");
   }
 
-  private static void assertRefused(Cli cli, String... says) {
-    assertThat(cli.status()).as("%s", cli).isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(cli.err()).as("%s", cli).hasSize(1);
-    assertThat(cli.err().getFirst()).contains(says);
-  }
-
   @Test
   void filesThatDoNotMakeOneCampaignAreRefused() throws IOException {
     String campaign = "campaign mixed --seeds 1..9";
     Path one = part(campaign, 1, 3);
     Path two = part(campaign, 2, 3);
     Path three = part(campaign, 3, 3);
-    assertRefused(run("merge", one, three), "seeds 4..6 of 1..9 are missing", "all shards");
-    assertRefused(run("merge", one, two), "seeds 7..9 of 1..9 are missing");
+    run("merge", one, three).assertRefused("seeds 4..6 of 1..9 are missing", "all shards");
+    run("merge", one, two).assertRefused("seeds 7..9 of 1..9 are missing");
     String whole = Files.readString(three);
     Files.writeString(three, whole.substring(0, whole.length() - 1), StandardCharsets.UTF_8);
-    assertRefused(
-        run("merge", one, two, three), "seed 9 of 1..9 is missing", "--resume", "part-3-of-3");
+    run("merge", one, two, three).assertRefused("seed 9 of 1..9 is missing", "--resume", "part-3-of-3");
     Path seeds = part("campaign mixed --seeds 1..8", 1, 8);
-    assertRefused(run("merge", one, seeds), "part-1-of-8:1: seeds: 1..8: expected 1..9");
+    run("merge", one, seeds).assertRefused("part-1-of-8:1: seeds: 1..8: expected 1..9");
     Path loss = part(campaign + " --loss 0.1", 1, 9);
-    assertRefused(run("merge", one, loss), "part-1-of-9:1: settings: ", "messageLoss");
+    run("merge", one, loss).assertRefused("part-1-of-9:1: settings: ", "messageLoss");
     Path old = folder.resolve("old");
     Files.writeString(old, whole.replaceFirst("\"starl\":\"[^\"]*\"", "\"starl\":\"0.0.1\""));
-    assertRefused(run("merge", old), "old:1: was written by StarL '0.0.1'; expected");
+    run("merge", old).assertRefused("old:1: was written by StarL '0.0.1'; expected");
     Path text = Files.writeString(folder.resolve("text"), "what\n");
-    assertRefused(run("merge", text), "text:1: 'what': expected a file of 'starl campaign --out'");
-    assertRefused(run("merge", folder.resolve("none")), "none: no such file");
+    run("merge", text).assertRefused("text:1: 'what': expected a file of 'starl campaign --out'");
+    run("merge", folder.resolve("none")).assertRefused("none: no such file");
     String row = whole.lines().skip(1).findFirst().orElseThrow();
     Path damaged = folder.resolve("damaged");
     Files.writeString(damaged, whole.replace(row, row.substring(5)));
-    assertRefused(run("merge", one, two, damaged), "damaged:2: ", "expected a row of a campaign");
+    run("merge", one, two, damaged).assertRefused("damaged:2: ", "expected a row of a shard");
     Files.writeString(damaged, whole.replace(row, row + "\n" + row));
-    assertRefused(run("merge", one, two, damaged), "damaged:3: seed: 7: expected the seeds 7..9");
+    run("merge", one, two, damaged).assertRefused("damaged:3: seed: 7: expected those of shard 3/3 in order");
     Files.writeString(damaged, whole.replace("{\"key\":\"", "{\"key\":\"0"));
-    assertRefused(run("merge", one, two, damaged), "damaged:2: key: ");
+    run("merge", one, two, damaged).assertRefused("damaged:2: key: ");
   }
 
   @Test
@@ -289,9 +246,9 @@ class ShardTest {
     String campaign = "campaign mixed --seeds 1..9";
     Path one = part(campaign, 1, 3);
     byte[] before = Files.readAllBytes(one);
-    assertRefused(run(campaign + " --shard 1/3 --out", one), "exists already", "--resume");
-    assertRefused(run(campaign + " --shard 2/3 --resume --out", one), "shard: 1/3: expected 2/3");
-    assertRefused(run(campaign + " --loss 0.5 --shard 1/3 --resume --out", one), ":1: settings: ");
+    run(campaign + " --shard 1/3 --out", one).assertRefused("exists already", "--resume");
+    run(campaign + " --shard 2/3 --resume --out", one).assertRefused("shard: 1/3: expected 2/3");
+    run(campaign + " --loss 0.5 --shard 1/3 --resume --out", one).assertRefused(":1: settings: ");
     assertThat(Files.readAllBytes(one)).isEqualTo(before);
   }
 
@@ -310,7 +267,7 @@ class ShardTest {
       })
   void badOptionsAreRefused(String line) {
     String[] parts = line.split(" \\| ");
-    assertRefused(run("campaign mixed --seeds 1..10 " + parts[0]), parts[1]);
+    run("campaign mixed --seeds 1..10 " + parts[0]).assertRefused(parts[1]);
     assertThat(folder).isEmptyDirectory();
   }
 

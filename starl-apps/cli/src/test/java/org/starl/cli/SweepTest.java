@@ -8,7 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -142,6 +144,49 @@ class SweepTest {
     assertThat(cli.err())
         .anyMatch(line -> line.startsWith("seed 1: not finished"))
         .contains("replay: ./starl run hello --seed 1 --for 100ms");
+  }
+
+  @Test
+  void shardsMergedInAnyOrderMakeTheFilesOfOneProcess() throws IOException {
+    Path sweep = file(HELLO.replace("robots: 1..3 in 3", "duration: [60s, 100ms, 50s]"));
+    Path csv = folder.resolve("rows.csv");
+    Path page = folder.resolve("page.html");
+    Cli whole = sweep(sweep, "--csv", csv, "--report", page);
+    assertThat(whole.status()).as("%s", whole).isEqualTo(ExitStatus.VIOLATED);
+    String rows = Files.readString(csv);
+    String html = Files.readString(page);
+    List<Path> files = Cli.shards(Main.ALL, folder, "sweep " + sweep, 7);
+    files.addAll(Cli.shards(Main.ALL, folder, "sweep " + sweep, 2));
+    Files.delete(sweep);
+    for (int order = 0; order < 3; order++) {
+      Files.delete(csv);
+      Files.delete(page);
+      Collections.shuffle(files, new Random(order));
+      String merge = "merge --csv " + csv + " --report " + page;
+      Cli.line(Main.ALL, merge, files.toArray()).assertSame(whole);
+      assertThat(Files.readString(csv)).isEqualTo(rows);
+      assertThat(Files.readString(page)).isEqualTo(html);
+    }
+    files.removeIf(file -> !file.toString().endsWith("-of-7") || file.toString().contains("-3-"));
+    Cli.line(Main.ALL, "merge", files.toArray()).assertRefused("runs 9..12 of 1..30 are missing");
+  }
+
+  @Test
+  void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
+    String line = "sweep " + file(HELLO) + " --shard 2/2";
+    Path part = folder.resolve("part");
+    assertThat(Cli.line(Main.ALL, line + " --out", part).status()).isZero();
+    Cli.assertResumes(Main.ALL, line, part);
+  }
+
+  @Test
+  void aMeasureThatNoPointHasIsToldAfterOneRunOfEach() throws IOException {
+    Path sweep = file(HELLO.replace("[tasks, end_s]", "\n  - tasks\n  - crossed"));
+    Path part = folder.resolve("part");
+    Cli cli = Cli.line(Main.ALL, "sweep " + sweep + " --shard 1/2 --out", part);
+    cli.assertRefused("sweep.yaml:6: show: 'crossed': expected some of ", " tasks ");
+    // The header, and five points; the sixth completes the measures.
+    assertThat(Files.readAllLines(part)).hasSize(6);
   }
 
   @ParameterizedTest

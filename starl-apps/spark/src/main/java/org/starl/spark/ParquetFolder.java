@@ -61,8 +61,8 @@ final class ParquetFolder implements Rows {
   }
 
   @Override
-  public long lastSeed() {
-    return rows.lastSeed();
+  public long last() {
+    return rows.last();
   }
 
   /** Writes the rows up to the last seed of the result, after all have passed. */
@@ -70,7 +70,7 @@ final class ParquetFolder implements Rows {
       throws IOException {
     // Names of lemmas and figures may differ in case alone.
     session.conf().set("spark.sql.caseSensitive", "true");
-    long last = lastSeed();
+    long last = last();
     int needed = (int) parts.stream().filter(part -> part.first() <= last).count();
     List<String> names = new ArrayList<>(columns.keySet());
     List<StructField> fields = new ArrayList<>();

@@ -27,6 +27,7 @@ import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.check.Shrink;
 import org.starl.sim.check.Trial;
 import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Exploration;
 import org.starl.sim.explore.Explorer;
 import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
@@ -199,9 +200,10 @@ class SpecimenTest {
 
   private static Explorer.Result explored(Specimen specimen, long seed, Strategy strategy)
       throws InterruptedException {
+    int depth = strategy == Strategy.EXHAUSTIVE ? CHOICES : CHANGES;
     Explorer explorer =
         new Explorer(
-            BOUNDS,
+            new Exploration(strategy, depth, seed, MOST_SCHEDULES, BOUNDS),
             (schedule, order) -> {
               Trial trial = new Trial(CALM.robots(), List.of(), schedule, END_NS);
               RunOutcome outcome =
@@ -209,11 +211,7 @@ class SpecimenTest {
                       specimen.simulation(seed, trial, Envelope.NONE, false, order).run());
               // Only the specimen's lemma counts, not an app that does not end.
               return specimen.isCaught(outcome) ? outcome : RunOutcome.good(outcome.figures());
-            },
-            MOST_SCHEDULES,
-            (finished, planned) -> {});
-    return strategy == Strategy.EXHAUSTIVE
-        ? explorer.exhaust(CHOICES)
-        : explorer.draw(strategy, CHANGES, seed);
+            });
+    return explorer.run();
   }
 }

@@ -1,40 +1,28 @@
 package org.starl.sim.explore;
 
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
+import java.util.Queue;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.starl.random.Rng;
 import org.starl.sim.check.Campaign;
-import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.fault.Fault;
 
-/** Runs schedules, on all cores, until one of them ends badly or none is left. */
+/** Runs schedules until one of them ends badly or none is left. */
 public final class Explorer {
-
-  /** Copies that a drawn schedule can choose from. */
-  private static final int MOST_DRAWN_FROM = 100_000;
-
-  /** Copies of a drawn schedule that make its order. */
-  private static final int COPIES_OF_ORDER = 1000;
 
   /** Runs whose orders are in memory at the same time. */
   private static final int BATCH = 256;
 
-  private final Bounds bounds;
+  private final Exploration exploration;
   private final Runner runner;
-  private final int mostSchedules;
+  private final int workers;
   private final Progress progress;
-  private final Set<Long> orders = new LinkedHashSet<>();
-  private long schedules;
-  private long steps;
-  private @Nullable Found found;
 
   /** Builds and executes one run. */
   @FunctionalInterface
@@ -77,132 +65,146 @@ public final class Explorer {
   public record Result(
       long schedules, long orders, long steps, boolean isComplete, @Nullable Found found) {}
 
-  /** A schedule, and the number of copies that are decided: later ones may still be changed. */
-  private record Node(List<Fault> schedule, int decided, int losses, int crashes) {}
-
-  public Explorer(Bounds bounds, Runner runner, int mostSchedules, Progress progress) {
-    this.bounds = bounds;
+  /**
+   * @param workers threads
+   */
+  public Explorer(Exploration exploration, Runner runner, int workers, Progress progress) {
+    this.exploration = exploration;
     this.runner = runner;
-    this.mostSchedules = mostSchedules;
+    this.workers = workers;
     this.progress = progress;
   }
 
-  /**
-   * Draws schedules.
-   *
-   * @param changes of priorities, for {@link Strategy#PCT}
-   * @param seed of the draws
-   */
-  public Result draw(Strategy strategy, int changes, long seed) throws InterruptedException {
-    Order first = run(List.of(List.of()), MOST_DRAWN_FROM).get(0);
-    Draws draws = new Draws(bounds, first);
-    while (found == null && schedules < mostSchedules) {
-      List<List<Fault>> drawn = new ArrayList<>();
-      for (long i = schedules; i < mostSchedules && drawn.size() < BATCH; i++) {
-        Rng rng = new Rng(seed).fork(strategy + "/" + i);
-        drawn.add(strategy == Strategy.PCT ? draws.pct(changes, rng) : draws.random(rng));
-      }
-      run(drawn, COPIES_OF_ORDER).forEach(order -> orders.add(order.hash()));
-    }
-    return new Result(schedules, orders.size(), steps, false, found);
+  /** On all cores, without progress. */
+  public Explorer(Exploration exploration, Runner runner) {
+    this(
+        exploration, runner, Runtime.getRuntime().availableProcessors(), (finished, planned) -> {});
+  }
+
+  /** Explores the whole. */
+  public Result run() throws InterruptedException {
+    ExplorationTally tally = new ExplorationTally(exploration);
+    boolean isAll = run(any -> true, List.of(), tally::add);
+    return tally.result(isAll);
   }
 
   /**
-   * Tries every order in which the first copies can arrive.
+   * Explores a part. The parts of one exploration, each by a process of its own, have together the
+   * schedules of the whole, each once; the first bad schedule of a part ends it. Some schedules run
+   * in each part, because the others follow from them.
    *
-   * @param choices the number of copies
+   * @param isOwn whether the part has the schedule of a {@link Explored#place}. In an exhaustive
+   *     search it must answer equally for places with equal first numbers
+   * @param kept the first schedules of this part, which ran before
+   * @param isLast called for each further schedule of the part, in order; after the first true the
+   *     exploration ends
+   * @return whether no schedule is left
+   * @throws IllegalArgumentException if {@code kept} are not the first ones
    */
-  public Result exhaust(int choices) throws InterruptedException {
-    List<Node> level = List.of(new Node(List.of(), 0, 0, 0));
-    boolean isCut = false;
-    while (found == null && !level.isEmpty() && !isCut) {
-      long left = mostSchedules - schedules;
-      isCut = level.size() > left;
-      List<Node> now = isCut ? level.subList(0, (int) left) : level;
-      level = next(now, choices);
+  public boolean run(
+      Predicate<List<Long>> isOwn, List<Explored> kept, Predicate<Explored> isLast)
+      throws InterruptedException {
+    Search search =
+        exploration.strategy() == Strategy.EXHAUSTIVE
+            ? new ExhaustiveSearch(exploration, isOwn)
+            : new DrawnSearch(exploration, isOwn);
+    Part part = new Part(search, isOwn, new ArrayDeque<>(kept), isLast);
+    while (!part.isOver && part.taken < exploration.mostSchedules()) {
+      long most = Math.min(BATCH, exploration.mostSchedules() - part.taken);
+      List<Search.Node> batch = search.next((int) most);
+      if (batch.isEmpty()) {
+        break;
+      }
+      part.run(batch);
     }
-    return new Result(schedules, orders.size(), steps, found == null && !isCut, found);
+    if (!part.kept.isEmpty()) {
+      throw new IllegalArgumentException(
+          "schedule " + part.kept.remove().place() + ": expected none after the last one");
+    }
+    return search.isAll();
   }
 
-  /** Runs the nodes, and returns those with one change more. */
-  private List<Node> next(List<Node> nodes, int choices) throws InterruptedException {
-    List<Node> next = new ArrayList<>();
-    for (int begin = 0; found == null && begin < nodes.size(); begin += BATCH) {
-      List<Node> batch = nodes.subList(begin, Math.min(begin + BATCH, nodes.size()));
-      List<Order> runs = run(batch.stream().map(Node::schedule).toList(), choices);
-      for (int i = 0; found == null && i < runs.size(); i++) {
-        // What follows an order that was seen was seen too.
-        if (orders.add(runs.get(i).hash())) {
-          addChanges(batch.get(i), runs.get(i), next);
+  /** The schedules of one process, so far. */
+  private final class Part {
+    private final Search search;
+    private final Predicate<List<Long>> isOwn;
+    private final Queue<Explored> kept;
+    private final Predicate<Explored> isLast;
+    private long taken;
+    private boolean isOver;
+
+    Part(
+        Search search,
+        Predicate<List<Long>> isOwn,
+        Queue<Explored> kept,
+        Predicate<Explored> isLast) {
+      this.search = search;
+      this.isOwn = isOwn;
+      this.kept = kept;
+      this.isLast = isLast;
+    }
+
+    /** Runs the schedules up to the first bad one. */
+    void run(List<Search.Node> batch) throws InterruptedException {
+      Map<Long, Explored> before = before(batch);
+      Map<Long, Order> orders = new ConcurrentHashMap<>();
+      long already = taken;
+      new Campaign(0, batch.size() - 1, workers, true)
+          .run(
+              number -> {
+                Explored old = before.get(number);
+                Search.Node node = batch.get((int) number);
+                if (old != null && !search.needsAgain(node)) {
+                  return old.outcome();
+                }
+                Order order = new Order(exploration.bounds(), search.mostCopies(node));
+                orders.put(number, order);
+                return outcome(node.schedule(), order);
+              },
+              (finished, planned, bad) ->
+                  progress.ran(already + finished, exploration.mostSchedules()),
+              run -> {
+                long number = run.seed();
+                take(
+                    batch.get((int) number),
+                    before.get(number),
+                    run.outcome(),
+                    orders.get(number));
+                return isOver;
+              });
+    }
+
+    /** Those of the batch that ran before, by their index. */
+    private Map<Long, Explored> before(List<Search.Node> batch) {
+      Map<Long, Explored> before = new TreeMap<>();
+      for (int i = 0; i < batch.size() && !kept.isEmpty(); i++) {
+        List<Long> place = batch.get(i).place();
+        if (isOwn.test(place)) {
+          Explored old = kept.remove();
+          if (!old.place().equals(place)) {
+            throw new IllegalArgumentException(
+                "schedule " + old.place() + ": expected " + place + " before it");
+          }
+          before.put((long) i, old);
         }
       }
+      return before;
     }
-    return next;
-  }
 
-  private void addChanges(Node node, Order order, List<Node> next) {
-    List<Copy> copies = order.copies();
-    for (int i = node.decided(); i < copies.size(); i++) {
-      Copy copy = copies.get(i);
-      for (long arrivesAtNs : copy.isLost() ? List.<Long>of() : order.otherArrivals(copy)) {
-        next.add(
-            new Node(
-                with(node, copy.arrivingAt(arrivesAtNs)), i + 1, node.losses(), node.crashes()));
-      }
-      if (node.losses() < bounds.losses() && !copy.isLost()) {
-        next.add(new Node(with(node, copy.lost()), i + 1, node.losses() + 1, node.crashes()));
-      }
-      if (node.crashes() < bounds.crashes()) {
-        addCrash(node, i, copy.from(), copy.sentAtNs(), next);
-        if (!copy.isLost()) {
-          addCrash(node, i, copy.to(), copy.arrivesAtNs(), next);
-        }
+    private void take(
+        Search.Node node, @Nullable Explored old, RunOutcome outcome, @Nullable Order order) {
+      Explored ran = order == null ? null : search.explored(node, outcome, order);
+      Explored explored = Objects.requireNonNull(old != null ? old : ran);
+      search.took(explored);
+      isOver = !outcome.isGood();
+      if (isOwn.test(node.place())) {
+        taken++;
+        isOver |= old == null && isLast.test(explored);
       }
     }
   }
 
-  private void addCrash(Node node, int copy, String robot, long afterNs, List<Node> next) {
-    Fault crash = Draws.crash(robot, afterNs + 1, bounds);
-    next.add(new Node(with(node, crash), copy + 1, node.losses(), node.crashes() + 1));
-  }
-
-  private static List<Fault> with(Node node, Fault change) {
-    List<Fault> schedule = new ArrayList<>(node.schedule());
-    schedule.add(change);
-    return schedule;
-  }
-
-  /** Runs the schedules up to the first bad one, and returns their orders. */
-  private List<Order> run(List<List<Fault>> wanted, int mostCopies) throws InterruptedException {
-    if (wanted.isEmpty()) {
-      return List.of();
-    }
-    Map<Long, Order> ran = new ConcurrentHashMap<>();
-    int cores = Runtime.getRuntime().availableProcessors();
-    CampaignResult result =
-        new Campaign(0, wanted.size() - 1, cores, true)
-            .run(
-                number -> {
-                  Order order = new Order(bounds, mostCopies);
-                  ran.put(number, order);
-                  List<Fault> schedule = wanted.get((int) number);
-                  return run(schedule, order);
-                },
-                (finished, planned, bad) -> progress.ran(schedules + finished, mostSchedules));
-    List<Order> inOrder = new ArrayList<>();
-    for (CampaignResult.Run run : result.runs()) {
-      Order order = Objects.requireNonNull(ran.get(run.seed()));
-      inOrder.add(order);
-      steps += order.steps();
-      if (!run.outcome().isGood()) {
-        found = new Found(schedules + run.seed(), wanted.get((int) run.seed()), run.outcome());
-      }
-    }
-    schedules += result.runs().size();
-    return inOrder;
-  }
-
-  private RunOutcome run(List<Fault> schedule, Order order) {
+  private RunOutcome outcome(List<Fault> schedule, Order order) {
     RunOutcome outcome;
     try {
       outcome = runner.run(schedule, order);

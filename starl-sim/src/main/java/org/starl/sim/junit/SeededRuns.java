@@ -22,6 +22,7 @@ import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunArtifacts;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.explore.Bounds;
+import org.starl.sim.explore.Exploration;
 import org.starl.sim.explore.Explorer;
 import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
@@ -130,10 +131,12 @@ record SeededRuns(
   private void explore(Run run, List<Bad> bad) throws InterruptedException {
     long seed = run.seed;
     long drawnNs = run.simulation.plan().settings().get(Setting.MESSAGE_DELAY).longestNs();
-    Bounds bounds = Bounds.ofDelays(0, drawnNs);
+    Exploration exploration =
+        new Exploration(
+            Strategy.PCT, CHANGES, seed, schedules, Bounds.ofDelays(0, drawnNs));
     Explorer explorer =
         new Explorer(
-            bounds,
+            exploration,
             (schedule, order) -> {
               List<Bad> wrong = new ArrayList<>();
               Run other = planned(seed, schedule, order);
@@ -142,10 +145,8 @@ record SeededRuns(
               return wrong.isEmpty() || !outcome.isGood()
                   ? outcome
                   : RunOutcome.failed(new IllegalStateException(wrong.get(0).what()));
-            },
-            schedules,
-            (finished, planned) -> {});
-    Explorer.Found found = explorer.draw(Strategy.PCT, CHANGES, seed).found();
+            });
+    Explorer.Found found = explorer.run().found();
     if (found != null) {
       Run again = planned(seed, found.schedule());
       judge(again, again.go(), bad);

@@ -3,8 +3,12 @@ package org.starl.sim.explore;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.comms.Channel;
@@ -72,10 +76,14 @@ class ExplorerTest {
   }
 
   private static RunOutcome run(List<Fault> schedule, Order order) {
+    return run(SENDERS, schedule, order);
+  }
+
+  private static RunOutcome run(int senders, List<Fault> schedule, Order order) {
     try {
       return RunOutcome.of(
           Simulation.builder()
-              .robots(SENDERS + 1, Reversed::new)
+              .robots(senders + 1, Reversed::new)
               .seed(1)
               .settings(SimSettings.builder().set("positionPeriod", "10s").build())
               .faults(new FaultPlan(schedule))
@@ -87,7 +95,18 @@ class ExplorerTest {
     }
   }
 
-  private static Explorer explorer(long mostDelayMs, int losses, int crashes, int mostSchedules) {
+  private static Explorer exhaustive(long mostDelayMs, int losses, int mostSchedules) {
+    return explorer(Strategy.EXHAUSTIVE, SENDERS, mostDelayMs, losses, mostSchedules);
+  }
+
+  private static Explorer explorer(
+      Strategy strategy, int depth, long mostDelayMs, int losses, int mostSchedules) {
+    return new Explorer(
+        exploration(strategy, depth, mostDelayMs, losses, mostSchedules), ExplorerTest::run);
+  }
+
+  private static Exploration exploration(
+      Strategy strategy, int depth, long mostDelayMs, int losses, int mostSchedules) {
     long mostNs = mostDelayMs * Time.NS_PER_MS;
     Bounds bounds =
         new Bounds(
@@ -96,14 +115,14 @@ class ExplorerTest {
             mostNs,
             Math.max(0, mostNs - 20 * Time.NS_PER_MS),
             losses,
-            crashes,
+            0,
             Time.NS_PER_S);
-    return new Explorer(bounds, ExplorerTest::run, mostSchedules, (finished, planned) -> {});
+    return new Exploration(strategy, depth, 7, mostSchedules, bounds);
   }
 
   @Test
   void anExhaustiveSearchFindsAnOrderThatNoSeedDraws() throws InterruptedException {
-    Result result = explorer(100, 0, 0, 10_000).exhaust(SENDERS);
+    Result result = exhaustive(100, 0, 10_000).run();
     assertThat(result.found()).isNotNull();
     assertThat(result.found().outcome().verdict()).isEqualTo(Verdict.FAILED);
     assertThat(result.found().schedule()).hasSize(2);
@@ -111,7 +130,7 @@ class ExplorerTest {
 
   @Test
   void anOrderThatNoDelayAllowsIsNotTried() throws InterruptedException {
-    Result result = explorer(60, 0, 0, 10_000).exhaust(SENDERS);
+    Result result = exhaustive(60, 0, 10_000).run();
     assertThat(result.found()).isNull();
     assertThat(result.isComplete()).isTrue();
     // The last number is sent 60 ms after the first, and arrives after it: 123, 213 or 132.
@@ -120,7 +139,7 @@ class ExplorerTest {
 
   @Test
   void lossesMultiplyTheOrders() throws InterruptedException {
-    Result result = explorer(25, 1, 0, 10_000).exhaust(SENDERS);
+    Result result = exhaustive(25, 1, 10_000).run();
     // None lost, or one of three.
     assertThat(result.orders()).isEqualTo(4);
     assertThat(result.isComplete()).isTrue();
@@ -128,21 +147,63 @@ class ExplorerTest {
 
   @Test
   void theSearchEndsAtItsLimit() throws InterruptedException {
-    Result result = explorer(60, 0, 0, 3).exhaust(SENDERS);
+    Result result = exhaustive(60, 0, 3).run();
     assertThat(result.schedules()).isEqualTo(3);
     assertThat(result.isComplete()).isFalse();
   }
 
+  /** The schedules of part {@code number} of {@code count}, split by their first numbers. */
+  private static List<Explored> part(Explorer explorer, int number, int count, int kept)
+      throws InterruptedException {
+    List<Explored> part = new ArrayList<>();
+    Predicate<List<Long>> isOwn =
+        place -> (place.isEmpty() ? 0 : place.get(0) % count) == number % count;
+    explorer.run(isOwn, List.of(), explored -> !part.add(explored));
+    List<Explored> again = new ArrayList<>(part.subList(0, Math.min(kept, part.size())));
+    explorer.run(isOwn, List.copyOf(again), explored -> !again.add(explored));
+    assertThat(again).as("resumed after %s schedules", kept).isEqualTo(part);
+    return part;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"EXHAUSTIVE, 0, 10000", "RANDOM, 0, 40", "PCT, 2, 40"})
+  void partsHaveEachScheduleOfTheWholeOnce(Strategy strategy, int losses, int most)
+      throws InterruptedException {
+    Explorer explorer =
+        new Explorer(
+            exploration(strategy, SENDERS + 1, 150, losses, most),
+            (schedule, order) -> run(SENDERS + 1, schedule, order));
+    List<Explored> whole = part(explorer, 0, 1, 0);
+    assertThat(whole.size()).isGreaterThan(30);
+    Result result = explorer.run();
+    assertThat(result.schedules()).isEqualTo(whole.size());
+    assertThat(result.found()).isNull();
+    for (int count : List.of(2, 3, 8)) {
+      List<Explored> union = new ArrayList<>();
+      for (int number = 0; number < count; number++) {
+        union.addAll(part(explorer, number, count, 4 * number));
+      }
+      union.sort(
+          Comparator.comparingInt((Explored one) -> one.place().size())
+              .thenComparing(one -> one.place().toString()));
+      List<Explored> expected = new ArrayList<>(whole);
+      expected.sort(
+          Comparator.comparingInt((Explored one) -> one.place().size())
+              .thenComparing(one -> one.place().toString()));
+      assertThat(union).as("%s parts", count).isEqualTo(expected);
+    }
+  }
+
   @Test
   void drawnPrioritiesFindTheOrder() throws InterruptedException {
-    Result result = explorer(100, 0, 0, 1000).draw(Strategy.PCT, 1, 7);
+    Result result = explorer(Strategy.PCT, 1, 100, 0, 1000).run();
     assertThat(result.found()).isNotNull();
-    assertThat(explorer(100, 0, 0, 1000).draw(Strategy.PCT, 1, 7)).isEqualTo(result);
+    assertThat(explorer(Strategy.PCT, 1, 100, 0, 1000).run()).isEqualTo(result);
   }
 
   @Test
   void theScheduleFoundFailsAgain() throws InterruptedException {
-    Explorer.Found found = explorer(100, 0, 0, 10_000).exhaust(SENDERS).found();
+    Explorer.Found found = exhaustive(100, 0, 10_000).run().found();
     assertThat(found).isNotNull();
     FaultPlan read = FaultPlan.parse(new FaultPlan(found.schedule()).toString());
     Bounds bounds = new Bounds(0, 0, 0, 0, 0, 0, 1);

@@ -77,17 +77,11 @@ public final class SweepTable {
       this.values = List.copyOf(values);
     }
 
-    /** Adds a run of this point. */
-    public void add(SeedRow row) {
+    private void add(SeedRow row) {
       verdicts.merge(row.outcome().verdict(), 1, Integer::sum);
-      SeedColumns.of(row)
-          .forEach((name, value) -> {
-            if (value instanceof Number number
-                && !NO_MEASURES.contains(name)
-                && !name.startsWith("checks_")) {
-              measures.computeIfAbsent(name, any -> new ArrayList<>()).add(number.doubleValue());
-            }
-          });
+      measuresOf(row)
+          .forEach((name, value) ->
+              measures.computeIfAbsent(name, any -> new ArrayList<>()).add(value));
     }
 
     /** The values of the varied keys, as the user wrote them. */
@@ -131,7 +125,26 @@ public final class SweepTable {
     return varied;
   }
 
-  public List<Point> points() {
+  /** Adds a run of its point. */
+  public void add(SeedRow row) {
+    points.get(row.point()).add(row);
+  }
+
+  /** The measures of one run, by name. */
+  public static SortedMap<String, Double> measuresOf(SeedRow row) {
+    SortedMap<String, Double> measures = new TreeMap<>();
+    SeedColumns.of(row)
+        .forEach((name, value) -> {
+          if (value instanceof Number number
+              && !NO_MEASURES.contains(name)
+              && !name.startsWith("checks_")) {
+            measures.put(name, number.doubleValue());
+          }
+        });
+    return measures;
+  }
+
+  List<Point> points() {
     return Collections.unmodifiableList(points);
   }
 
