@@ -33,7 +33,7 @@ final class DeploymentSchema {
 
   /** If the file has this app: its parameters, and no others. */
   private static Map<String, Object> parameters(Demo demo) {
-    Map<String, Object> rule = new LinkedHashMap<>(ScenarioSchema.parameters(demo));
+    Map<String, Object> rule = new LinkedHashMap<>(ScenarioSchema.parameters(demo, Map.of()));
     rule.computeIfPresent(
         "then", (key, then) -> Map.of(JsonSchema.PROPERTIES, Map.of("parameters", then)));
     return rule;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
@@ -24,18 +25,42 @@ final class ScenarioSchema {
   private ScenarioSchema() {}
 
   static Map<String, Object> json(Demos demos) {
+    return json(
+        "StarL scenario",
+        "A file for 'starl run FILE.yaml': an app, with any of its settings and parameters.",
+        demos,
+        Map.of(),
+        List.of(),
+        demo -> Map.of());
+  }
+
+  /**
+   * The schema of a file that has a scenario and more.
+   *
+   * @param more properties
+   * @param required some of them
+   * @param rules more rules about these properties, for each app
+   */
+  static Map<String, Object> json(
+      String title,
+      String meaning,
+      Demos demos,
+      Map<String, Object> more,
+      List<String> required,
+      Function<Demo, Map<String, Object>> rules) {
     Map<String, Object> properties = new LinkedHashMap<>();
     properties.put(ScenarioFile.APP, apps(demos));
+    properties.putAll(more);
     properties.putAll(settings());
-    Map<String, Object> schema =
-        JsonSchema.document(
-            "StarL scenario",
-            "A file for 'starl run FILE.yaml': an app, with any of its settings and parameters.");
+    Map<String, Object> schema = JsonSchema.document(title, meaning);
     schema.put("type", "object");
-    schema.put(JsonSchema.REQUIRED, List.of(ScenarioFile.APP));
+    List<String> needed = new ArrayList<>(List.of(ScenarioFile.APP));
+    needed.addAll(required);
+    schema.put(JsonSchema.REQUIRED, needed);
     schema.put("definitions", Map.of("setting", Map.of("enum", List.copyOf(properties.keySet()))));
     schema.put(JsonSchema.PROPERTIES, properties);
-    schema.put("allOf", demos.all().stream().map(ScenarioSchema::parameters).toList());
+    schema.put(
+        "allOf", demos.all().stream().map(demo -> parameters(demo, rules.apply(demo))).toList());
     return schema;
   }
 
@@ -55,7 +80,8 @@ final class ScenarioSchema {
     return Json.object("type", "object", JsonSchema.PROPERTIES, properties);
   }
 
-  private static Map<String, Object> settings() {
+  /** The settings, by their keys. */
+  static Map<String, Object> settings() {
     Map<String, Object> settings = new LinkedHashMap<>();
     for (Setting<?> setting : RunRequest.known()) {
       Map<String, Object> json =
@@ -85,17 +111,28 @@ final class ScenarioSchema {
     return json;
   }
 
-  /** If the file has this app: its parameters, {@code #/definitions/setting}, and no others. */
-  static Map<String, Object> parameters(Demo demo) {
-    Map<String, Object> properties = new LinkedHashMap<>();
+  /** The parameters of an app, by their keys. */
+  static Map<String, Object> parametersOf(Demo demo) {
+    Map<String, Object> parameters = new LinkedHashMap<>();
     for (Parameter parameter : demo.parameters()) {
-      properties.put(parameter.key(), parameter(demo, parameter));
+      parameters.put(parameter.key(), parameter(demo, parameter));
     }
+    return parameters;
+  }
+
+  /**
+   * If the file has this app: its parameters, {@code #/definitions/setting}, and no others.
+   *
+   * @param rules about other properties
+   */
+  static Map<String, Object> parameters(Demo demo, Map<String, Object> rules) {
+    Map<String, Object> properties = parametersOf(demo);
     Object setting = Map.of("$ref", "#/definitions/setting");
     List<Object> keys = new ArrayList<>(List.of(setting));
     if (!properties.isEmpty()) {
       keys.add(Map.of("enum", List.copyOf(properties.keySet())));
     }
+    properties.putAll(rules);
     Object names = keys.size() == 1 ? setting : Map.of("anyOf", keys);
     Object rule = Json.object(JsonSchema.PROPERTIES, properties, "propertyNames", names);
     Object isApp = Map.of(ScenarioFile.APP, Map.of("const", demo.name()));

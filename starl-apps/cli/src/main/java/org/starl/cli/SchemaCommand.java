@@ -10,7 +10,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "schema",
     description =
-        "Prints the JSON schema of scenario files or of deployment files. Editors use it to"
+        "Prints the JSON schema of scenario files, sweeps or deployment files. Editors use it to"
             + " complete and check a file that begins with '# yaml-language-server:"
             + " $$schema=FILE'.",
     footer = {
@@ -21,6 +21,7 @@ import picocli.CommandLine.Parameters;
 final class SchemaCommand extends BaseCommand implements Runnable {
 
   private static final String SCENARIO = "scenario";
+  private static final String SWEEP = "sweep";
   private static final String DEPLOYMENT = "deployment";
 
   @Parameters(
@@ -28,7 +29,7 @@ final class SchemaCommand extends BaseCommand implements Runnable {
       arity = "0..1",
       paramLabel = "KIND",
       defaultValue = SCENARIO,
-      description = "scenario or deployment (default: ${DEFAULT-VALUE}).")
+      description = "scenario, sweep or deployment (default: ${DEFAULT-VALUE}).")
   private String kind = SCENARIO;
 
   @Override
@@ -39,10 +40,11 @@ final class SchemaCommand extends BaseCommand implements Runnable {
         Json.lines(
             switch (kind) {
               case SCENARIO -> ScenarioSchema.json(demos);
+              case SWEEP -> SweepSchema.json(demos);
               case DEPLOYMENT -> DeploymentSchema.json(demos);
               default ->
                   throw new BadInput(
-                      BadInput.quote(kind) + ": expected one of scenario, deployment");
+                      BadInput.quote(kind) + ": expected one of scenario, sweep, deployment");
             }));
   }
 }

@@ -1,6 +1,5 @@
 package org.starl.cli;
 
-import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -24,6 +23,8 @@ final class ShardReader implements Closeable {
   /** A row of a run is some kilobytes. */
   private static final int MAX_LINE_BYTES = 64 << 20;
 
+  private static final int BUFFER_BYTES = 1 << 13;
+
   private static final String EXPECTED = "expected a file of 'starl campaign --out'";
 
   /** The order of the places of rows. */
@@ -39,6 +40,9 @@ final class ShardReader implements Closeable {
 
   private final String name;
   private final InputStream in;
+  private final byte[] buffer = new byte[BUFFER_BYTES];
+  private int next;
+  private int filled;
   private long wholeBytes;
   private int lines;
   private @Nullable List<Long> last;
@@ -49,7 +53,7 @@ final class ShardReader implements Closeable {
   ShardReader(String name) {
     this.name = name;
     try {
-      in = new BufferedInputStream(TextFile.open(Path.of(name), EXPECTED));
+      in = TextFile.open(Path.of(name), EXPECTED);
     } catch (InvalidPathException e) {
       throw new BadInput(name + ": cannot be read (" + e + "); " + EXPECTED);
     }
@@ -72,18 +76,33 @@ final class ShardReader implements Closeable {
   /** The next whole line; null at the end. */
   @Nullable String line() throws IOException {
     ByteArrayOutputStream line = new ByteArrayOutputStream();
-    for (int b = in.read(); b != '\n'; b = in.read()) {
-      if (b < 0) {
-        return null;
-      }
-      line.write(b);
+    int end = newline();
+    while (end == filled) {
+      line.write(buffer, next, end - next);
       if (line.size() > MAX_LINE_BYTES) {
         throw new BadInput(name + ": expected lines of at most " + MAX_LINE_BYTES + " bytes");
       }
+      next = 0;
+      filled = Math.max(0, in.read(buffer));
+      if (filled == 0) {
+        return null;
+      }
+      end = newline();
     }
+    line.write(buffer, next, end - next);
+    next = end + 1;
     lines++;
     wholeBytes += line.size() + 1L;
     return line.toString(StandardCharsets.UTF_8);
+  }
+
+  /** The place of the next end of a line in the buffer; {@code filled} if there is none. */
+  private int newline() {
+    int i = next;
+    while (i < filled && buffer[i] != '\n') {
+      i++;
+    }
+    return i;
   }
 
   /**

@@ -44,7 +44,7 @@ record SweepFile(
     int showLine,
     String text) {
 
-  private static final int MOST_POINTS = 10_000;
+  static final int MOST_POINTS = 10_000;
   private static final int MOST_RUNS = 1_000_000;
 
   private static final String EXPECTED =

@@ -21,7 +21,7 @@ record SweptKey(String key, int line, List<String> listed, @Nullable Range range
 
   private static final int MOST_VALUES = 1_000;
 
-  private static final String NUMBER = "(-?\\d{1,12}(?:\\.\\d{1,9})?)";
+  static final String NUMBER = "(-?\\d{1,12}(?:\\.\\d{1,9})?)";
   private static final Pattern RANGE =
       Pattern.compile(
           NUMBER + "([A-Za-z/%]*) *\\.\\. *" + NUMBER + "([A-Za-z/%]*)(?: +in +(\\d{1,4}))?");

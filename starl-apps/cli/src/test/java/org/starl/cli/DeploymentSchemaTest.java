@@ -436,6 +436,6 @@ class DeploymentSchemaTest {
 
     assertThat(cli.status()).isEqualTo(2);
     assertThat(cli.err()).hasSize(1);
-    assertThat(cli.err().get(0)).contains("picture", "scenario, deployment");
+    assertThat(cli.err().get(0)).contains("picture", "scenario, sweep, deployment");
   }
 }

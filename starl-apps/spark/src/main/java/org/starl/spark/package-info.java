@@ -1,8 +1,8 @@
 /**
- * Campaigns on Apache Spark: {@code starl campaign --on spark}. A task runs some neighbouring seeds
- * and its result is the row of each, so a task that is lost with its machine is run again to the
- * same rows. The driver puts all rows in the order of seeds, and needs memory for those that are
- * early.
+ * Campaigns, sweeps and explorations on Apache Spark: {@code starl campaign --on spark}. A task makes
+ * some neighbouring runs and its result is the row of each, so a task that is lost with its machine
+ * is run again to the same rows. The driver puts all rows in order, and needs memory for those that
+ * are early.
  *
  * <p>May import: the command line, and Spark. No other module imports this one.
  */

@@ -29,8 +29,7 @@ class SparkEngineTest {
   private record Result(int status, String out, List<String> err) {}
 
   private static Result run(String line, Object... more) {
-    List<String> words = new ArrayList<>(List.of("campaign"));
-    words.addAll(Arrays.asList(line.split(" ")));
+    List<String> words = new ArrayList<>(Arrays.asList(line.split(" ")));
     for (Object word : more) {
       words.add(word.toString());
     }
@@ -40,9 +39,11 @@ class SparkEngineTest {
     return new Result(status, out.toString(), err.toString().lines().toList());
   }
 
-  /** Without the progress, which depends on the machine. */
+  /** Without the progress and the speed, which depend on the machine. */
   private static List<String> messages(Result result) {
-    return result.err().stream().filter(line -> !line.matches("\\d+ of \\d+ .*")).toList();
+    return result.err().stream()
+        .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second"))
+        .toList();
   }
 
   private static void assertSame(Result actual, Result expected) {
@@ -54,17 +55,31 @@ class SparkEngineTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "rarely-bad --seeds 3..260 --set one-of=50 --loss 0.1 --chaos",
-        "rarely-bad --seeds 1..400 --robots 1 --set one-of=120 --stop --json",
-        "hello --seeds 1..300 --robots 1 --until 95%<5e-2"
+        "campaign rarely-bad --seeds 3..260 --set one-of=50 --loss 0.1 --chaos",
+        "campaign rarely-bad --seeds 1..400 --robots 1 --set one-of=120 --stop --json",
+        "campaign hello --seeds 1..300 --robots 1 --until 95%<5e-2",
+        "explore registration --robots 2 --seed 1 --schedules 230 --strategy random",
+        "explore rarely-bad --robots 1 --seed 17 --schedules 5 --json"
       })
-  void sparkPrintsWhatOneProcessPrints(String campaign) {
-    assertSame(run(campaign + " --threads 2 --on spark"), run(campaign));
+  void sparkPrintsWhatOneProcessPrints(String line) {
+    assertSame(run(line + " --threads 2 --on spark"), run(line));
+  }
+
+  @Test
+  void sparkSweepsToTheSameFiles() throws IOException {
+    Path sweep = folder.resolve("sweep.yaml");
+    Files.writeString(sweep, "app: hello\nseeds: 1..60\nsweep: {robots: [1, 2, 3]}\n");
+    Path csv = folder.resolve("rows.csv");
+    Result expected = run("sweep", sweep, "--csv", csv);
+    String text = Files.readString(csv);
+    Files.delete(csv);
+    assertSame(run("sweep --on spark", sweep, "--csv", csv), expected);
+    assertThat(Files.readString(csv)).isEqualTo(text);
   }
 
   @Test
   void sparkMakesThePageOfOneProcess() throws IOException {
-    String campaign = "rarely-bad --seeds 3..40 --set one-of=20";
+    String campaign = "campaign rarely-bad --seeds 3..40 --set one-of=20";
     Path page = folder.resolve("page.html");
     Result expected = run(campaign + " --report", page);
     String text = Files.readString(page);
@@ -75,7 +90,7 @@ class SparkEngineTest {
 
   @Test
   void aRareBugIsFoundAndShrunkOnTheDriver() {
-    Result result = run("rarely-bad --seeds 5000..24999 --robots 2 --ideal --shrink --on spark");
+    Result result = run("campaign rarely-bad --seeds 5000..24999 --robots 2 --ideal --shrink --on spark");
     assertThat(result.status()).isOne();
     assertThat(result.out()).contains("bad runs: 2 of 20000: ");
     assertThat(result.err())
@@ -86,7 +101,7 @@ class SparkEngineTest {
   @Test
   void theParquetFilesHaveTheRunsOfTheResult() throws IOException {
     Path parquet = folder.resolve("rows");
-    String campaign = "rarely-bad --seeds 1..400 --robots 1 --set one-of=120 --stop";
+    String campaign = "campaign rarely-bad --seeds 1..400 --robots 1 --set one-of=120 --stop";
     assertThat(run(campaign + " --on spark --parquet", parquet).status()).isOne();
     try (SparkSession session =
         SparkSession.builder().config(SparkEngine.conf("", 1)).getOrCreate()) {
@@ -111,7 +126,7 @@ class SparkEngineTest {
       })
   void badOptionsAreToldInOneLine(String line) {
     String[] parts = line.split(" \\| ");
-    Result result = run("hello --seeds 1..10 " + parts[0]);
+    Result result = run("campaign hello --seeds 1..10 " + parts[0]);
     assertThat(result.status()).as("%s", result).isEqualTo(2);
     assertThat(result.err()).as("%s", result).hasSize(1);
     assertThat(result.err().getFirst()).startsWith("starl: ").contains(parts[1]);
