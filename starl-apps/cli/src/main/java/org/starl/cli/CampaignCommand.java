@@ -130,7 +130,8 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           isLast);
       progress.end();
     }
-    return print(new Output(this, work, carriers, json.isOn(), shrink, report, typed()), tally, page);
+    return print(
+        new Output(this, work, carriers, json.isOn(), shrink, report, typed()), tally, page);
   }
 
   /** Adds each row to the sums and the page, and answers whether it decides the campaign. */

@@ -53,7 +53,8 @@ final class EngineOptions {
     Seeds.Range numbers = work.numbers();
     String header = ShardHeader.of(work, new Shard(1, 1), command).line();
     SeedPart all = new SeedPart(header, numbers.first(), numbers.last());
-    ProgressLine progress = new ProgressLine(err, work.unit().equals("schedule") ? "schedules" : "runs");
+    ProgressLine progress =
+        new ProgressLine(err, work.unit().equals("schedule") ? "schedules" : "runs");
     InOrder<R> rows = new InOrder<>(work, isLast, progress);
     named(words[0]).run(master, cores, all, parquet, rows);
     progress.end();

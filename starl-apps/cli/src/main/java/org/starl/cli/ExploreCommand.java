@@ -155,12 +155,10 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
 
   private int explore(ExploreWork work, @Nullable OutputFile file)
       throws InterruptedException, IOException {
-    Output output =
-        new Output(this, work, Carriers.select(null, err()), json.isOn(), chart, file);
+    Output output = new Output(this, work, Carriers.select(null, err()), json.isOn(), chart, file);
     if (engine.isOn()) {
       ExplorationTally tally = new ExplorationTally(work.exploration());
-      engine.run(
-          work, typed(), threads.count(), null, row -> tally.add(row.explored()), err());
+      engine.run(work, typed(), threads.count(), null, row -> tally.add(row.explored()), err());
       return print(output, tally.result(false));
     }
     ProgressLine progress = new ProgressLine(err(), "schedules");

@@ -163,8 +163,7 @@ record ExploreWork(RunRequest request, long seed, Exploration exploration, Strin
       @Override
       public void run(How how, Predicate<ScheduleRow> isLast) throws InterruptedException {
         try {
-          explorer(how)
-              .run(isOwn, kept, explored -> isLast.test(new ScheduleRow(key, explored)));
+          explorer(how).run(isOwn, kept, explored -> isLast.test(new ScheduleRow(key, explored)));
         } catch (IllegalArgumentException e) {
           throw new BadInput("--resume: " + e.getMessage());
         }

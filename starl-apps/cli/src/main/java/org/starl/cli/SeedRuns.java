@@ -60,9 +60,7 @@ final class SeedRuns {
     SortedSet<String> faults = kinds.remove(number);
     SeedRow row = rows.remove(number);
     SortedSet<String> none = new TreeSet<>();
-    return row != null
-        ? row
-        : row(number, outcome, faults == null ? none : faults, null, null);
+    return row != null ? row : row(number, outcome, faults == null ? none : faults, null, null);
   }
 
   private SeedRow row(

@@ -41,8 +41,7 @@ record SeedWork(
   static SeedWork sweep(SweepFile file, Demos demos) {
     List<RunRequest> points =
         file.points().stream().map(point -> file.request(demos, point)).toList();
-    List<String> keys =
-        points.stream().map(request -> ShardHeader.key(request, Map.of())).toList();
+    List<String> keys = points.stream().map(request -> ShardHeader.key(request, Map.of())).toList();
     return new SeedWork(points, file.seeds(), Ending.NEVER, keys, file);
   }
 

@@ -72,8 +72,8 @@ final class ShardFile implements Closeable {
    * @param rows gets each whole row; false if one before it is missing
    * @throws BadInput if it is of another work or shard, is damaged, or cannot be written
    */
-  static <R> ShardFile resume(
-      String name, ShardHeader header, ShardWork<R> work, Predicate<R> rows) throws IOException {
+  static <R> ShardFile resume(String name, ShardHeader header, ShardWork<R> work, Predicate<R> rows)
+      throws IOException {
     if (length(name) == 0) {
       return create(name, header);
     }

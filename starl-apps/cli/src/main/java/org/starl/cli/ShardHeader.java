@@ -35,8 +35,7 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
 
   static ShardHeader of(ShardWork<?> work, Shard shard, String command) {
     Map<String, Object> all =
-        Json.object(
-            "format", format(work.command()), "starl", Version.STARL, "app", work.app());
+        Json.object("format", format(work.command()), "starl", Version.STARL, "app", work.app());
     all.putAll(work.fields());
     return new ShardHeader(parsed(Json.line(all)), shard.toString(), command);
   }

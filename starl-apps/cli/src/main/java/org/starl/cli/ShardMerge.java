@@ -131,8 +131,7 @@ final class ShardMerge implements Closeable {
           other = queue.peek()) {
         queue.remove();
         advance(other.file);
-        if (!other.line.text().equals(first.line.text())
-            && differences.size() < MOST_DIFFERENCES) {
+        if (!other.line.text().equals(first.line.text()) && differences.size() < MOST_DIFFERENCES) {
           differences.add(difference(first, other));
         }
       }

@@ -18,8 +18,7 @@ final class ShardOptions {
   @Option(
       names = "--shard",
       paramLabel = "K/N",
-      description =
-          "Run only part K of N; needs --out. 'starl merge' joins the parts.")
+      description = "Run only part K of N; needs --out. 'starl merge' joins the parts.")
   private @Nullable String shard;
 
   @Option(
@@ -101,11 +100,10 @@ final class ShardOptions {
           counts.add(work.isGood(row));
           return runs.keep(row);
         };
-    ProgressLine progress = new ProgressLine(command.err(), work.unit().equals("schedule") ? "schedules" : "runs");
+    ProgressLine progress =
+        new ProgressLine(command.err(), work.unit().equals("schedule") ? "schedules" : "runs");
     try (ShardFile file =
-        resume
-            ? ShardFile.resume(name, header, work, kept)
-            : ShardFile.create(name, header)) {
+        resume ? ShardFile.resume(name, header, work, kept) : ShardFile.create(name, header)) {
       runs.run(
           new ShardWork.How(Carriers.select(null, command.err()), workers, progress::show),
           row -> {

@@ -15,7 +15,10 @@ final class SweepSchema {
 
   private static final String SWEEP = "sweep";
   private static final String RANGE =
-      "^\\s*" + SweptKey.NUMBER + "[A-Za-z/%]* *\\.\\. *" + SweptKey.NUMBER
+      "^\\s*"
+          + SweptKey.NUMBER
+          + "[A-Za-z/%]* *\\.\\. *"
+          + SweptKey.NUMBER
           + "[A-Za-z/%]*( +in +\\d{1,4})?\\s*$";
 
   private SweepSchema() {}
@@ -25,23 +28,34 @@ final class SweepSchema {
     own.put(
         "seeds",
         Json.object(
-            JsonSchema.DESCRIPTION, "the seeds of each point",
-            "type", List.of("string", "integer"),
-            "pattern", "^\\s*\\d{1,10}(\\.\\.\\d{1,10})?\\s*$",
-            "minimum", 0));
+            JsonSchema.DESCRIPTION,
+            "the seeds of each point",
+            "type",
+            List.of("string", "integer"),
+            "pattern",
+            "^\\s*\\d{1,10}(\\.\\.\\d{1,10})?\\s*$",
+            "minimum",
+            0));
     own.put(
         SWEEP,
         Json.object(
-            "type", "object",
-            "minProperties", 1,
-            JsonSchema.PROPERTIES, swept(ScenarioSchema.settings())));
+            "type",
+            "object",
+            "minProperties",
+            1,
+            JsonSchema.PROPERTIES,
+            swept(ScenarioSchema.settings())));
     own.put(
         "samples",
         Json.object(
-            JsonSchema.DESCRIPTION, "points of a Latin hypercube, instead of all combinations",
-            "type", "integer",
-            "minimum", 1,
-            "maximum", SweepFile.MOST_POINTS));
+            JsonSchema.DESCRIPTION,
+            "points of a Latin hypercube, instead of all combinations",
+            "type",
+            "integer",
+            "minimum",
+            1,
+            "maximum",
+            SweepFile.MOST_POINTS));
     own.put(
         "sampleSeed",
         Json.object(
@@ -50,8 +64,10 @@ final class SweepSchema {
     own.put(
         "show",
         Json.object(
-            JsonSchema.DESCRIPTION, "the measures of the table and the page",
-            "anyOf", List.of(Map.of("type", "string"), listed)));
+            JsonSchema.DESCRIPTION,
+            "the measures of the table and the page",
+            "anyOf",
+            List.of(Map.of("type", "string"), listed)));
     List<String> names = new ArrayList<>(own.keySet());
     names.add(ScenarioFile.APP);
     return ScenarioSchema.json(

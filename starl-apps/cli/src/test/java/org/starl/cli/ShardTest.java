@@ -220,7 +220,8 @@ class ShardTest {
     run("merge", one, two).assertRefused("seeds 7..9 of 1..9 are missing");
     String whole = Files.readString(three);
     Files.writeString(three, whole.substring(0, whole.length() - 1), StandardCharsets.UTF_8);
-    run("merge", one, two, three).assertRefused("seed 9 of 1..9 is missing", "--resume", "part-3-of-3");
+    run("merge", one, two, three)
+        .assertRefused("seed 9 of 1..9 is missing", "--resume", "part-3-of-3");
     Path seeds = part("campaign mixed --seeds 1..8", 1, 8);
     run("merge", one, seeds).assertRefused("part-1-of-8:1: seeds: 1..8: expected 1..9");
     Path loss = part(campaign + " --loss 0.1", 1, 9);
@@ -236,7 +237,8 @@ class ShardTest {
     Files.writeString(damaged, whole.replace(row, row.substring(5)));
     run("merge", one, two, damaged).assertRefused("damaged:2: ", "expected a row of a shard");
     Files.writeString(damaged, whole.replace(row, row + "\n" + row));
-    run("merge", one, two, damaged).assertRefused("damaged:3: seed: 7: expected those of shard 3/3 in order");
+    run("merge", one, two, damaged)
+        .assertRefused("damaged:3: seed: 7: expected those of shard 3/3 in order");
     Files.writeString(damaged, whole.replace("{\"key\":\"", "{\"key\":\"0"));
     run("merge", one, two, damaged).assertRefused("damaged:2: key: ");
   }

@@ -90,7 +90,8 @@ class SparkEngineTest {
 
   @Test
   void aRareBugIsFoundAndShrunkOnTheDriver() {
-    Result result = run("campaign rarely-bad --seeds 5000..24999 --robots 2 --ideal --shrink --on spark");
+    Result result =
+        run("campaign rarely-bad --seeds 5000..24999 --robots 2 --ideal --shrink --on spark");
     assertThat(result.status()).isOne();
     assertThat(result.out()).contains("bad runs: 2 of 20000: ");
     assertThat(result.err())

@@ -101,8 +101,7 @@ public final class Explorer {
    * @return whether no schedule is left
    * @throws IllegalArgumentException if {@code kept} are not the first ones
    */
-  public boolean run(
-      Predicate<List<Long>> isOwn, List<Explored> kept, Predicate<Explored> isLast)
+  public boolean run(Predicate<List<Long>> isOwn, List<Explored> kept, Predicate<Explored> isLast)
       throws InterruptedException {
     Search search =
         exploration.strategy() == Strategy.EXHAUSTIVE
@@ -166,10 +165,7 @@ public final class Explorer {
               run -> {
                 long number = run.seed();
                 take(
-                    batch.get((int) number),
-                    before.get(number),
-                    run.outcome(),
-                    orders.get(number));
+                    batch.get((int) number), before.get(number), run.outcome(), orders.get(number));
                 return isOver;
               });
     }

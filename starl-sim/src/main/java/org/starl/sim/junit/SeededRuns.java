@@ -132,8 +132,7 @@ record SeededRuns(
     long seed = run.seed;
     long drawnNs = run.simulation.plan().settings().get(Setting.MESSAGE_DELAY).longestNs();
     Exploration exploration =
-        new Exploration(
-            Strategy.PCT, CHANGES, seed, schedules, Bounds.ofDelays(0, drawnNs));
+        new Exploration(Strategy.PCT, CHANGES, seed, schedules, Bounds.ofDelays(0, drawnNs));
     Explorer explorer =
         new Explorer(
             exploration,

@@ -43,8 +43,7 @@ public final class RowJson {
     }
 
     @Override
-    public Fault deserialize(JsonParser parser, DeserializationContext context)
-        throws IOException {
+    public Fault deserialize(JsonParser parser, DeserializationContext context) throws IOException {
       return FaultGrammar.parse(parser.getText());
     }
   }

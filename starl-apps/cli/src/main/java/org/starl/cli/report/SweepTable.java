@@ -80,8 +80,8 @@ public final class SweepTable {
     private void add(SeedRow row) {
       verdicts.merge(row.outcome().verdict(), 1, Integer::sum);
       measuresOf(row)
-          .forEach((name, value) ->
-              measures.computeIfAbsent(name, any -> new ArrayList<>()).add(value));
+          .forEach(
+              (name, value) -> measures.computeIfAbsent(name, any -> new ArrayList<>()).add(value));
     }
 
     /** The values of the varied keys, as the user wrote them. */
