@@ -211,8 +211,7 @@ public final class PrimitiveWorkloads {
     @Override
     public SimSettings.Builder defaultSettings(Request request) {
       SimSettings.Builder settings =
-          SimSettings.builder()
-              .set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
+          SimSettings.builder().set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
       world.accept(request, settings);
       return settings;
     }

@@ -113,4 +113,38 @@ class TubesRestartTest {
           .allMatch(ends -> ends.contains(TubeFlag.DONE));
     }
   }
+
+  /** Returns the robots whose tubes a program does not know when it starts for the second time. */
+  private static final class Observer extends LogicThread {
+    Observer(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(gvh, "floor", new OptimalPlanner(), FLOOR);
+      if (gvh.id.boot() == 1) {
+        await(() -> paths.unplaced().isEmpty());
+        sleep(10_000);
+      }
+      return List.of(paths.unplaced(), paths.taken().size());
+    }
+  }
+
+  @Test
+  void aRestartedRobotKnowsTheTubesOfOthersBeforeItHearsFromThem() {
+    RobotId second = new RobotId("bot1");
+    SimResult result =
+        Simulation.builder()
+            .seed(1)
+            .monitor(() -> new TubesSpec(600_000 * MS))
+            .robot(new RobotSpec(new RobotId("bot0"), new Pose(1000, 1500, 0), true, Observer::new))
+            .robot(new RobotSpec(second, new Pose(1000, 4500, 0), true, Observer::new))
+            .director(control ->
+                control.at(5_000 * MS, () -> control.crash(second, 500 * MS, Unsynced.LOST)))
+            .build()
+            .run();
+    assertThat(result.results().get(second)).isEqualTo(List.of(List.of(), 1));
+  }
 }
