@@ -119,6 +119,21 @@ class MotionControllerTest {
   }
 
   @Test
+  void aContactWidensTheErrorBoundAlsoIfTheCommandStays() {
+    fix(0, 0, 0);
+    moat.setParameters(
+        moat.parameters().toBuilder().collisionPolicy(CollisionPolicy.BUMPERCARS).build());
+    moat.doMove(new ItemPosition("far", 9000, 0));
+    world.runMs(10);
+    robot.bump(Bumps.BOTH);
+    world.runMs(0);
+    double beforeMm = gvh.gps.errorMm();
+    world.runMs(40);
+    // It drives 10 mm, and may slide as far in any direction.
+    assertThat(gvh.gps.errorMm() - beforeMm).isGreaterThan(19);
+  }
+
+  @Test
   void aSensorThatOpensWaitsForTheNextStep() {
     fix(0, 0, 0);
     moat.setParameters(
