@@ -19,10 +19,10 @@ import org.starl.spec.SpecReport.Reached;
 public final class Coverage {
 
   /** How often a conjunct was evaluated, by its value. */
-  record Values(long isTrue, long isFalse) {
+  record Values(long held, long failed) {
 
     Values plus(Values other) {
-      return new Values(isTrue + other.isTrue, isFalse + other.isFalse);
+      return new Values(held + other.held, failed + other.failed);
     }
   }
 
@@ -43,7 +43,7 @@ public final class Coverage {
     }
 
     private long seenFalse() {
-      return guard.values().stream().filter(values -> values.isFalse > 0).count();
+      return guard.values().stream().filter(values -> values.failed > 0).count();
     }
   }
 

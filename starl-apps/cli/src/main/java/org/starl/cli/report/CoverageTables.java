@@ -67,8 +67,8 @@ final class CoverageTables {
         if (isFirst) {
           cell(action.taken(), rows);
         }
-        cell(conjunct.getValue().isTrue(), "1");
-        cell(conjunct.getValue().isFalse(), "1");
+        cell(conjunct.getValue().held(), "1");
+        cell(conjunct.getValue().failed(), "1");
         html.close();
         isFirst = false;
       }

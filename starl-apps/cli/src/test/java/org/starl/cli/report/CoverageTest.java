@@ -123,7 +123,7 @@ class CoverageTest {
     assertThat(up.guard()).containsOnlyKeys("count < 3");
     Coverage.Values values = Objects.requireNonNull(up.guard().get("count < 3"));
     // Sixty times for the actions, and again for each try.
-    assertThat(values.isTrue()).isGreaterThan(60);
-    assertThat(values.isFalse()).isBetween(1L, 17L);
+    assertThat(values.held()).isGreaterThan(60);
+    assertThat(values.failed()).isBetween(1L, 17L);
   }
 }
