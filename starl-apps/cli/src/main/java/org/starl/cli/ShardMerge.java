@@ -150,8 +150,8 @@ final class ShardMerge implements Closeable {
         return;
       }
       if (expected == null) {
-        throw new BadInput(
-            "%s %s: expected no more".formatted(work.unit(), ShardReader.text(found)));
+        String more = found == null ? "" : ShardReader.text(found);
+        throw new BadInput("%s %s: expected no more".formatted(work.unit(), more));
       }
       SortedSet<String> owners = new TreeSet<>();
       for (int i = 0; i < files.size(); i++) {

@@ -118,7 +118,8 @@ final class ShardReader implements Closeable {
     }
     R row = work.row(where(), line);
     List<Long> place = work.place(row);
-    if (last != null && PLACES.compare(last, place) >= 0 || !work.owns(shard, place)) {
+    boolean isNext = last == null || PLACES.compare(last, place) < 0;
+    if (!isNext || !work.owns(shard, place)) {
       throw new BadInput(
           "%s%s: %s: expected those of shard %s in order"
               .formatted(where(), work.unit(), text(place), shard));

@@ -76,7 +76,7 @@ final class ExhaustiveSearch implements Search {
 
   private boolean isSeen(List<Long> place, long order) {
     return common.contains(order)
-        || place.size() > 1 && ofParts.getOrDefault(place.get(0), Set.of()).contains(order);
+        || (place.size() > 1 && ofParts.getOrDefault(place.get(0), Set.of()).contains(order));
   }
 
   @Override

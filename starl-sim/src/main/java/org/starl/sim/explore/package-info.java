@@ -5,7 +5,7 @@
  * datagram, delays a link, or crashes a robot. So every schedule is a run that the network of the
  * {@link org.starl.sim.explore.Bounds} can produce, its times included, and every finding is
  * replayed, shrunk and viewed as any other run. Equal bounds, strategies and seeds give equal
- * results, on any number of threads.
+ * results, on any number of threads, and in any number of parts that run in processes of their own.
  *
  * <p>Strategies: {@code random} draws delays, losses and crashes; {@code pct} gives each link a
  * priority and changes a few priorities at random times (Burckhardt et al., "A randomized scheduler
