@@ -164,7 +164,8 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
       boolean stops = Boolean.parseBoolean(text(work, "stop"));
       return SeedWork.campaign(request, seeds, Ending.of(stops, text(work, "until"), seeds));
     } catch (BadInput e) {
-      throw e.getMessage().startsWith(where) ? e : new BadInput(where + e.getMessage());
+      String message = String.valueOf(e.getMessage());
+      throw message.startsWith(where) ? e : new BadInput(where + message);
     }
   }
 

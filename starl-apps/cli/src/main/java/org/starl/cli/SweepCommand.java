@@ -143,9 +143,14 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
 
     @Override
     public void close() throws IOException {
-      try (OutputFile first = csv;
-          OutputFile second = page) {
-        // closes both
+      try {
+        if (csv != null) {
+          csv.close();
+        }
+      } finally {
+        if (page != null) {
+          page.close();
+        }
       }
     }
   }
