@@ -166,7 +166,7 @@ class ShardTest {
       merge.add(file);
     }
     merge.addAll(List.of("--report", page.toString()));
-    assertSame(Cli.run(merge.toArray(String[]::new)), whole);
+    Cli.run(merge.toArray(String[]::new)).assertSame(whole);
     assertThat(Files.readString(page)).isEqualTo(expected).contains("Deliveries by phase");
   }
 
