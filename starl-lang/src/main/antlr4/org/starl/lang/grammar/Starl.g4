@@ -1,0 +1,146 @@
+// The grammar of .starl files. The meaning is in docs/language.md; names and types are checked by
+// org.starl.lang.read.
+grammar Starl;
+
+file: unit* EOF;
+
+unit: AUTOMATON name=id parameters? part*;
+
+parameters: '[' parameter (',' parameter)* ']';
+
+parameter
+    : name=id               # typeParameter
+    | name=id ':' type      # valueParameter
+    ;
+
+part
+    : TYPE name=id '=' typeBody                                     # typePart
+    | STATE component+                                              # statePart
+    | USES name=id ':' of=id ('[' argument (',' argument)* ']')?    # usesPart
+    | FUN name=id binders? ':' type '=' expression measure?         # funPart
+    | START expression (',' expression)*                            # startPart
+    | ACTION name=id binders? pre? eff?                             # actionPart
+    | INVARIANT name=id ':' expression                              # invariantPart
+    | JAVA PACKAGE STRING                                           # javaPackagePart
+    | JAVA type '=' STRING                                          # javaTypePart
+    ;
+
+component: name=id ':' type;
+
+argument: type;
+
+binders: '(' binderGroup (',' binderGroup)* ')';
+
+binderGroup: id (',' id)* ':' type;
+
+measure: MEASURE expression;
+
+pre: PRE expression (',' expression)*;
+
+eff: EFF effect (',' effect)*;
+
+effect
+    : place ':=' expression                                         # assignment
+    | used=id '.' action=id '(' (expression (',' expression)*)? ')'    # usedAction
+    ;
+
+place: name=id selector*;
+
+selector
+    : '(' expression (',' expression)* ')'      # at
+    | '.' name=id                               # field
+    ;
+
+typeBody
+    : RECORD '(' binderGroup (',' binderGroup)* ')'    # recordBody
+    | constructor ('|' constructor)+                   # sumBody
+    | type                                             # aliasBody
+    ;
+
+constructor: name=id ('(' binderGroup (',' binderGroup)* ')')?;
+
+type
+    : SET '[' type ']'                          # setType
+    | LIST '[' type ']'                         # listType
+    | OPTION '[' type ']'                       # optionType
+    | '[' type (',' type)* '->' type ']'        # mapType
+    | name=id                                   # namedType
+    ;
+
+expression
+    : expression '.' name=id                                            # fieldOf
+    | expression '(' (expression (',' expression)*)? ')'                # apply
+    | '-' expression                                                    # negative
+    | expression op=('*' | '/') expression                              # product
+    | expression op=('+' | '-' | UNION | MINUS | INTERSECT) expression  # sum
+    | expression op=('=' | '!=' | '<' | '<=' | '>' | '>=' | IN | SUBSET | DISJOINT) expression # comparison
+    | expression IS name=id                                             # isOf
+    | NOT expression                                                    # not
+    | expression AND expression                                         # and
+    | expression OR expression                                          # or
+    | <assoc=right> expression '=>' expression                          # implies
+    | expression '<=>' expression                                       # iff
+    | quantifier=(FORALL | EXISTS) binderGroup (',' binderGroup)* '::' expression    # quantified
+    | IF expression THEN expression ELSE expression                     # conditional
+    | MATCH expression '{' matchCase (',' matchCase)* '}'               # match
+    | '{' name=id ':' type '|' expression '}'                           # comprehension
+    | '{' (expression (',' expression)*)? '}'                           # setOf
+    | '[' binderGroup (',' binderGroup)* '->' expression ']'            # mapOf
+    | '[' (expression (',' expression)*)? ']'                           # listOf
+    | NONE                                                              # none
+    | literal=(TRUE | FALSE | NUMBER)                                   # literal
+    | name=id '(' namedArgument (',' namedArgument)* ')'                # recordOf
+    | name=id                                                           # name
+    | '(' expression ')'                                                # parentheses
+    ;
+
+matchCase: name=id ('(' id (',' id)* ')')? '->' expression;
+
+namedArgument: name=id ':=' expression;
+
+// Words that are names where they cannot be anything else.
+id: ID | TYPE | STATE | START | ACTION | JAVA | PACKAGE | MEASURE | RECORD | SET | LIST | OPTION;
+
+AUTOMATON: 'automaton';
+TYPE: 'type';
+STATE: 'state';
+USES: 'uses';
+FUN: 'fun';
+START: 'start';
+ACTION: 'action';
+INVARIANT: 'invariant';
+JAVA: 'java';
+PACKAGE: 'package';
+PRE: 'pre';
+EFF: 'eff';
+MEASURE: 'measure';
+RECORD: 'record';
+SET: 'set';
+LIST: 'list';
+OPTION: 'option';
+UNION: 'union';
+MINUS: 'minus';
+INTERSECT: 'intersect';
+IN: 'in';
+SUBSET: 'subset';
+DISJOINT: 'disjoint';
+IS: 'is';
+NOT: 'not';
+AND: 'and';
+OR: 'or';
+FORALL: 'forall';
+EXISTS: 'exists';
+IF: 'if';
+THEN: 'then';
+ELSE: 'else';
+MATCH: 'match';
+NONE: 'none';
+TRUE: 'true';
+FALSE: 'false';
+
+NUMBER: [0-9]+ ('.' [0-9]+)?;
+ID: [A-Za-z] [A-Za-z0-9_]* '?'?;
+STRING: '"' ~["\r\n]* '"';
+COMMENT: '//' ~[\r\n]* -> channel(HIDDEN);
+SPACE: [ \t\r\n]+ -> channel(HIDDEN);
+UNKNOWN: .;

@@ -1,0 +1,436 @@
+package org.starl.lang.read;
+
+import static org.starl.lang.read.Problems.pos;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.tree.ParseTree;
+import org.antlr.v4.runtime.tree.TerminalNode;
+import org.starl.lang.grammar.StarlParser;
+import org.starl.lang.grammar.StarlParser.PartContext;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Conjunct;
+import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Component;
+import org.starl.lang.tree.Automaton.Declared;
+import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Signature;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** Reads one automaton: first the names that it declares, then what they mean. */
+final class AutomatonReader {
+
+  private final StarlParser.UnitContext unit;
+  private final SourceText source;
+  private final Problems problems;
+  private final java.util.function.Function<String, Optional<Automaton>> others;
+  private final Scope scope;
+  private final TypeReader types;
+  private final ExpressionReader expressions;
+
+  private final List<Declared> declared = new ArrayList<>();
+  private final List<Component> state = new ArrayList<>();
+  private final Map<Type, String> javaTypes = new LinkedHashMap<>();
+  private String javaPackage = "";
+
+  /**
+   * @param others finds the automata that this one uses
+   */
+  AutomatonReader(
+      StarlParser.UnitContext unit,
+      SourceText source,
+      Problems problems,
+      java.util.function.Function<String, Optional<Automaton>> others) {
+    this.unit = unit;
+    this.source = source;
+    this.problems = problems;
+    this.others = others;
+    scope = new Scope(unit.name.getText());
+    types = new TypeReader(scope, problems);
+    expressions = new ExpressionReader(scope, problems);
+  }
+
+  /** Its result is complete only if no problem was told. */
+  Automaton read() {
+    List<String> typeParameters = new ArrayList<>();
+    List<StarlParser.ValueParameterContext> valueParameters = new ArrayList<>();
+    if (unit.parameters() != null) {
+      for (StarlParser.ParameterContext parameter : unit.parameters().parameter()) {
+        if (parameter instanceof StarlParser.TypeParameterContext type) {
+          typeParameters.add(newName(type.name));
+          scope.types.put(type.name.getText(), new Type.Opaque(type.name.getText()));
+        } else if (parameter instanceof StarlParser.ValueParameterContext value) {
+          valueParameters.add(value);
+        }
+      }
+    }
+    each(
+        StarlParser.TypePartContext.class,
+        at -> declared.add(new Declared(types.declare(at), source.before(at))));
+    List<Field> values = new ArrayList<>();
+    for (StarlParser.ValueParameterContext at : valueParameters) {
+      orTold(() -> {
+        Field field = new Field(newName(at.name), types.type(at.type()));
+        scope.values.put(field.name(), field.type());
+        return values.add(field);
+      });
+    }
+    each(StarlParser.StatePartContext.class, at -> at.component().forEach(this::component));
+    each(StarlParser.UsesPartContext.class, this::use);
+    each(StarlParser.JavaPackagePartContext.class, at -> javaPackage = unquoted(at.STRING()));
+    each(
+        StarlParser.JavaTypePartContext.class,
+        at -> javaTypes.put(types.type(at.type()), unquoted(at.STRING())));
+    List<StarlParser.FunPartContext> functionParts = signatures();
+    List<Function> functions = new ArrayList<>();
+    functionParts.forEach(at -> orTold(() -> functions.add(function(at))));
+    List<Expr> start = new ArrayList<>();
+    each(
+        StarlParser.StartPartContext.class,
+        at ->
+            at.expression()
+                .forEach(conjunct -> orTold(() -> start.add(expressions.bool(conjunct)))));
+    List<Action> actions = new ArrayList<>();
+    each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
+    List<Invariant> invariants = new ArrayList<>();
+    each(
+        StarlParser.InvariantPartContext.class,
+        at ->
+            invariants.add(
+                new Invariant(
+                    newName(at.name),
+                    expressions.bool(at.expression()),
+                    source.before(at),
+                    pos(at))));
+    requireUnique(actions.stream().map(Action::name).toList(), "action");
+    requireUnique(invariants.stream().map(Invariant::name).toList(), "invariant");
+    if (start.isEmpty() && problems.isEmpty()) {
+      problems.add(
+          unit,
+          "automaton '"
+              + scope.automaton
+              + "' has no start; expected 'start' and a condition on its first states");
+    }
+    if (actions.isEmpty() && problems.isEmpty()) {
+      problems.add(
+          unit, "automaton '" + scope.automaton + "' has no action; expected at least one");
+    }
+    return new Automaton(
+        scope.automaton,
+        List.copyOf(typeParameters),
+        List.copyOf(values),
+        List.copyOf(declared),
+        List.copyOf(state),
+        java.util.Collections.unmodifiableMap(scope.uses),
+        List.copyOf(functions),
+        List.copyOf(start),
+        List.copyOf(actions),
+        List.copyOf(invariants),
+        javaPackage,
+        java.util.Collections.unmodifiableMap(javaTypes),
+        source.before(unit),
+        pos(unit));
+  }
+
+  private <P extends PartContext> void each(Class<P> kind, java.util.function.Consumer<P> read) {
+    for (PartContext part : unit.part()) {
+      if (kind.isInstance(part)) {
+        orTold(() -> {
+          read.accept(kind.cast(part));
+          return true;
+        });
+      }
+    }
+  }
+
+  /** Goes on after an error that has been told. */
+  @SuppressWarnings({
+    "CheckReturnValue",
+    "ReturnValueIgnored"
+  }) // what is read is kept by the reading
+  private static void orTold(Supplier<Boolean> read) {
+    try {
+      read.get();
+    } catch (Wrong told) {
+      // The error stands in the problems; the next part is read.
+    }
+  }
+
+  private String newName(StarlParser.IdContext at) {
+    String name = at.getText();
+    scope
+        .taken(name)
+        .ifPresent(what ->
+            problems.add(at, "'" + name + "' is " + what + " already; expected a new name"));
+    return name;
+  }
+
+  private void requireUnique(List<String> names, String kind) {
+    Set<String> seen = new TreeSet<>();
+    for (String name : names) {
+      if (!seen.add(name)) {
+        problems.add(unit, kind + " '" + name + "' is here twice; expected different names");
+      }
+    }
+  }
+
+  private static String unquoted(TerminalNode string) {
+    return string.getText().substring(1, string.getText().length() - 1);
+  }
+
+  private void component(StarlParser.ComponentContext at) {
+    orTold(() -> {
+      String name = newName(at.name);
+      scope.wrong.add(name);
+      Type type = types.type(at.type());
+      scope.wrong.remove(name);
+      scope.state.put(name, type);
+      return state.add(new Component(name, type, source.before(at), source.after(at.getStop())));
+    });
+  }
+
+  private void use(StarlParser.UsesPartContext at) {
+    String name = newName(at.name);
+    Automaton used =
+        others
+            .apply(at.of.getText())
+            .orElseThrow(() ->
+                expressions.wrong(
+                    at.of,
+                    "automaton '"
+                        + at.of.getText()
+                        + "' is not known; expected it before this one, or in "
+                        + at.of.getText()
+                        + ".starl beside this file"));
+    Automaton instance = instance(at, used);
+    scope.uses.put(name, instance);
+    scope.state.put(name, new Type.StateOf(instance));
+    state.add(
+        new Component(
+            name, new Type.StateOf(instance), source.before(at), source.after(at.getStop())));
+    // Its types are known by their names, if these are free.
+    instance.types().forEach(each -> scope.types.putIfAbsent(each.type().toString(), each.type()));
+  }
+
+  /** The used automaton, with this one's types for its parameters; these must have the same names. */
+  private Automaton instance(StarlParser.UsesPartContext at, Automaton used) {
+    List<String> given = at.argument().stream().map(ParserRuleContext::getText).toList();
+    List<String> wanted = new ArrayList<>(used.typeParameters());
+    used.valueParameters().forEach(value -> wanted.add(value.name()));
+    if (!given.equals(wanted)) {
+      throw expressions.wrong(
+          at,
+          "'"
+              + at.of.getText()
+              + given
+              + "' renames parameters; expected "
+              + at.of.getText()
+              + wanted);
+    }
+    return used;
+  }
+
+  /** Makes the functions known, so that they may call each other. */
+  private List<StarlParser.FunPartContext> signatures() {
+    List<StarlParser.FunPartContext> parts = new ArrayList<>();
+    each(StarlParser.FunPartContext.class, parts::add);
+    Set<String> reading = new TreeSet<>(scope.state.keySet());
+    boolean grows = true;
+    while (grows) {
+      grows = false;
+      for (StarlParser.FunPartContext at : parts) {
+        if (!reading.contains(at.name.getText()) && mentions(at.expression(), reading)) {
+          grows = reading.add(at.name.getText());
+        }
+      }
+    }
+    List<StarlParser.FunPartContext> good = new ArrayList<>();
+    for (StarlParser.FunPartContext at : parts) {
+      orTold(() -> {
+        String name = newName(at.name);
+        List<Field> parameters =
+            at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
+        Type result = types.type(at.type());
+        scope.functions.put(
+            name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));
+        return good.add(at);
+      });
+    }
+    return good;
+  }
+
+  private static boolean mentions(ParseTree tree, Set<String> names) {
+    if (tree instanceof StarlParser.NameContext name) {
+      return names.contains(name.getText());
+    }
+    for (int i = 0; i < tree.getChildCount(); i++) {
+      if (mentions(tree.getChild(i), names)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private Function function(StarlParser.FunPartContext at) {
+    Signature signature = Objects.requireNonNull(scope.functions.get(at.name.getText()));
+    scope.push(signature.parameters());
+    try {
+      Optional<Expr> measure =
+          at.measure() == null
+              ? Optional.empty()
+              : Optional.of(expressions.read(at.measure().expression(), Type.Num.NAT));
+      Expr body = expressions.read(at.expression(), signature.result());
+      if (measure.isEmpty() && mentions(at.expression(), Set.of(signature.name()))) {
+        problems.add(
+            at,
+            "'"
+                + signature.name()
+                + "' calls itself; expected 'measure' and a natural number that becomes smaller with each call");
+      }
+      return new Function(signature, body, measure, source.before(at), pos(at));
+    } finally {
+      scope.pop(signature.parameters());
+    }
+  }
+
+  private Action action(StarlParser.ActionPartContext at) {
+    List<Field> parameters =
+        at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
+    scope.push(parameters);
+    try {
+      List<Conjunct> pre = new ArrayList<>();
+      if (at.pre() != null) {
+        at.pre()
+            .expression()
+            .forEach(each ->
+                orTold(() -> pre.add(new Conjunct(expressions.bool(each), SourceText.of(each)))));
+      }
+      List<Effect> eff = new ArrayList<>();
+      if (at.eff() != null) {
+        at.eff().effect().forEach(each -> orTold(() -> eff.add(effect(each))));
+        requireApart(at, eff);
+      }
+      ParserRuleContext head = at.binders() == null ? at.name : at.binders();
+      return new Action(
+          at.name.getText(),
+          parameters,
+          List.copyOf(pre),
+          List.copyOf(eff),
+          source.before(at),
+          source.after(head.getStop()),
+          pos(at));
+    } finally {
+      scope.pop(parameters);
+    }
+  }
+
+  /** Effects happen at once: no two may change the same place. */
+  private void requireApart(StarlParser.ActionPartContext at, List<Effect> eff) {
+    Set<String> places = new TreeSet<>();
+    for (int i = 0; i < eff.size(); i++) {
+      if (eff.get(i) instanceof Effect.Assign
+          && at.eff().effect(i) instanceof StarlParser.AssignmentContext assignment
+          && !places.add(SourceText.of(assignment.place()))) {
+        problems.add(
+            assignment,
+            "'"
+                + SourceText.of(assignment.place())
+                + "' is changed twice; expected one effect on each place");
+      }
+    }
+  }
+
+  private Effect effect(StarlParser.EffectContext at) {
+    if (at instanceof StarlParser.UsedActionContext step) {
+      String used = step.used.getText();
+      Automaton automaton = scope.uses.get(used);
+      if (automaton == null) {
+        throw expressions.wrong(
+            step,
+            "'"
+                + used
+                + "' is no used automaton; expected 'place := value', or one of "
+                + scope.uses.keySet());
+      }
+      Action action =
+          automaton
+              .action(step.action.getText())
+              .orElseThrow(() ->
+                  expressions.wrong(
+                      step.action,
+                      "'"
+                          + step.action.getText()
+                          + "' is no action of "
+                          + automaton.name()
+                          + "; expected one of "
+                          + automaton.actions().stream().map(Action::name).toList()));
+      return new Effect.Step(
+          used,
+          automaton,
+          action,
+          expressions.arguments(action.name(), action.parameters(), step.expression(), step),
+          pos(step));
+    }
+    StarlParser.AssignmentContext assignment = (StarlParser.AssignmentContext) at;
+    StarlParser.PlaceContext place = assignment.place();
+    String component = place.name.getText();
+    Type type = scope.state.get(component);
+    if (scope.wrong.contains(component)) {
+      throw new Wrong();
+    }
+    if (type == null) {
+      throw expressions.wrong(
+          place,
+          "'"
+              + component
+              + "' is no component of the state; expected one of "
+              + scope.state.keySet());
+    }
+    List<Selector> selectors = new ArrayList<>();
+    for (StarlParser.SelectorContext each : place.selector()) {
+      if (each instanceof StarlParser.AtContext arguments) {
+        if (!(type.base() instanceof Type.MapOf map)) {
+          throw expressions.wrong(
+              place,
+              "'"
+                  + SourceText.of(place)
+                  + "': this is of type "
+                  + type
+                  + "; expected a map before '('");
+        }
+        List<Field> parameters =
+            map.arguments().stream().map(argument -> new Field("", argument)).toList();
+        selectors.add(
+            new Selector.At(
+                expressions.arguments(component, parameters, arguments.expression(), each)));
+        type = map.result();
+      } else if (each instanceof StarlParser.FieldContext field) {
+        String name = field.name.getText();
+        if (!(type.base() instanceof Type.Rec rec) || rec.field(name).isEmpty()) {
+          throw expressions.wrong(
+              each, "'" + name + "' is no field of " + type + "; expected a field of a record");
+        }
+        type = rec.field(name).get().type();
+        selectors.add(new Selector.Of(name));
+      }
+    }
+    return new Effect.Assign(
+        component,
+        List.copyOf(selectors),
+        expressions.read(assignment.expression(), type),
+        pos(assignment));
+  }
+}

@@ -1,0 +1,624 @@
+package org.starl.lang.read;
+
+import static org.starl.lang.read.Problems.pos;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.grammar.StarlParser;
+import org.starl.lang.grammar.StarlParser.ExpressionContext;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Expr.BuiltIn;
+import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Signature;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Constructor;
+import org.starl.lang.tree.Type.Field;
+import org.starl.lang.tree.Type.Num;
+
+/** Reads expressions: resolves their names, and checks their types. An error is told, and then thrown. */
+final class ExpressionReader {
+
+  private final Scope scope;
+  private final Problems problems;
+  private final TypeReader types;
+
+  ExpressionReader(Scope scope, Problems problems) {
+    this.scope = scope;
+    this.problems = problems;
+    types = new TypeReader(scope, problems);
+  }
+
+  /** An expression of type {@code wanted}. */
+  Expr read(ExpressionContext at, Type wanted) {
+    Expr expr = any(at, wanted);
+    if (!expr.type().isA(wanted)) {
+      throw wrong(at, "'" + text(at) + "' is of type " + expr.type() + "; expected " + wanted);
+    }
+    return expr;
+  }
+
+  Expr bool(ExpressionContext at) {
+    return read(at, Type.Bool.BOOL);
+  }
+
+  /** An expression of any type; {@code hint} is the type of what has none of itself: {@code {}}. */
+  private Expr any(ExpressionContext at, @Nullable Type hint) {
+    Pos pos = pos(at);
+    return switch (at) {
+      case StarlParser.ParenthesesContext inner -> any(inner.expression(), hint);
+      case StarlParser.LiteralContext literal -> literal(literal, pos);
+      case StarlParser.NameContext name -> name(name, pos);
+      case StarlParser.FieldOfContext field -> field(field, pos);
+      case StarlParser.ApplyContext apply -> apply(apply, hint, pos);
+      case StarlParser.RecordOfContext made -> record(made, pos);
+      case StarlParser.NotContext not -> new Expr.Not(bool(not.expression()), pos);
+      case StarlParser.NegativeContext minus ->
+          new Expr.Negative(read(minus.expression(), Num.REAL), pos);
+      case StarlParser.AndContext and -> logic(Operator.AND, and.expression(), pos);
+      case StarlParser.OrContext or -> logic(Operator.OR, or.expression(), pos);
+      case StarlParser.ImpliesContext implies -> logic(Operator.IMPLIES, implies.expression(), pos);
+      case StarlParser.IffContext iff -> logic(Operator.IFF, iff.expression(), pos);
+      case StarlParser.ComparisonContext compared ->
+          comparison(operator(compared.op.getText()), compared.expression(), pos);
+      case StarlParser.SumContext sum ->
+          arithmetic(operator(sum.op.getText()), sum.expression(), hint, pos);
+      case StarlParser.ProductContext product ->
+          arithmetic(operator(product.op.getText()), product.expression(), hint, pos);
+      case StarlParser.IsOfContext is -> is(is, pos);
+      case StarlParser.QuantifiedContext quantified -> quantified(quantified, pos);
+      case StarlParser.ConditionalContext conditional -> conditional(conditional, hint, pos);
+      case StarlParser.MatchContext match -> match(match, hint, pos);
+      case StarlParser.ComprehensionContext set -> comprehension(set, pos);
+      case StarlParser.MapOfContext map -> map(map, hint, pos);
+      case StarlParser.SetOfContext set -> {
+        Type element = hint != null && hint.base() instanceof Type.SetOf of ? of.element() : null;
+        List<Expr> elements = elements(set.expression(), element, at);
+        yield new Expr.SetOf(elements, whole(hint, new Type.SetOf(of(elements, element))), pos);
+      }
+      case StarlParser.ListOfContext list -> {
+        Type element = hint != null && hint.base() instanceof Type.ListOf of ? of.element() : null;
+        List<Expr> elements = elements(list.expression(), element, at);
+        yield new Expr.ListOf(elements, whole(hint, new Type.ListOf(of(elements, element))), pos);
+      }
+      case StarlParser.NoneContext none -> {
+        if (hint == null || !(hint.base() instanceof Type.OptionOf)) {
+          throw wrong(
+              at,
+              "nothing here says what 'none' is an option of; expected " + or(hint, "an option"));
+        }
+        yield new Expr.None(hint, pos);
+      }
+      default -> throw new IllegalStateException("expression " + at.getText());
+    };
+  }
+
+  private static String or(@Nullable Type hint, String otherwise) {
+    return hint == null ? otherwise : hint.toString();
+  }
+
+  private static Type whole(@Nullable Type hint, Type made) {
+    return hint != null && hint.base().equals(made.base()) ? hint : made;
+  }
+
+  private static Type of(List<Expr> elements, @Nullable Type element) {
+    return element != null ? element : elements.getFirst().type();
+  }
+
+  private List<Expr> elements(
+      List<ExpressionContext> all, @Nullable Type element, ParserRuleContext at) {
+    if (all.isEmpty() && element == null) {
+      throw wrong(
+          at,
+          "nothing here says of what type the elements of '"
+              + text(at)
+              + "' are; expected a set or list of a known type beside it");
+    }
+    List<Expr> elements = new ArrayList<>();
+    Type type = element;
+    for (ExpressionContext each : all) {
+      Expr read = type == null ? any(each, null) : read(each, type);
+      type = type == null ? read.type() : type;
+      elements.add(read);
+    }
+    return List.copyOf(elements);
+  }
+
+  private Expr literal(StarlParser.LiteralContext at, Pos pos) {
+    String text = at.getText();
+    return switch (text) {
+      case "true" -> new Expr.Bool(true, pos);
+      case "false" -> new Expr.Bool(false, pos);
+      default ->
+          new Expr.Numeral(new BigDecimal(text), text.contains(".") ? Num.TIME : Num.NAT, pos);
+    };
+  }
+
+  private Expr name(StarlParser.NameContext at, Pos pos) {
+    String name = at.name.getText();
+    Optional<Field> bound = scope.bound(name);
+    if (bound.isPresent()) {
+      return new Expr.Variable(name, bound.get().type(), pos);
+    }
+    Type type = scope.values.get(name);
+    if (type != null) {
+      return new Expr.Parameter(name, type, pos);
+    }
+    type = scope.state.get(name);
+    if (type != null) {
+      return new Expr.Component(name, type, pos);
+    }
+    Signature function = scope.functions.get(name);
+    if (function != null) {
+      return new Expr.Call(
+          "", function, arguments(name, function.parameters(), List.of(), at), pos);
+    }
+    Scope.Known known = scope.constructors.get(name);
+    if (known != null) {
+      return new Expr.Make(
+          known.constructor(),
+          arguments(name, known.constructor().fields(), List.of(), at),
+          known.sum(),
+          pos);
+    }
+    throw unknown(at, name, scope.names());
+  }
+
+  private Expr field(StarlParser.FieldOfContext at, Pos pos) {
+    String name = at.name.getText();
+    if (isUsed(at.expression())) {
+      String used = at.expression().getText();
+      Automaton automaton = scope.used(used);
+      if (name.equals("start?")) {
+        return new Expr.Started(used, automaton, pos);
+      }
+      Optional<Signature> constant = automaton.function(name).map(f -> f.signature());
+      if (constant.isPresent()) {
+        return new Expr.Call(
+            used, constant.get(), arguments(name, constant.get().parameters(), List.of(), at), pos);
+      }
+    }
+    Expr of = any(at.expression(), null);
+    return switch (of.type().base()) {
+      case Type.Rec rec -> get(of, name, rec.fields(), at, pos);
+      case Type.Sum sum -> {
+        List<Field> all = sum.constructors().stream().flatMap(c -> c.fields().stream()).toList();
+        yield get(of, name, all, at, pos);
+      }
+      case Type.StateOf state ->
+          get(
+              of,
+              name,
+              state.automaton().state().stream().map(c -> new Field(c.name(), c.type())).toList(),
+              at,
+              pos);
+      default ->
+          throw wrong(
+              at,
+              "'"
+                  + text(at.expression())
+                  + "' is of type "
+                  + of.type()
+                  + " and has no field '"
+                  + name
+                  + "'; expected a record");
+    };
+  }
+
+  private Expr get(
+      Expr of, String name, List<Field> fields, StarlParser.FieldOfContext at, Pos pos) {
+    return fields.stream()
+        .filter(field -> field.name().equals(name))
+        .findFirst()
+        .map(field -> new Expr.Get(of, name, field.type(), pos))
+        .orElseThrow(() -> unknown(at.name, name, fields.stream().map(Field::name).toList()));
+  }
+
+  private boolean isUsed(ExpressionContext at) {
+    return at instanceof StarlParser.NameContext name
+        && scope.uses.containsKey(name.getText())
+        && scope.bound(name.getText()).isEmpty();
+  }
+
+  private Expr apply(StarlParser.ApplyContext at, @Nullable Type hint, Pos pos) {
+    ExpressionContext called = at.expression(0);
+    List<ExpressionContext> given = at.expression().subList(1, at.expression().size());
+    if (called instanceof StarlParser.NameContext named && scope.bound(named.getText()).isEmpty()) {
+      String name = named.getText();
+      Signature function = scope.functions.get(name);
+      if (function != null) {
+        return new Expr.Call("", function, arguments(name, function.parameters(), given, at), pos);
+      }
+      Scope.Known known = scope.constructors.get(name);
+      if (known != null) {
+        return new Expr.Make(
+            known.constructor(),
+            arguments(name, known.constructor().fields(), given, at),
+            known.sum(),
+            pos);
+      }
+      if (Language.WORDS.contains(name)) {
+        return builtIn(name, given, hint, at, pos);
+      }
+    }
+    if (called instanceof StarlParser.FieldOfContext field && isUsed(field.expression())) {
+      String used = field.expression().getText();
+      String name = field.name.getText();
+      Automaton automaton = scope.used(used);
+      Optional<Action> action = automaton.action(name);
+      if (action.isPresent()) {
+        return new Expr.Enabled(
+            used,
+            automaton,
+            action.get(),
+            arguments(name, action.get().parameters(), given, at),
+            pos);
+      }
+      Optional<Signature> function = automaton.function(name).map(f -> f.signature());
+      if (function.isPresent()) {
+        return new Expr.Call(
+            used, function.get(), arguments(name, function.get().parameters(), given, at), pos);
+      }
+    }
+    Expr map = any(called, null);
+    if (!(map.type().base() instanceof Type.MapOf type)) {
+      throw wrong(
+          at,
+          "'"
+              + text(called)
+              + "' is of type "
+              + map.type()
+              + " and takes no arguments; expected a function or a map");
+    }
+    List<Field> parameters = new ArrayList<>();
+    type.arguments().forEach(argument -> parameters.add(new Field("", argument)));
+    return new Expr.At(map, arguments(text(called), parameters, given, at), type.result(), pos);
+  }
+
+  /** Arguments of the function, constructor or action {@code name}. */
+  List<Expr> arguments(
+      String name, List<Field> parameters, List<ExpressionContext> given, ParserRuleContext at) {
+    if (given.size() != parameters.size()) {
+      throw wrong(
+          at,
+          "'"
+              + name
+              + "' has "
+              + given.size()
+              + " arguments here; expected "
+              + parameters.size()
+              + (parameters.isEmpty()
+                  ? ""
+                  : ": "
+                      + parameters.stream()
+                          .map(p ->
+                              p.name().isEmpty() ? p.type().toString() : p.name() + ": " + p.type())
+                          .reduce((a, b) -> a + ", " + b)
+                          .orElse("")));
+    }
+    List<Expr> arguments = new ArrayList<>();
+    for (int i = 0; i < given.size(); i++) {
+      arguments.add(read(given.get(i), parameters.get(i).type()));
+    }
+    return List.copyOf(arguments);
+  }
+
+  private Expr builtIn(
+      String name,
+      List<ExpressionContext> given,
+      @Nullable Type hint,
+      ParserRuleContext at,
+      Pos pos) {
+    if (given.size() != 1) {
+      throw wrong(at, "'" + name + "' has " + given.size() + " arguments here; expected 1");
+    }
+    ExpressionContext argument = given.getFirst();
+    if (name.equals("some")) {
+      Type element =
+          hint != null && hint.base() instanceof Type.OptionOf option ? option.element() : null;
+      Expr of = element == null ? any(argument, null) : read(argument, element);
+      return new Expr.Some(of, whole(hint, new Type.OptionOf(of.type())), pos);
+    }
+    Expr of = any(argument, null);
+    if (name.equals("the")) {
+      if (!(of.type().base() instanceof Type.OptionOf option)) {
+        throw wrong(
+            argument, "'" + text(argument) + "' is of type " + of.type() + "; expected an option");
+      }
+      return new BuiltIn(BuiltIn.Name.THE, of, option.element(), pos);
+    }
+    if (!(of.type().base() instanceof Type.ListOf list)) {
+      throw wrong(
+          argument, "'" + text(argument) + "' is of type " + of.type() + "; expected a list");
+    }
+    return switch (name) {
+      case "head" -> new BuiltIn(BuiltIn.Name.HEAD, of, list.element(), pos);
+      case "tail" -> new BuiltIn(BuiltIn.Name.TAIL, of, of.type(), pos);
+      default -> new BuiltIn(BuiltIn.Name.ELEMENTS, of, new Type.SetOf(list.element()), pos);
+    };
+  }
+
+  private Expr record(StarlParser.RecordOfContext at, Pos pos) {
+    String name = at.name.getText();
+    Type type = scope.types.get(name);
+    if (type == null || !(type.base() instanceof Type.Rec rec)) {
+      throw wrong(
+          at.name,
+          "'"
+              + name
+              + "' is no record; expected the name of a type that is declared with 'record'");
+    }
+    List<Expr> values = new ArrayList<>();
+    Set<String> given = new TreeSet<>();
+    at.namedArgument().forEach(argument -> given.add(argument.name.getText()));
+    for (Field field : rec.fields()) {
+      Optional<StarlParser.NamedArgumentContext> argument =
+          at.namedArgument().stream()
+              .filter(a -> a.name.getText().equals(field.name()))
+              .findFirst();
+      if (argument.isEmpty()) {
+        throw wrong(
+            at,
+            "'"
+                + name
+                + "' has no value for "
+                + field.name()
+                + " here; expected "
+                + field.name()
+                + " := a value of "
+                + field.type());
+      }
+      given.remove(field.name());
+      values.add(read(argument.get().expression(), field.type()));
+    }
+    if (!given.isEmpty() || at.namedArgument().size() != rec.fields().size()) {
+      throw wrong(
+          at,
+          "'"
+              + name
+              + "' has other fields; expected each once: "
+              + rec.fields().stream().map(Field::name).toList());
+    }
+    return new Expr.MakeRecord(List.copyOf(values), type, pos);
+  }
+
+  private Expr logic(Operator operator, List<ExpressionContext> sides, Pos pos) {
+    return new Expr.Binary(operator, bool(sides.get(0)), bool(sides.get(1)), Type.Bool.BOOL, pos);
+  }
+
+  private static Operator operator(String text) {
+    for (Operator operator : Operator.values()) {
+      if (operator.text().equals(text)) {
+        return operator;
+      }
+    }
+    throw new IllegalStateException(text);
+  }
+
+  private Expr comparison(Operator operator, List<ExpressionContext> sides, Pos pos) {
+    ExpressionContext left = sides.get(0);
+    ExpressionContext right = sides.get(1);
+    return switch (operator) {
+      case IN -> {
+        Expr set = any(right, null);
+        if (!(set.type().base() instanceof Type.SetOf of)) {
+          throw wrong(right, "'" + text(right) + "' is of type " + set.type() + "; expected a set");
+        }
+        yield new Expr.Binary(operator, read(left, of.element()), set, Type.Bool.BOOL, pos);
+      }
+      case SUBSET, DISJOINT -> {
+        List<Expr> both = alike(left, right, null);
+        if (!(both.getFirst().type().base() instanceof Type.SetOf)) {
+          throw wrong(
+              left,
+              "'" + text(left) + "' is of type " + both.getFirst().type() + "; expected a set");
+        }
+        yield new Expr.Binary(operator, both.get(0), both.get(1), Type.Bool.BOOL, pos);
+      }
+      case EQUAL, UNEQUAL -> {
+        List<Expr> both = alike(left, right, null);
+        yield new Expr.Binary(operator, both.get(0), both.get(1), Type.Bool.BOOL, pos);
+      }
+      default ->
+          new Expr.Binary(
+              operator, read(left, Num.REAL), read(right, Num.REAL), Type.Bool.BOOL, pos);
+    };
+  }
+
+  /** Two expressions, one of whose types is that of both. */
+  private List<Expr> alike(ExpressionContext left, ExpressionContext right, @Nullable Type hint) {
+    Expr a;
+    Expr b;
+    if (hint == null && isBare(left)) {
+      b = any(right, null);
+      a = any(left, b.type());
+    } else {
+      a = any(left, hint);
+      b = any(right, a.type());
+    }
+    if (!a.type().isA(b.type()) && !b.type().isA(a.type())) {
+      throw wrong(
+          right,
+          "'"
+              + text(right)
+              + "' is of type "
+              + b.type()
+              + ", and '"
+              + text(left)
+              + "' of type "
+              + a.type()
+              + "; expected two of one type");
+    }
+    return List.of(a, b);
+  }
+
+  /** Whether {@code at} has no type of itself. */
+  private static boolean isBare(ExpressionContext at) {
+    return at instanceof StarlParser.NoneContext
+        || (at instanceof StarlParser.SetOfContext set && set.expression().isEmpty())
+        || (at instanceof StarlParser.ListOfContext list && list.expression().isEmpty());
+  }
+
+  private Expr arithmetic(
+      Operator operator, List<ExpressionContext> sides, @Nullable Type hint, Pos pos) {
+    if (operator == Operator.UNION
+        || operator == Operator.MINUS
+        || operator == Operator.INTERSECT) {
+      List<Expr> both = alike(sides.get(0), sides.get(1), hint);
+      Type type = both.getFirst().type();
+      if (!(type.base() instanceof Type.SetOf)) {
+        throw wrong(
+            sides.get(0), "'" + text(sides.get(0)) + "' is of type " + type + "; expected a set");
+      }
+      return new Expr.Binary(operator, both.get(0), both.get(1), type, pos);
+    }
+    Expr left = read(sides.get(0), Num.REAL);
+    Expr right = read(sides.get(1), Num.REAL);
+    Type wider = left.type().isA(right.type()) ? right.type() : left.type();
+    boolean staysNatural = operator != Operator.DIVIDED_BY || !wider.base().equals(Num.NAT);
+    return new Expr.Binary(operator, left, right, staysNatural ? wider.base() : Num.TIME, pos);
+  }
+
+  private Expr is(StarlParser.IsOfContext at, Pos pos) {
+    Expr of = any(at.expression(), null);
+    if (!(of.type().base() instanceof Type.Sum sum)) {
+      throw wrong(
+          at,
+          "'"
+              + text(at.expression())
+              + "' is of type "
+              + of.type()
+              + "; expected a type of several forms");
+    }
+    return new Expr.Is(of, constructor(sum, at.name), pos);
+  }
+
+  private Constructor constructor(Type.Sum sum, StarlParser.IdContext at) {
+    return sum.constructor(at.getText())
+        .orElseThrow(() ->
+            unknown(at, at.getText(), sum.constructors().stream().map(Constructor::name).toList()));
+  }
+
+  private Expr quantified(StarlParser.QuantifiedContext at, Pos pos) {
+    List<Field> variables = types.fields(at.binderGroup(), false);
+    Expr body = under(variables, () -> bool(at.expression()));
+    return new Expr.Quantified(at.quantifier.getType() == StarlParser.FORALL, variables, body, pos);
+  }
+
+  private Expr conditional(StarlParser.ConditionalContext at, @Nullable Type hint, Pos pos) {
+    Expr condition = bool(at.expression(0));
+    List<Expr> both = alike(at.expression(1), at.expression(2), hint);
+    Type type =
+        both.get(0).type().isA(both.get(1).type()) ? both.get(1).type() : both.get(0).type();
+    return new Expr.If(condition, both.get(0), both.get(1), type, pos);
+  }
+
+  private Expr match(StarlParser.MatchContext at, @Nullable Type hint, Pos pos) {
+    Expr of = any(at.expression(), null);
+    if (!(of.type().base() instanceof Type.Sum sum)) {
+      throw wrong(
+          at.expression(),
+          "'"
+              + text(at.expression())
+              + "' is of type "
+              + of.type()
+              + "; expected a type of several forms");
+    }
+    List<Expr.Case> cases = new ArrayList<>();
+    Type type = hint;
+    for (StarlParser.MatchCaseContext each : at.matchCase()) {
+      Constructor constructor = constructor(sum, each.name);
+      List<StarlParser.IdContext> names = each.id().subList(1, each.id().size());
+      if (names.size() != constructor.fields().size()) {
+        throw wrong(
+            each,
+            "'"
+                + constructor.name()
+                + "' has "
+                + names.size()
+                + " names here; expected "
+                + constructor.fields().size());
+      }
+      List<Field> variables = new ArrayList<>();
+      for (int i = 0; i < names.size(); i++) {
+        variables.add(new Field(names.get(i).getText(), constructor.fields().get(i).type()));
+      }
+      Type known = type;
+      Expr value =
+          under(
+              variables,
+              () -> known == null ? any(each.expression(), null) : read(each.expression(), known));
+      type = type == null ? value.type() : type;
+      cases.add(new Expr.Case(constructor, List.copyOf(variables), value));
+    }
+    List<String> missing =
+        sum.constructors().stream()
+            .map(Constructor::name)
+            .filter(name -> cases.stream().noneMatch(c -> c.constructor().name().equals(name)))
+            .toList();
+    if (!missing.isEmpty() || cases.size() != sum.constructors().size()) {
+      throw wrong(at, "this match has not each form of " + sum + " once; missing: " + missing);
+    }
+    return new Expr.Match(of, List.copyOf(cases), type == null ? sum : type, pos);
+  }
+
+  private Expr comprehension(StarlParser.ComprehensionContext at, Pos pos) {
+    Field variable = new Field(at.name.getText(), types.type(at.type()));
+    Expr body = under(List.of(variable), () -> bool(at.expression()));
+    return new Expr.SuchThat(variable, body, new Type.SetOf(variable.type()), pos);
+  }
+
+  private Expr map(StarlParser.MapOfContext at, @Nullable Type hint, Pos pos) {
+    List<Field> variables = types.fields(at.binderGroup(), false);
+    Type result = hint != null && hint.base() instanceof Type.MapOf map ? map.result() : null;
+    Expr body =
+        under(
+            variables,
+            () -> result == null ? any(at.expression(), null) : read(at.expression(), result));
+    Type type =
+        new Type.MapOf(
+            variables.stream().map(Field::type).toList(), result == null ? body.type() : result);
+    return new Expr.MapOf(variables, body, whole(hint, type), pos);
+  }
+
+  private Expr under(List<Field> variables, java.util.function.Supplier<Expr> body) {
+    scope.push(variables);
+    try {
+      return body.get();
+    } finally {
+      scope.pop(variables);
+    }
+  }
+
+  private Wrong unknown(ParserRuleContext at, String name, List<String> known) {
+    if (scope.wrong.contains(name)) {
+      return new Wrong();
+    }
+    String near = Language.nearest(name, known);
+    return wrong(
+        at,
+        "'"
+            + name
+            + "' is not known here; expected "
+            + (near.isEmpty()
+                ? "one of " + String.join(", ", known)
+                : near + ", or another of " + known.size() + " names"));
+  }
+
+  Wrong wrong(ParserRuleContext at, String message) {
+    problems.add(at, message);
+    return new Wrong();
+  }
+
+  static String text(ParserRuleContext at) {
+    return SourceText.of(at);
+  }
+}

@@ -1,0 +1,55 @@
+package org.starl.lang.read;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.starl.lang.tree.Pos;
+
+/** Collects what is wrong in one source. */
+final class Problems {
+
+  private final String file;
+  private final List<SourceError> errors = new ArrayList<>();
+
+  Problems(String file) {
+    this.file = file;
+  }
+
+  void add(Pos pos, String message) {
+    add(new SourceError(file, pos, message));
+  }
+
+  /** Also of another file. */
+  void add(SourceError error) {
+    if (!errors.contains(error)) {
+      errors.add(error);
+    }
+  }
+
+  void add(ParserRuleContext at, String message) {
+    add(pos(at), message);
+  }
+
+  boolean isEmpty() {
+    return errors.isEmpty();
+  }
+
+  /** In the order of the text. */
+  List<SourceError> inOrder() {
+    return errors.stream()
+        .sorted(
+            Comparator.comparingInt((SourceError e) -> e.pos().line())
+                .thenComparingInt(e -> e.pos().column()))
+        .toList();
+  }
+
+  static Pos pos(Token token) {
+    return new Pos(token.getLine(), token.getCharPositionInLine() + 1);
+  }
+
+  static Pos pos(ParserRuleContext at) {
+    return pos(at.getStart());
+  }
+}

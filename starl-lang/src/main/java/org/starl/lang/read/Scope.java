@@ -1,0 +1,106 @@
+package org.starl.lang.read;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Signature;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Constructor;
+import org.starl.lang.tree.Type.Field;
+
+/** The names that are known in one automaton, as far as it has been read. */
+final class Scope {
+
+  /** A constructor and the sum that it belongs to. */
+  record Known(Type.Sum sum, Constructor constructor) {}
+
+  final String automaton;
+  final Map<String, Type> types = new LinkedHashMap<>();
+  final Map<String, Type> values = new LinkedHashMap<>();
+  final Map<String, Type> state = new LinkedHashMap<>();
+  final Map<String, Automaton> uses = new LinkedHashMap<>();
+  final Map<String, Signature> functions = new LinkedHashMap<>();
+  final Map<String, Known> constructors = new LinkedHashMap<>();
+
+  /** Names whose declaration is wrong: what uses them need not be told. */
+  final Set<String> wrong = new TreeSet<>();
+
+  private final List<Field> bound = new ArrayList<>();
+
+  Scope(String automaton) {
+    this.automaton = automaton;
+    types.put("bool", Type.Bool.BOOL);
+    for (Type.Num number : Type.Num.values()) {
+      types.put(number.toString(), number);
+    }
+  }
+
+  /** What {@code name} is already; empty if it is free. */
+  Optional<String> taken(String name) {
+    if (Language.WORDS.contains(name)) {
+      return Optional.of("a function of the language");
+    }
+    if (types.containsKey(name)) {
+      return Optional.of("a type");
+    }
+    if (values.containsKey(name)) {
+      return Optional.of("a parameter");
+    }
+    if (state.containsKey(name)) {
+      return Optional.of("a component of the state");
+    }
+    if (functions.containsKey(name)) {
+      return Optional.of("a function");
+    }
+    if (constructors.containsKey(name)) {
+      return Optional.of("a value of " + constructors.get(name).sum());
+    }
+    return bound(name).map(field -> "a variable");
+  }
+
+  /** The innermost variable of this name. */
+  Optional<Field> bound(String name) {
+    for (int i = bound.size() - 1; i >= 0; i--) {
+      if (bound.get(i).name().equals(name)) {
+        return Optional.of(bound.get(i));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The automaton in the component {@code name}, which is one of {@link #uses}. */
+  Automaton used(String name) {
+    return Objects.requireNonNull(uses.get(name), name);
+  }
+
+  void push(List<Field> fields) {
+    bound.addAll(fields);
+  }
+
+  void pop(List<Field> fields) {
+    bound.subList(bound.size() - fields.size(), bound.size()).clear();
+  }
+
+  /** All names that an expression may use here. */
+  List<String> names() {
+    List<String> names = new ArrayList<>(Language.WORDS);
+    bound.forEach(field -> names.add(field.name()));
+    names.addAll(values.keySet());
+    names.addAll(state.keySet());
+    names.addAll(functions.keySet());
+    names.addAll(constructors.keySet());
+    return names;
+  }
+
+  /** The action {@code name} of the automaton in the component {@code used}. */
+  Optional<Action> action(String used, String name) {
+    return Optional.ofNullable(uses.get(used)).flatMap(automaton -> automaton.action(name));
+  }
+}

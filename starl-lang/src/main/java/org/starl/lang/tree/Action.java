@@ -1,0 +1,51 @@
+package org.starl.lang.tree;
+
+import java.util.List;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * An action.
+ *
+ * @param pre the conjuncts of its enabling condition; none if it is always enabled
+ * @param eff what it changes, at once: each right side reads the state before
+ * @param comment the lines of comment before it
+ * @param note the comment at the end of its first line; empty if there is none
+ */
+public record Action(
+    String name,
+    List<Field> parameters,
+    List<Conjunct> pre,
+    List<Effect> eff,
+    List<String> comment,
+    String note,
+    Pos pos) {
+
+  /**
+   * A conjunct of an enabling condition.
+   *
+   * @param text as in the source, on one line
+   */
+  public record Conjunct(Expr condition, String text) {}
+
+  /** A change of the state. */
+  public sealed interface Effect {
+
+    /** {@code Leader(i).who := none}. */
+    record Assign(String component, List<Selector> selectors, Expr value, Pos pos)
+        implements Effect {}
+
+    /** {@code mux.release(i, RS)}: a step of the used automaton. */
+    record Step(String used, Automaton automaton, Action action, List<Expr> arguments, Pos pos)
+        implements Effect {}
+  }
+
+  /** A part of a component. */
+  public sealed interface Selector {
+
+    /** The value of a map at these arguments. */
+    record At(List<Expr> arguments) implements Selector {}
+
+    /** A field of a record. */
+    record Of(String field) implements Selector {}
+  }
+}

@@ -1,0 +1,65 @@
+package org.starl.lang.tree;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * An automaton of a source, checked.
+ *
+ * @param typeParameters the opaque types
+ * @param valueParameters values and functions that are given from outside
+ * @param types the types that it declares, in order, with their comments
+ * @param state the components of its state, those of used automata included, in order
+ * @param uses the automata that it is composed with, by component
+ * @param start the conjuncts that hold of a start state
+ * @param javaPackage of its executable form; empty if the source names none
+ * @param javaTypes the Java types that stand for types of the source
+ * @param comment the lines of comment before it
+ */
+public record Automaton(
+    String name,
+    List<String> typeParameters,
+    List<Field> valueParameters,
+    List<Declared> types,
+    List<Component> state,
+    Map<String, Automaton> uses,
+    List<Function> functions,
+    List<Expr> start,
+    List<Action> actions,
+    List<Invariant> invariants,
+    String javaPackage,
+    Map<Type, String> javaTypes,
+    List<String> comment,
+    Pos pos) {
+
+  /** A type with a name. */
+  public record Declared(Type type, List<String> comment) {}
+
+  /**
+   * A component of the state.
+   *
+   * @param comment the lines of comment before it
+   * @param note the comment at the end of its line; empty if there is none
+   */
+  public record Component(String name, Type type, List<String> comment, String note) {}
+
+  /** What is to hold in every state that can be reached. */
+  public record Invariant(String name, Expr condition, List<String> comment, Pos pos) {}
+
+  /** The action of this name. */
+  public Optional<Action> action(String wanted) {
+    return actions.stream().filter(a -> a.name().equals(wanted)).findFirst();
+  }
+
+  /** The component of this name. */
+  public Optional<Component> component(String wanted) {
+    return state.stream().filter(c -> c.name().equals(wanted)).findFirst();
+  }
+
+  /** The function of this name. */
+  public Optional<Function> function(String wanted) {
+    return functions.stream().filter(f -> f.signature().name().equals(wanted)).findFirst();
+  }
+}

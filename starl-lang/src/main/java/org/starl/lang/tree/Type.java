@@ -1,0 +1,168 @@
+package org.starl.lang.tree;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A type of the language. Aliases are kept: two types are the same if their {@link #base}s are equal. */
+public sealed interface Type {
+
+  /** {@code bool}. */
+  enum Bool implements Type {
+    /** The only one. */
+    BOOL;
+
+    @Override
+    public String toString() {
+      return "bool";
+    }
+  }
+
+  /** Numbers, each kind a part of the next one. */
+  enum Num implements Type {
+    /** 0, 1, 2 and so on. */
+    NAT("nat"),
+    /** Real numbers that are not negative. */
+    TIME("time"),
+    /** Real numbers. */
+    REAL("real");
+
+    private final String text;
+
+    Num(String text) {
+      this.text = text;
+    }
+
+    @Override
+    public String toString() {
+      return text;
+    }
+  }
+
+  /** A parameter of the automaton: its values are compared, nothing else. */
+  record Opaque(String name) implements Type {
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  /** Another name of {@code target}. */
+  record Alias(String name, Type target) implements Type {
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  /** {@code record(term: nat, who: option[PIDS])}; equal by its owner and name. */
+  record Rec(String owner, String name, List<Field> fields) implements Type {
+
+    /** The field of this name. */
+    public Optional<Field> field(String wanted) {
+      return fields.stream().filter(f -> f.name().equals(wanted)).findFirst();
+    }
+
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  /** {@code open | passed | failed(missing: set[PIDS])}; an enumeration if no constructor has fields. */
+  record Sum(String owner, String name, List<Constructor> constructors) implements Type {
+
+    /** Whether no constructor has fields. */
+    public boolean isEnum() {
+      return constructors.stream().allMatch(c -> c.fields().isEmpty());
+    }
+
+    /** The constructor of this name. */
+    public Optional<Constructor> constructor(String wanted) {
+      return constructors.stream().filter(c -> c.name().equals(wanted)).findFirst();
+    }
+
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  /** {@code set[T]}: any set, also an infinite one. */
+  record SetOf(Type element) implements Type {
+    @Override
+    public String toString() {
+      return "set[" + element + "]";
+    }
+  }
+
+  /** {@code list[T]}: finite. */
+  record ListOf(Type element) implements Type {
+    @Override
+    public String toString() {
+      return "list[" + element + "]";
+    }
+  }
+
+  /** {@code option[T]}: {@code none}, or a value. */
+  record OptionOf(Type element) implements Type {
+    @Override
+    public String toString() {
+      return "option[" + element + "]";
+    }
+  }
+
+  /** {@code [A, B -> T]}: a total function. */
+  record MapOf(List<Type> arguments, Type result) implements Type {
+    @Override
+    public String toString() {
+      List<String> names = new ArrayList<>();
+      arguments.forEach(argument -> names.add(argument.toString()));
+      return "[" + String.join(", ", names) + " -> " + result + "]";
+    }
+  }
+
+  /** The states of a used automaton, which stand in a component of the user's. */
+  record StateOf(Automaton automaton) implements Type {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof StateOf that && automaton.name().equals(that.automaton.name());
+    }
+
+    @Override
+    public int hashCode() {
+      return automaton.name().hashCode();
+    }
+
+    @Override
+    public String toString() {
+      return automaton.name() + ".states";
+    }
+  }
+
+  /** A named part of a record or constructor, a parameter, or a bound variable. */
+  record Field(String name, Type type) {}
+
+  /** A way to make a value of a {@link Sum}. */
+  record Constructor(String name, List<Field> fields) {}
+
+  /** The type without aliases, also inside. */
+  default Type base() {
+    return switch (this) {
+      case Alias alias -> alias.target.base();
+      case SetOf set -> new SetOf(set.element.base());
+      case ListOf list -> new ListOf(list.element.base());
+      case OptionOf option -> new OptionOf(option.element.base());
+      case MapOf map ->
+          new MapOf(map.arguments.stream().map(Type::base).toList(), map.result.base());
+      default -> this;
+    };
+  }
+
+  /** Whether every value of this type is one of {@code other}. */
+  default boolean isA(Type other) {
+    Type mine = base();
+    Type its = other.base();
+    return (mine instanceof Num a && its instanceof Num b) ? a.compareTo(b) <= 0 : mine.equals(its);
+  }
+}

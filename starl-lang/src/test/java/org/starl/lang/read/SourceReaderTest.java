@@ -1,0 +1,94 @@
+package org.starl.lang.read;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Type;
+
+class SourceReaderTest {
+
+  private static final String LAMP =
+      """
+      // A lamp.
+      automaton Lamp[PIDS]
+      type Color = red | green
+      state
+        by: option[PIDS] // holds the switch
+        shows: Color
+      start by = none, shows = red
+      fun free?: bool = by = none
+      // Takes the switch.
+      action take(i: PIDS) // once
+        pre free?
+        eff by := some(i)
+      action change(i: PIDS)
+        pre by = some(i)
+        eff shows := if shows = red then green else red
+      """;
+
+  @Test
+  void sourceBecomesATree() throws SourceErrors {
+    Automaton lamp = new SourceReader().read("lamp.starl", LAMP).getFirst();
+    assertThat(lamp.comment()).containsExactly("A lamp.");
+    assertThat(lamp.state())
+        .extracting(c -> c.type().toString())
+        .containsExactly("option[PIDS]", "Color");
+    assertThat(lamp.state().getFirst().note()).isEqualTo("holds the switch");
+    assertThat(lamp.action("take").orElseThrow().comment()).containsExactly("Takes the switch.");
+    assertThat(lamp.action("take").orElseThrow().note()).isEqualTo("once");
+    assertThat(lamp.action("take").orElseThrow().pre().getFirst().text()).isEqualTo("free?");
+    assertThat(lamp.function("free?").orElseThrow().signature().readsState()).isTrue();
+    assertThat(((Type.Sum) lamp.types().getFirst().type()).isEnum()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 11 names
+          by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]
+          by := some(i) | bi := some(i) | 12:7: 'bi' is no component of the state; expected one of [by, shows]
+          shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, time, real, PIDS, Color; is it Color?
+          pre free? | pre free?(i) | 11:7: 'free?' has 1 arguments here; expected 0
+          pre free? | pre 3 | 11:7: '3' is of type nat; expected bool
+          action change(i: PIDS) | action change(i, the: PIDS) | 13:18: 'the' is a function of the language already; expected a new name
+          action change(i | action take(i | 2:1: action 'take' is here twice; expected different names
+          then green else red | then green | 16:1: found the end of the file; expected 'else'
+          by = none, shows | {} = {}, shows | 7:12: nothing here says of what type the elements of '{}' are; expected a set or list of a known type beside it
+          """)
+  void wrongSourceIsToldWithItsPlace(String right, String wrong, String error) {
+    SourceErrors told = errors(LAMP.replace(right, wrong));
+    assertThat(told.getMessage()).isEqualTo("lamp.starl:" + error);
+  }
+
+  @Test
+  void errorsAreToldTogether() {
+    SourceErrors told =
+        errors(LAMP.replace("by = none, shows", "b = none, show").replace("some(i)", "i"));
+    assertThat(told.errors()).extracting(e -> e.pos().line()).containsExactly(7, 7, 12, 14);
+  }
+
+  @Test
+  void automatonWithoutStartIsRefused() {
+    String text =
+        LAMP.lines().filter(line -> !line.startsWith("start")).reduce("", (a, b) -> a + b + "\n");
+    assertThat(errors(text).errors())
+        .extracting(SourceError::message)
+        .containsExactly(
+            "automaton 'Lamp' has no start; expected 'start' and a condition on its first states");
+  }
+
+  private static SourceErrors errors(String text) {
+    SourceErrors told =
+        catchThrowableOfType(SourceErrors.class, () -> new SourceReader().read("lamp.starl", text));
+    assertThat(told).as("the source is accepted").isNotNull();
+    assertThat(told.errors()).isEqualTo(List.copyOf(told.errors()));
+    return told;
+  }
+}
