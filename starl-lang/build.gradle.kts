@@ -15,6 +15,7 @@ dependencies {
     antlr(libs.antlr.tool)
     api(libs.jspecify)
     implementation(libs.antlr.runtime)
+    implementation(libs.lsp4j)
     implementation(libs.z3)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)

@@ -286,6 +286,9 @@ final class AutomatonReader {
 
   private Function function(StarlParser.FunPartContext at) {
     Signature signature = Objects.requireNonNull(scope.functions.get(at.name.getText()));
+    if (at.binders() != null) {
+      types.placed(at.binders().binderGroup());
+    }
     scope.push(signature.parameters());
     try {
       Optional<Expr> measure =
@@ -388,6 +391,9 @@ final class AutomatonReader {
     StarlParser.PlaceContext place = assignment.place();
     String component = place.name.getText();
     Type type = scope.state.get(component);
+    if (type != null) {
+      problems.refer(place.name, component + ": " + type, scope.place(component, place.name));
+    }
     if (scope.wrong.contains(component)) {
       throw new Wrong();
     }

@@ -145,6 +145,7 @@ final class ExpressionReader {
   private Expr name(StarlParser.NameContext at, Pos pos) {
     String name = at.name.getText();
     Optional<Field> bound = scope.bound(name);
+    refer(at.name);
     if (bound.isPresent()) {
       return new Expr.Variable(name, bound.get().type(), pos);
     }
@@ -170,6 +171,29 @@ final class ExpressionReader {
           pos);
     }
     throw unknown(at, name, scope.names());
+  }
+
+  /** Keeps the meaning of a name that is known here. */
+  private void refer(StarlParser.IdContext at) {
+    String name = at.getText();
+    Signature function = scope.functions.get(name);
+    Scope.Known known = scope.constructors.get(name);
+    String meaning = null;
+    if (scope.bound(name).isPresent()) {
+      meaning = name + ": " + scope.bound(name).get().type();
+    } else if (scope.values.containsKey(name)) {
+      meaning = name + ": " + scope.values.get(name);
+    } else if (scope.state.containsKey(name)) {
+      meaning = name + ": " + scope.state.get(name);
+    } else if (function != null) {
+      meaning =
+          "fun " + name + "(" + TypeReader.list(function.parameters()) + "): " + function.result();
+    } else if (known != null) {
+      meaning = name + ": " + known.sum();
+    }
+    if (meaning != null) {
+      problems.refer(at, meaning, scope.place(name, at));
+    }
   }
 
   private Expr field(StarlParser.FieldOfContext at, Pos pos) {
@@ -235,10 +259,12 @@ final class ExpressionReader {
       String name = named.getText();
       Signature function = scope.functions.get(name);
       if (function != null) {
+        refer(named.name);
         return new Expr.Call("", function, arguments(name, function.parameters(), given, at), pos);
       }
       Scope.Known known = scope.constructors.get(name);
       if (known != null) {
+        refer(named.name);
         return new Expr.Make(
             known.constructor(),
             arguments(name, known.constructor().fields(), given, at),

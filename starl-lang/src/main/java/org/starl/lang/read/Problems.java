@@ -7,11 +7,12 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.starl.lang.tree.Pos;
 
-/** Collects what is wrong in one source. */
+/** Collects what is wrong in one source, and what its names mean. */
 final class Problems {
 
   private final String file;
   private final List<SourceError> errors = new ArrayList<>();
+  private final List<Reference> references = new ArrayList<>();
 
   Problems(String file) {
     this.file = file;
@@ -34,6 +35,19 @@ final class Problems {
 
   boolean isEmpty() {
     return errors.isEmpty();
+  }
+
+  /**
+   * Keeps what a name means.
+   *
+   * @param declaredAt in this source
+   */
+  void refer(ParserRuleContext at, String meaning, Pos declaredAt) {
+    references.add(new Reference(pos(at), at.getText(), meaning, file, declaredAt));
+  }
+
+  List<Reference> references() {
+    return List.copyOf(references);
   }
 
   /** In the order of the text. */

@@ -8,8 +8,10 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Signature;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
@@ -31,6 +33,9 @@ final class Scope {
 
   /** Names whose declaration is wrong: what uses them need not be told. */
   final Set<String> wrong = new TreeSet<>();
+
+  /** Where the names are declared, but those of variables and of what is used. */
+  final Map<String, Pos> places = new LinkedHashMap<>();
 
   private final List<Field> bound = new ArrayList<>();
 
@@ -78,6 +83,12 @@ final class Scope {
   /** The automaton in the component {@code name}, which is one of {@link #uses}. */
   Automaton used(String name) {
     return Objects.requireNonNull(uses.get(name), name);
+  }
+
+  /** Where {@code name} is declared; {@code here}, if that is in another file. */
+  Pos place(String name, ParserRuleContext here) {
+    Pos place = places.get(name);
+    return place != null ? place : Problems.pos(here);
   }
 
   void push(List<Field> fields) {

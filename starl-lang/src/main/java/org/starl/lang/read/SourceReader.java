@@ -52,8 +52,27 @@ public final class SourceReader {
     return read(name, text, null);
   }
 
-  private List<Automaton> read(String name, String text, @Nullable Path path) throws SourceErrors {
+  /**
+   * Reads a text that may be wrong, or stand beside files that it uses: for editors.
+   *
+   * @param path where it is, or would be, a file; null if nowhere
+   */
+  public Source look(String name, String text, @Nullable Path path) {
     Problems problems = new Problems(name);
+    List<Automaton> automata = automata(name, text, path, problems);
+    return new Source(automata, problems.inOrder(), problems.references());
+  }
+
+  private List<Automaton> read(String name, String text, @Nullable Path path) throws SourceErrors {
+    Source source = look(name, text, path);
+    if (!source.errors().isEmpty()) {
+      throw new SourceErrors(source.errors());
+    }
+    return source.automata();
+  }
+
+  private List<Automaton> automata(
+      String name, String text, @Nullable Path path, Problems problems) {
     StarlLexer lexer = new StarlLexer(CharStreams.fromString(text, name));
     CommonTokenStream tokens = new CommonTokenStream(lexer);
     StarlParser parser = new StarlParser(tokens);
@@ -87,9 +106,6 @@ public final class SourceReader {
       if (automata.isEmpty()) {
         problems.add(new Pos(1, 1), "no automaton here; expected 'automaton' and its name");
       }
-    }
-    if (!problems.isEmpty()) {
-      throw new SourceErrors(problems.inOrder());
     }
     return List.copyOf(automata);
   }

@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.BinderGroupContext;
 import org.starl.lang.grammar.StarlParser.IdContext;
 import org.starl.lang.grammar.StarlParser.TypeContext;
+import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
 import org.starl.lang.tree.Type.Field;
@@ -53,7 +55,33 @@ final class TypeReader {
               + (near.isEmpty() ? "" : "; is it " + near + "?"));
       throw new Wrong();
     }
+    Pos place = scope.places.get(at.getText());
+    if (place != null) {
+      problems.refer(at, meaning(known), place);
+    }
     return known;
+  }
+
+  private static String meaning(Type type) {
+    return switch (type) {
+      case Type.Alias alias -> "type " + alias + " = " + alias.target();
+      case Type.Rec rec -> "type " + rec + " = record(" + list(rec.fields()) + ")";
+      case Type.Sum sum ->
+          "type "
+              + sum
+              + " = "
+              + sum.constructors().stream()
+                  .map(c -> c.name() + (c.fields().isEmpty() ? "" : "(" + list(c.fields()) + ")"))
+                  .collect(Collectors.joining(" | "));
+      default -> "type " + type;
+    };
+  }
+
+  /** {@code i: PIDS, n: nat}. */
+  static String list(List<Field> fields) {
+    return fields.stream()
+        .map(field -> field.name() + ": " + field.type())
+        .collect(Collectors.joining(", "));
   }
 
   /** The fields of {@code i, j: PIDS, z: Zones}; a name twice is told. */
@@ -70,10 +98,17 @@ final class TypeReader {
         } else if (taken.isPresent()) {
           problems.add(id, "'" + name + "' is " + taken.get() + " already; expected a new name");
         }
+        scope.places.put(name, Problems.pos(id));
         fields.add(new Field(name, type));
       }
     }
     return List.copyOf(fields);
+  }
+
+  /** Makes these the places of their names again, which others may have had since. */
+  void placed(List<BinderGroupContext> groups) {
+    groups.forEach(
+        group -> group.id().forEach(id -> scope.places.put(id.getText(), Problems.pos(id))));
   }
 
   /** Declares a type. */
@@ -92,6 +127,7 @@ final class TypeReader {
           default -> throw new IllegalStateException("type " + at.getText());
         };
     scope.types.put(name, type);
+    scope.places.put(name, Problems.pos(at.name));
     return type;
   }
 
@@ -110,6 +146,7 @@ final class TypeReader {
                 + taken.orElse("a value of " + name)
                 + " already; expected a new name");
       }
+      scope.places.put(constructor, Problems.pos(each.name));
       constructors.add(new Constructor(constructor, fields(each.binderGroup(), true)));
     }
     Type.Sum sum = new Type.Sum(scope.automaton, name, List.copyOf(constructors));
