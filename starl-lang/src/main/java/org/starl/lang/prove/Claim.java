@@ -1,0 +1,30 @@
+package org.starl.lang.prove;
+
+import java.util.List;
+
+/**
+ * Something that is to hold of an automaton, and what came of it.
+ *
+ * @param subject an invariant, an action, a function, or {@code start}
+ * @param lines what shows it, such as two states
+ */
+public record Claim(String subject, Verdict verdict, String text, List<String> lines) {
+
+  /** What came of it. */
+  public enum Verdict {
+    /** It holds for any number of elements of the opaque types. */
+    PROVED,
+    /** It holds for 1 to {@link Prover#MOST_ELEMENTS} elements of each opaque type; more are not decided. */
+    PROVED_SMALL,
+    /** It does not hold. */
+    FAILED,
+    /** It holds if other invariants do, and these are not proved. */
+    DEPENDS,
+    /** Z3 has not decided it within the limit. */
+    UNDECIDED
+  }
+
+  boolean isGood() {
+    return verdict == Verdict.PROVED || verdict == Verdict.PROVED_SMALL;
+  }
+}

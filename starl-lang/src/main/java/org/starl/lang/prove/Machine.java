@@ -1,0 +1,183 @@
+package org.starl.lang.prove;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.starl.lang.prove.Val.Cells;
+import org.starl.lang.prove.Val.Fn;
+import org.starl.lang.prove.Val.Term;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** An automaton in one script: its state before, {@code s}, and after an action, {@code t}. */
+final class Machine {
+
+  private final Automaton automaton;
+  private final Script script;
+  private final Translator translator;
+
+  /** Any state. */
+  final Scope before;
+
+  /**
+   * @param title says what the script is about
+   */
+  Machine(Automaton automaton, Sorts sorts, Script script, String title) {
+    this.automaton = automaton;
+    this.script = script;
+    script.comment(title);
+    script.line("(set-logic ALL)");
+    sorts.declarations().forEach(script::line);
+    translator = new Translator(sorts, script);
+    if (!automaton.valueParameters().isEmpty()) {
+      script.comment("parameters");
+      automaton.valueParameters().forEach(p -> declare("p." + p.name(), p.type()));
+    }
+    script.comment("s: a state");
+    before = new Scope(automaton, "s.", cells(automaton, "s."), Map.of());
+  }
+
+  Translator translator() {
+    return translator;
+  }
+
+  Script script() {
+    return script;
+  }
+
+  private Val declare(String name, Type type) {
+    return translator.declare(name, type);
+  }
+
+  private Map<String, Val> cells(Automaton of, String prefix) {
+    Map<String, Val> cells = new LinkedHashMap<>();
+    for (Automaton.Component each : of.state()) {
+      String name = prefix + each.name();
+      cells.put(
+          each.name(),
+          each.type() instanceof Type.StateOf used
+              ? new Cells(cells(used.automaton(), name + "."))
+              : declare(name, each.type()));
+    }
+    return cells;
+  }
+
+  /** New symbols for variables, in a scope that has them. */
+  Scope declared(String prefix, List<Field> variables, Scope scope) {
+    Scope inner = scope;
+    for (Field variable : variables) {
+      inner = inner.with(variable.name(), declare(prefix + variable.name(), variable.type()));
+    }
+    return inner;
+  }
+
+  /** Says that an expression holds. */
+  void require(Expr condition, Scope scope) {
+    String text = translator.bool(condition, scope);
+    script.require(text);
+  }
+
+  // --- actions -----------------------------------------------------------------------------------
+
+  /** Says that {@code action} happens in {@link #before}; returns the scope of its parameters. */
+  Scope enabled(Action action) {
+    script.comment("action " + Shown.head(action));
+    Scope scope = declared("a.", action.parameters(), before);
+    action.pre().forEach(pre -> require(pre.condition(), scope));
+    return scope;
+  }
+
+  /** The state after {@code action}. */
+  Scope after(Action action, Scope parameters) {
+    script.comment("t: the state after");
+    Map<String, Val> cells = after(action, parameters, before.cells());
+    return new Scope(automaton, "t.", defined(automaton, "t.", cells, before.cells()), Map.of());
+  }
+
+  private Map<String, Val> after(Action action, Scope scope, Map<String, Val> now) {
+    Map<String, Val> next = new LinkedHashMap<>(now);
+    for (Effect effect : action.eff()) {
+      if (effect instanceof Effect.Assign assign) {
+        Type type = scope.automaton().component(assign.component()).orElseThrow().type();
+        Val old = Objects.requireNonNull(next.get(assign.component()));
+        next.put(assign.component(), changed(old, type, assign.selectors(), assign.value(), scope));
+      } else if (effect instanceof Effect.Step step) {
+        Scope used =
+            scope
+                .used(step.used())
+                .only(
+                    step.action().parameters(),
+                    translator.arguments(step.action().parameters(), step.arguments(), scope));
+        Map<String, Val> cells = ((Cells) Objects.requireNonNull(next.get(step.used()))).cells();
+        next.put(step.used(), new Cells(after(step.action(), used, cells)));
+      }
+    }
+    return next;
+  }
+
+  private Val changed(Val old, Type type, List<Selector> selectors, Expr value, Scope scope) {
+    if (selectors.isEmpty()) {
+      return translator.as(type, value, scope);
+    }
+    List<Selector> rest = selectors.subList(1, selectors.size());
+    return switch (selectors.getFirst()) {
+      case Selector.At at -> {
+        Fn map = (Fn) old;
+        List<Field> parameters =
+            map.type().arguments().stream().map(argument -> new Field("", argument)).toList();
+        List<String> place =
+            translator.terms(parameters, translator.arguments(parameters, at.arguments(), scope));
+        Val there = changed(map.at().apply(place), map.type().result(), rest, value, scope);
+        yield new Fn(
+            map.type(),
+            x -> {
+              List<String> same = new ArrayList<>();
+              for (int i = 0; i < x.size(); i++) {
+                same.add(Smt.equal(x.get(i), place.get(i)));
+              }
+              return translator.ite(Smt.and(same), there, map.at().apply(x));
+            },
+            null);
+      }
+      case Selector.Of of -> {
+        Type.Rec rec = (Type.Rec) type.base();
+        List<String> values = new ArrayList<>();
+        for (Field field : rec.fields()) {
+          Val part = translator.field(rec, field, Val.smt(old));
+          boolean isIt = field.name().equals(of.field());
+          Val next = isIt ? changed(part, field.type(), rest, value, scope) : part;
+          values.add(translator.term(next, field.type()));
+        }
+        yield new Term(Smt.call("mk." + translator.sorts().sort(rec), values));
+      }
+    };
+  }
+
+  /** Names for the components that are changed. */
+  private Map<String, Val> defined(
+      Automaton of, String prefix, Map<String, Val> cells, Map<String, Val> old) {
+    Map<String, Val> named = new LinkedHashMap<>();
+    for (Automaton.Component each : of.state()) {
+      Val value = Objects.requireNonNull(cells.get(each.name()));
+      Val was = Objects.requireNonNull(old.get(each.name()));
+      if (value.equals(was)) {
+        named.put(each.name(), was);
+      } else if (each.type() instanceof Type.StateOf used) {
+        Map<String, Val> inner = ((Cells) value).cells();
+        String path = prefix + each.name() + ".";
+        named.put(
+            each.name(), new Cells(defined(used.automaton(), path, inner, ((Cells) was).cells())));
+      } else {
+        named.put(each.name(), translator.define(prefix + each.name(), each.type(), value));
+      }
+    }
+    return named;
+  }
+}

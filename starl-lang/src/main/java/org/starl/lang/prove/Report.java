@@ -1,0 +1,29 @@
+package org.starl.lang.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What came of the claims on an automaton. */
+public record Report(String automaton, List<Claim> claims) {
+
+  /** Whether all hold. */
+  public boolean isProved() {
+    return claims.stream().allMatch(Claim::isGood);
+  }
+
+  /** The claim on a subject. */
+  public Optional<Claim> claim(String subject) {
+    return claims.stream().filter(claim -> claim.subject().equals(subject)).findFirst();
+  }
+
+  /** For a person: a line for each claim, and below it what shows it. */
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    for (Claim claim : claims) {
+      lines.add(automaton + ": " + claim.subject() + " " + claim.text());
+      claim.lines().forEach(line -> lines.add("  " + line));
+    }
+    return lines;
+  }
+}

@@ -1,0 +1,226 @@
+package org.starl.lang.prove;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Constructor;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * Types as sorts: an opaque type is a sort of its own, or one with so many elements as {@code size} says;
+ * records, sums, options and lists are datatypes; sets and maps inside these are arrays.
+ */
+final class Sorts {
+
+  /** As many values of a type at most as a quantifier is written out for. */
+  private static final int MOST_ELEMENTS = 64;
+
+  /** The largest number where they are few. */
+  static final int MOST_NUMBER = 3;
+
+  private static final Set<String> TAKEN =
+      Set.of("Int", "Real", "Bool", "Array", "String", "Seq", "List", "Set", "option", "list");
+
+  private final Automaton automaton;
+  private final Map<String, List<String>> opaque = new LinkedHashMap<>();
+  private final boolean isFinite;
+  private final boolean isRecursive;
+
+  /**
+   * @param size elements of each opaque type; 0 if any number
+   */
+  Sorts(Automaton automaton, int size) {
+    this.automaton = automaton;
+    isFinite = size > 0;
+    isRecursive = isRecursive(automaton);
+    for (String type : automaton.typeParameters()) {
+      List<String> names = new ArrayList<>();
+      for (int i = 0; i < size; i++) {
+        names.add(element(type, opaque.size(), i));
+      }
+      opaque.put(type, List.copyOf(names));
+    }
+  }
+
+  /** The first opaque type is that of the robots. */
+  private static String element(String type, int number, int i) {
+    return switch (number) {
+      case 0 -> "bot" + i;
+      case 1 -> String.valueOf((char) ('A' + i));
+      default -> type + i;
+    };
+  }
+
+  /** Whether functions call themselves, here or in used automata. */
+  static boolean isRecursive(Automaton automaton) {
+    return automaton.functions().stream().anyMatch(f -> f.measure().isPresent())
+        || automaton.uses().values().stream().anyMatch(Sorts::isRecursive);
+  }
+
+  /** Whether natural numbers end with {@link #MOST_NUMBER}: then Z3 can work recursive functions out. */
+  boolean hasFewNumbers() {
+    return isFinite && isRecursive;
+  }
+
+  boolean isFinite() {
+    return isFinite;
+  }
+
+  /** The lines that declare the sorts. */
+  List<String> declarations() {
+    List<String> lines = new ArrayList<>();
+    opaque.forEach((type, names) ->
+        lines.add(
+            names.isEmpty()
+                ? "(declare-sort " + named(type) + " 0)"
+                : "(declare-datatypes ((" + named(type) + " 0)) ((" + bracketed(names) + ")))"));
+    lines.add("(declare-datatypes ((option 1)) ((par (T) ((none) (some (the T))))))");
+    lines.add("(declare-datatypes ((list 1)) ((par (T) ((nil) (cons (head T) (tail (list T)))))))");
+    declare(automaton, lines, new ArrayList<>());
+    return lines;
+  }
+
+  private static String bracketed(List<String> names) {
+    return "(" + String.join(") (", names) + ")";
+  }
+
+  private void declare(Automaton of, List<String> lines, List<String> done) {
+    of.uses().values().forEach(used -> declare(used, lines, done));
+    if (done.contains(of.name())) {
+      return;
+    }
+    done.add(of.name());
+    for (Automaton.Declared each : of.types()) {
+      if (each.type() instanceof Type.Rec rec) {
+        lines.add(
+            datatype(rec, List.of(Smt.call("mk." + sort(rec), fields(rec, "", rec.fields())))));
+      } else if (each.type() instanceof Type.Sum sum) {
+        List<String> forms = new ArrayList<>();
+        for (Constructor form : sum.constructors()) {
+          List<String> fields = fields(sum, form.name() + ".", form.fields());
+          forms.add(
+              fields.isEmpty() ? "(" + form(sum, form) + ")" : Smt.call(form(sum, form), fields));
+        }
+        lines.add(datatype(sum, forms));
+      }
+    }
+  }
+
+  private String datatype(Type type, List<String> forms) {
+    return "(declare-datatypes ((" + sort(type) + " 0)) ((" + String.join(" ", forms) + ")))";
+  }
+
+  private List<String> fields(Type owner, String prefix, List<Field> fields) {
+    return fields.stream()
+        .map(f -> "(" + sort(owner) + "." + prefix + f.name() + " " + inner(f.type()) + ")")
+        .toList();
+  }
+
+  String form(Type.Sum sum, Constructor form) {
+    return sort(sum) + "." + form.name();
+  }
+
+  String field(Type.Sum sum, Constructor form, Field field) {
+    return form(sum, form) + "." + field.name();
+  }
+
+  String field(Type.Rec rec, Field field) {
+    return sort(rec) + "." + field.name();
+  }
+
+  private String named(String name) {
+    return TAKEN.contains(name) ? name + "." : name;
+  }
+
+  private String owned(String owner, String name) {
+    return owner.equals(automaton.name()) ? named(name) : owner + "." + name;
+  }
+
+  /** The sort of a type inside a datatype: equal maps must be equal arrays. */
+  private String inner(Type type) {
+    if (hasNumericDomain(type.base())) {
+      throw new Unprovable(
+          "the type "
+              + type
+              + " inside another type: a set or map of numbers is not translated there");
+    }
+    return sort(type);
+  }
+
+  /** Whether arrays of this type have values outside their domain: at negative numbers. */
+  boolean hasNumericDomain(Type type) {
+    return switch (type.base()) {
+      case Type.SetOf set ->
+          set.element().base() instanceof Type.Num || hasNumericDomain(set.element());
+      case Type.MapOf map ->
+          map.arguments().stream()
+                  .anyMatch(a -> a.base() instanceof Type.Num || hasNumericDomain(a))
+              || hasNumericDomain(map.result());
+      default -> false;
+    };
+  }
+
+  String sort(Type type) {
+    return switch (type.base()) {
+      case Type.Bool bool -> "Bool";
+      case Type.Num number -> number == Type.Num.NAT ? "Int" : "Real";
+      case Type.Opaque of -> named(of.name());
+      case Type.Rec rec -> owned(rec.owner(), rec.name());
+      case Type.Sum sum -> owned(sum.owner(), sum.name());
+      case Type.OptionOf option -> Smt.call("option", inner(option.element()));
+      case Type.ListOf list -> Smt.call("list", inner(list.element()));
+      case Type.SetOf set -> Smt.call("Array", sort(set.element()), "Bool");
+      case Type.MapOf map -> {
+        List<String> sorts = new ArrayList<>();
+        map.arguments().forEach(argument -> sorts.add(sort(argument)));
+        sorts.add(sort(map.result()));
+        yield Smt.call("Array", sorts);
+      }
+      case Type.StateOf state ->
+          throw new Unprovable("the state of " + state.automaton().name() + " as a value");
+      case Type.Alias alias -> throw new IllegalStateException(alias.name());
+    };
+  }
+
+  /** All values of a type, if they are few; empty if they are not, or any number. */
+  List<String> elements(Type type) {
+    List<String> all =
+        switch (type.base()) {
+          case Type.Bool bool -> List.of(Smt.FALSE, Smt.TRUE);
+          case Type.Num number when number == Type.Num.NAT && hasFewNumbers() ->
+              IntStream.rangeClosed(0, MOST_NUMBER).mapToObj(String::valueOf).toList();
+          case Type.Opaque of -> opaque.getOrDefault(of.name(), List.of());
+          case Type.Sum sum when sum.isEnum() ->
+              sum.constructors().stream().map(form -> form(sum, form)).toList();
+          case Type.OptionOf option -> {
+            List<String> inner = elements(option.element());
+            List<String> values = new ArrayList<>();
+            if (!inner.isEmpty()) {
+              values.add("(as none " + sort(option) + ")");
+              inner.forEach(value -> values.add(Smt.call("some", value)));
+            }
+            yield values;
+          }
+          default -> List.of();
+        };
+    return isFinite && all.size() <= MOST_ELEMENTS ? all : List.of();
+  }
+
+  /** Sets as maps to {@code bool}. */
+  static Type.MapOf map(Type type) {
+    return switch (type.base()) {
+      case Type.SetOf set -> new Type.MapOf(List.of(set.element()), Type.Bool.BOOL);
+      case Type.MapOf map -> map;
+      default -> throw new IllegalStateException(type.toString());
+    };
+  }
+
+  static boolean isMap(Type type) {
+    return type.base() instanceof Type.SetOf || type.base() instanceof Type.MapOf;
+  }
+}

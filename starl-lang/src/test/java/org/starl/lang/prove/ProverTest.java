@@ -1,0 +1,188 @@
+package org.starl.lang.prove;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.starl.lang.prove.Claim.Verdict;
+import org.starl.lang.read.SourceErrors;
+import org.starl.lang.read.SourceReader;
+
+class ProverTest {
+
+  private static final long LIMIT = 10_000_000;
+
+  private static final String LOCK =
+      """
+      automaton Lock[PIDS]
+      state
+        by: option[PIDS]
+        inside: set[PIDS]
+        count: nat
+      start by = none, inside = {}, count = 0
+      action take(i: PIDS)
+        pre by = none
+        eff by := some(i)
+      action enter(i: PIDS)
+        pre by = some(i)
+        eff inside := inside union {i}, count := count + 1
+      action leave(i: PIDS)
+        pre i in inside, count > 0
+        eff inside := inside minus {i}, by := none, count := count - 1
+      invariant Holder: forall i: PIDS :: i in inside => by = some(i)
+      invariant Alone: forall i, j: PIDS :: i in inside and j in inside => i = j
+      """;
+
+  @Test
+  void invariantsHoldForAnyNumberOfRobots() {
+    assertThat(proved(LOCK).lines())
+        .containsExactly(
+            "Lock: start is possible",
+            "Lock: Holder holds, for any number of PIDS",
+            "Lock: Alone holds, for any number of PIDS",
+            "Lock: take can happen",
+            "Lock: enter can happen",
+            "Lock: leave can happen");
+  }
+
+  @Test
+  void whatZ3DecidesForFewRobotsAloneIsSaidSo() {
+    String some =
+        """
+        automaton Some[PIDS]
+        state on: set[PIDS]
+        start on = {}
+        action up(i: PIDS)
+          eff on := on union {i}
+        invariant Rest: exists S: set[PIDS] :: forall i: PIDS :: i in S <=> not i in on
+        """;
+    Report report = proved(some);
+    assertThat(report.isProved()).isTrue();
+    assertThat(report.claim("Rest").orElseThrow().text())
+        .isEqualTo("holds for 1 to 5 of PIDS; for more it is not decided");
+  }
+
+  @Test
+  void stepThatBreaksAnInvariantIsShown() {
+    Report report = proved(LOCK.replace("pre by = none", "pre true"));
+    assertThat(report.isProved()).isFalse();
+    assertThat(report.lines())
+        .startsWith(
+            "Lock: start is possible",
+            "Lock: Holder is not kept by take",
+            "  before  by = some(bot1), inside = {bot1}",
+            "  action  take(bot0)",
+            "  after   by = some(bot0)",
+            "  fails   for i = bot1",
+            "Lock: Alone stands only on Holder, not proved");
+  }
+
+  @Test
+  void invariantThatNeedsAnotherOneAloneIsNotKept() {
+    Report report = proved(LOCK.replaceAll("invariant Holder.*\n", ""));
+    assertThat(report.claim("Alone").orElseThrow().verdict()).isEqualTo(Verdict.FAILED);
+    assertThat(report.claim("Alone").orElseThrow().lines())
+        .startsWith("before  by = some(bot0), inside = {bot1}", "action  enter(bot0)");
+  }
+
+  @Test
+  void invariantThatTheStartBreaksIsShown() {
+    Report report = proved(LOCK.replace("inside = {}", "true"));
+    Claim alone = report.claim("Alone").orElseThrow();
+    assertThat(alone.text()).isEqualTo("does not hold in a start state");
+    assertThat(alone.lines())
+        .containsExactly("state   inside = {bot0, bot1}", "fails   for i = bot0, j = bot1");
+  }
+
+  @Test
+  void contradictoryStartIsTold() {
+    Report report = proved(LOCK.replace("count = 0", "count = 0, by != none"));
+    assertThat(report.isProved()).isFalse();
+    assertThat(report.lines())
+        .containsExactly("Lock: start contradicts itself: there is no start state");
+  }
+
+  @Test
+  void actionThatNeverHappensIsTold() {
+    Report report = proved(LOCK.replace("pre by = some(i)", "pre by = some(i), by = none"));
+    assertThat(report.claim("Holder").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
+    assertThat(report.claim("enter").orElseThrow().text()).isEqualTo("can never happen");
+    assertThat(report.isProved()).isFalse();
+  }
+
+  @Test
+  void numberBelowZeroIsTold() {
+    Report report = proved(LOCK.replace(", count > 0", ""));
+    assertThat(report.lines())
+        .contains(
+            "Lock: leave makes a number negative", "  after   by = none, inside = {}, count = -1");
+    assertThat(report.claim("Holder").orElseThrow().isGood()).isFalse();
+  }
+
+  @Test
+  void functionWhoseMeasureGrowsIsNotTrusted() {
+    String endless = "fun f(n: nat): nat = f(n + 1) + 1 measure n\n";
+    Report report = proved(LOCK + endless + "invariant Absurd: f(0) > f(0)\n");
+    assertThat(report.lines().getFirst())
+        .isEqualTo("Lock: f may not end: its measure may not become smaller");
+    assertThat(report.claim("Absurd")).isEmpty();
+    assertThat(report.isProved()).isFalse();
+  }
+
+  @Test
+  void wrongInvariantOnARecursiveFunctionIsNotProved() {
+    String sum = "fun sum(n: nat): nat = if n = 0 then 0 else sum(n - 1) + n measure n\n";
+    String least = "invariant Sum: forall n: nat :: sum(n) >= n\n";
+    assertThat(proved(LOCK + sum + least).isProved()).isTrue();
+    Report wrong = proved(LOCK + sum + least.replace(">= n", "> n"));
+    assertThat(wrong.claim("Sum").orElseThrow().isGood()).isFalse();
+  }
+
+  @Test
+  void keptTextsSayWhatWasAsked() throws SourceErrors {
+    Map<String, String> kept = new LinkedHashMap<>();
+    Report first = new Prover(lock(LOCK), LIMIT, kept::put).prove();
+    assertThat(kept.get("enter-keeps-Alone"))
+        .contains(
+            "; Holder holds", "; action enter(i: PIDS)", "(declare-fun s.by () (option PIDS))")
+        .endsWith("(check-sat)\n");
+    Map<String, String> again = new LinkedHashMap<>();
+    assertThat(new Prover(lock(LOCK), LIMIT, again::put).prove()).isEqualTo(first);
+    assertThat(again).isEqualTo(kept);
+  }
+
+  @Test
+  void smallLimitDecidesNothing() throws SourceErrors {
+    Report report = new Prover(lock(LOCK), 1, (name, text) -> {}).prove();
+    assertThat(report.isProved()).isFalse();
+    assertThat(report.claims()).extracting(Claim::verdict).containsOnly(Verdict.UNDECIDED);
+  }
+
+  @Test
+  void typeThatIsNotTranslatedIsRefused() {
+    assertThatThrownBy(() -> proved(LOCK.replace("count: nat", "count: nat log: option[set[nat]]")))
+        .isInstanceOf(Unprovable.class)
+        .hasMessageContaining("set[nat]");
+    assertThatThrownBy(() ->
+            proved(
+                LOCK + "fun f(): bool = g\nfun g(): bool = f\ninvariant F: f\n".replace("()", "")))
+        .isInstanceOf(Unprovable.class)
+        .hasMessageEndingWith("calls itself through another one");
+  }
+
+  private static Report proved(String text) {
+    try {
+      return new Prover(lock(text), LIMIT, (name, script) -> {}).prove();
+    } catch (SourceErrors e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static org.starl.lang.tree.Automaton lock(String text) throws SourceErrors {
+    List<org.starl.lang.tree.Automaton> all = new SourceReader().read("lock.starl", text);
+    return all.getFirst();
+  }
+}
