@@ -8,6 +8,7 @@ description = "The command line, reports, workloads, benchmarks, proof export, r
 dependencies {
     api(project(":starl-core"))
     api(project(":starl-core-input"))
+    api(project(":starl-lang"))
     api(project(":starl-primitives"))
     api(project(":starl-sim"))
     api(project(":starl-sim-view"))
