@@ -27,6 +27,7 @@ class HelpTest {
         "campaign",
         "merge",
         "sweep",
+        "prove",
         "verify-determinism",
         "record",
         "replay",

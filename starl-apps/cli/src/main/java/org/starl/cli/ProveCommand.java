@@ -1,0 +1,99 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
+import org.starl.input.TextFile;
+import org.starl.lang.prove.NoSolver;
+import org.starl.lang.prove.Prover;
+import org.starl.lang.prove.Report;
+import org.starl.lang.prove.Unprovable;
+import org.starl.lang.read.SourceErrors;
+import org.starl.lang.read.SourceReader;
+import org.starl.lang.tree.Automaton;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code starl prove FILE.starl}. */
+@Command(
+    name = "prove",
+    description = {
+      "Proves the invariants of automata with the solver Z3, for any number of robots where Z3 can."
+          + " Prints for each invariant whether it holds, and two states and an action if an action"
+          + " breaks it.",
+      "Without a file, or with FILE.pvs, 'starl prove' checks proofs with an installed PVS."
+    },
+    footer = {"", "Example: starl prove pvs/starl/Mutex_decls.starl"})
+final class ProveCommand extends BaseCommand implements Callable<Integer> {
+
+  private static final int MOST_MILLIONS = 4000;
+  private static final long MILLION = 1_000_000;
+
+  @Parameters(paramLabel = "FILE.starl", description = "The source.")
+  private String name = "";
+
+  @Option(
+      names = "--limit",
+      paramLabel = "N",
+      description =
+          "Millions of Z3's steps for each obligation, about as many seconds (default:"
+              + " ${DEFAULT-VALUE}). Steps, because a time would make the result depend on the"
+              + " machine.")
+  private String limit = "10";
+
+  @Option(
+      names = "--keep",
+      paramLabel = "FOLDER",
+      description = "Write each obligation as a file for Z3 (SMT-LIB 2) into this folder.")
+  private @Nullable String folder;
+
+  @Override
+  public Integer call() throws IOException {
+    long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
+    Path file = Path.of(name);
+    TextFile.read(file, "expected a source of automata (.starl)"); // tells what is no text
+    List<Automaton> automata;
+    try {
+      automata = new SourceReader().read(file);
+    } catch (SourceErrors e) {
+      e.errors().forEach(err()::println);
+      return ExitStatus.BAD_INPUT;
+    }
+    boolean isProved = true;
+    for (Automaton automaton : automata) {
+      Report report = prove(automaton, steps);
+      report.lines().forEach(out()::println);
+      isProved &= report.isProved();
+    }
+    return isProved ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+  }
+
+  private Report prove(Automaton automaton, long steps) throws IOException {
+    try {
+      Path of = folder == null ? null : Files.createDirectories(Path.of(folder, automaton.name()));
+      return new Prover(automaton, steps, (title, text) -> keep(of, title, text)).prove();
+    } catch (NoSolver e) {
+      throw new MissingDependencyException(e.getMessage());
+    } catch (Unprovable e) {
+      throw new BadInput(name + ": " + automaton.name() + ": " + e.getMessage());
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+
+  private static void keep(@Nullable Path folder, String title, String text) {
+    if (folder != null) {
+      try {
+        Files.writeString(folder.resolve(title + ".smt2"), text);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+}

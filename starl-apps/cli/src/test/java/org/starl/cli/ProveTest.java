@@ -1,0 +1,82 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ProveTest {
+
+  private static final String LAMP =
+      """
+      automaton Lamp[PIDS]
+      state by: option[PIDS]
+      start by = none
+      action take(i: PIDS)
+        pre by = none
+        eff by := some(i)
+      invariant Free: by = none
+      """;
+
+  @TempDir private Path folder;
+
+  @Test
+  void provedInvariantsGiveStatusZero() throws IOException {
+    Cli cli = Cli.run("prove", file(LAMP.replace("by = none\n", "by = by\n")));
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.out())
+        .containsExactly(
+            "Lamp: start is possible",
+            "Lamp: Free holds, for any number of PIDS",
+            "Lamp: take can happen");
+  }
+
+  @Test
+  void stepThatBreaksAnInvariantGivesStatusOne() throws IOException {
+    Cli cli = Cli.run("prove", file(LAMP));
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(cli.out())
+        .contains(
+            "Lamp: Free is not kept by take",
+            "  before  all empty, 0 or none",
+            "  action  take(bot0)",
+            "  after   by = some(bot0)");
+  }
+
+  @Test
+  void obligationsAreKeptInAFolder() throws IOException {
+    Path kept = folder.resolve("kept");
+    Cli cli = Cli.run("prove", file(LAMP), "--keep", kept.toString());
+    assertThat(cli.err()).isEmpty();
+    assertThat(kept.resolve("Lamp/take-keeps-Free.smt2"))
+        .content()
+        .contains("; action take(i: PIDS)", "(check-sat)");
+  }
+
+  @Test
+  void badInputIsToldInOneLine() throws IOException {
+    String file = file(LAMP.replace("some(i)", "i"));
+    Cli wrong = Cli.run("prove", file);
+    assertThat(wrong.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(wrong.err())
+        .containsExactly(file + ":6:13: 'i' is of type PIDS; expected option[PIDS]");
+    Cli missing = Cli.run("prove", "nothing.starl");
+    assertThat(missing.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(missing.err())
+        .containsExactly(
+            "starl: nothing.starl: no such file; expected a source of automata (.starl)");
+    Cli type = Cli.run("prove", file(LAMP.replace("state", "state n: option[set[nat]]")));
+    assertThat(type.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(type.err()).singleElement().asString().contains("Lamp: the type set[nat]");
+    Cli limit = Cli.run("prove", file, "--limit", "0");
+    assertThat(limit.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(limit.err()).singleElement().asString().startsWith("starl: --limit: '0': expected");
+  }
+
+  private String file(String text) throws IOException {
+    return Files.writeString(folder.resolve("lamp.starl"), text).toString();
+  }
+}
