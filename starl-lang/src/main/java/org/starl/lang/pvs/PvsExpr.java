@@ -1,0 +1,399 @@
+package org.starl.lang.pvs;
+
+import static org.starl.lang.pvs.Doc.Space.LINE;
+import static org.starl.lang.pvs.Doc.Space.SOFT;
+import static org.starl.lang.pvs.Doc.group;
+import static org.starl.lang.pvs.Doc.join;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Expr.Binary;
+import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** Types, expressions and effects in PVS. Parentheses stand where PVS or a reader needs them. */
+final class PvsExpr {
+
+  // How tightly the operators of PVS bind.
+  private static final int IFF = 1;
+  private static final int IMPLIES = 2;
+  private static final int OR = 3;
+  private static final int AND = 4;
+  private static final int NOT = 5;
+  private static final int COMPARISON = 6;
+  private static final int SUM = 7;
+  private static final int PRODUCT = 8;
+  private static final int MINUS = 9;
+  private static final int ATOM = 10;
+
+  private final PvsNames names;
+
+  PvsExpr(PvsNames names) {
+    this.names = names;
+  }
+
+  /** A type where it is used. */
+  static String type(Type type) {
+    return switch (type) {
+      case Type.Bool bool -> "bool";
+      case Type.Num.TIME -> "nonneg_real";
+      case Type.Num number -> number.toString();
+      case Type.SetOf set -> "set[" + type(set.element()) + "]";
+      case Type.ListOf list -> "list[" + type(list.element()) + "]";
+      case Type.OptionOf option -> "lift[" + type(option.element()) + "]";
+      case Type.MapOf map -> "[" + types(map.arguments()) + " -> " + type(map.result()) + "]";
+      case Type.StateOf state -> state.automaton().name() + ".states";
+      case Type.Opaque named -> named.name();
+      case Type.Alias named -> named.name();
+      case Type.Rec named -> named.name();
+      case Type.Sum named -> named.name();
+    };
+  }
+
+  private static String types(List<Type> types) {
+    return types.stream().map(PvsExpr::type).collect(Collectors.joining(", "));
+  }
+
+  /** {@code i: PIDS, z: Zones}. */
+  static String fields(List<Field> fields) {
+    return fields.stream()
+        .map(field -> field.name() + ": " + type(field.type()))
+        .collect(Collectors.joining(", "));
+  }
+
+  /** An expression that stands alone. */
+  Doc of(Expr expr) {
+    return of(expr, 0, true);
+  }
+
+  /** Conditions that all hold. */
+  Doc all(List<Expr> conditions) {
+    if (conditions.isEmpty()) {
+      return Doc.of("TRUE");
+    }
+    return conditions.size() == 1 ? of(conditions.getFirst()) : chain("AND", conditions, true);
+  }
+
+  /** What an effect writes: {@code `req_set(i) := emptyset}. */
+  Doc effect(Effect effect) {
+    return switch (effect) {
+      case Effect.Assign assign -> {
+        List<Object> place = new ArrayList<>(List.of("`" + assign.component()));
+        for (Selector selector : assign.selectors()) {
+          switch (selector) {
+            case Selector.At at -> place.add(arguments(at.arguments()));
+            case Selector.Of of -> place.add("`" + of.field());
+          }
+        }
+        place.addAll(List.of(" := ", of(assign.value())));
+        yield group(2, place.toArray());
+      }
+      case Effect.Step step ->
+          group(
+              2,
+              "`" + step.used() + " := ",
+              step.automaton().name() + ".trans(",
+              call(step.action().name(), step.arguments()),
+              ",",
+              SOFT,
+              "s`" + step.used() + ")");
+    };
+  }
+
+  /**
+   * @param level how tightly the operator around it binds
+   * @param isLast whether nothing follows that a quantifier would include
+   */
+  private Doc of(Expr expr, int level, boolean isLast) {
+    if (level(expr) < level || (level(expr) == 0 && !isLast)) {
+      return Doc.of("(", new Doc.Nest(1, bare(expr, true)), ")");
+    }
+    return bare(expr, isLast);
+  }
+
+  private Doc atom(Expr expr) {
+    return of(expr, ATOM, false);
+  }
+
+  /** How tightly the operator of {@code expr} binds; 0 if it extends as far as it can. */
+  private static int level(Expr expr) {
+    return switch (expr) {
+      case Expr.Quantified of -> 0;
+      case Expr.MapOf of -> 0;
+      case Expr.Not of -> NOT;
+      case Expr.Negative of -> MINUS;
+      case Binary of -> level(of);
+      default -> ATOM;
+    };
+  }
+
+  private static int level(Binary binary) {
+    return switch (binary.operator()) {
+      case IFF -> IFF;
+      case IMPLIES -> IMPLIES;
+      case OR -> OR;
+      case AND -> AND;
+      case UNEQUAL -> isEmptyTest(binary) ? ATOM : NOT;
+      case EQUAL -> isEmptyTest(binary) ? ATOM : COMPARISON;
+      case LESS, AT_MOST, GREATER, AT_LEAST -> COMPARISON;
+      case PLUS, LESS_BY -> SUM;
+      case TIMES, DIVIDED_BY -> PRODUCT;
+      case IN, SUBSET, DISJOINT, UNION, MINUS, INTERSECT -> ATOM;
+    };
+  }
+
+  private Doc bare(Expr expr, boolean isLast) {
+    return switch (expr) {
+      case Expr.Bool of -> Doc.of(of.value() ? "TRUE" : "FALSE");
+      case Expr.Numeral of -> Doc.of(of.value().toPlainString());
+      case Expr.Variable of -> Doc.of(of.name());
+      case Expr.Parameter of -> Doc.of(of.name());
+      case Expr.Component of -> Doc.of("s`" + of.name());
+      case Expr.At of -> Doc.of(atom(of.map()), arguments(of.arguments()));
+      case Expr.Call of -> call(of);
+      case Expr.Enabled of ->
+          group(
+              2,
+              of.automaton().name() + ".enabled(",
+              call(of.action().name(), of.arguments()),
+              ",",
+              SOFT,
+              "s`" + of.used() + ")");
+      case Expr.Started of -> Doc.of(of.automaton().name() + ".start(s`" + of.used() + ")");
+      case Expr.Get of -> get(of);
+      case Expr.Make of -> call(of.constructor().name(), of.arguments());
+      case Expr.MakeRecord of -> record(of);
+      case Expr.Is of -> Doc.of(of.constructor().name() + "?(", of(of.of()), ")");
+      case Expr.Match of -> match(of);
+      case Expr.Not of -> Doc.of("NOT ", of(of.of(), NOT, isLast));
+      case Expr.Negative of -> Doc.of("-", of(of.of(), MINUS, isLast));
+      case Binary of -> binary(of, isLast);
+      case Expr.Quantified of ->
+          group(
+              2,
+              (of.forAll() ? "FORALL " : "EXISTS ") + names.binders(of.variables()) + ":",
+              LINE,
+              of(of.body()));
+      case Expr.MapOf of ->
+          group(2, "LAMBDA " + names.binders(of.variables()) + ":", LINE, of(of.body()));
+      case Expr.If of -> conditional(of);
+      case Expr.SuchThat of ->
+          group(2, "{" + names.bound(of.variable()) + " |", SOFT, of(of.body()), "}");
+      case Expr.SetOf of -> set(of.elements());
+      case Expr.ListOf of -> list(of.elements());
+      case Expr.None of -> Doc.of("bottom");
+      case Expr.Some of -> Doc.of("up(", of(of.of()), ")");
+      case Expr.BuiltIn of -> Doc.of(builtIn(of.name()), "(", of(of.of()), ")");
+    };
+  }
+
+  private Doc arguments(List<Expr> arguments) {
+    List<Doc> all = arguments.stream().map(this::of).toList();
+    return group(2, "(", join(all, ",", SOFT), ")");
+  }
+
+  private Doc call(String name, List<Expr> arguments) {
+    return arguments.isEmpty() ? Doc.of(name) : Doc.of(name, arguments(arguments));
+  }
+
+  private Doc call(Expr.Call call) {
+    List<Doc> arguments = new ArrayList<>(call.arguments().stream().map(this::of).toList());
+    if (call.function().readsState()) {
+      arguments.add(Doc.of(call.used().isEmpty() ? "s" : "s`" + call.used()));
+    }
+    String name = call.function().name();
+    return arguments.isEmpty()
+        ? Doc.of(name)
+        : group(2, name, "(", join(arguments, ",", SOFT), ")");
+  }
+
+  /** A field of a record is selected; that of a constructor's value has a function of its name. */
+  private Doc get(Expr.Get get) {
+    return get.of().type().base() instanceof Type.Sum
+        ? Doc.of(get.field() + "(", of(get.of()), ")")
+        : Doc.of(atom(get.of()), "`" + get.field());
+  }
+
+  private Doc record(Expr.MakeRecord made) {
+    Type.Rec type = (Type.Rec) made.type().base();
+    List<Doc> all = new ArrayList<>();
+    for (int i = 0; i < made.values().size(); i++) {
+      all.add(Doc.of(type.fields().get(i).name() + " := ", of(made.values().get(i))));
+    }
+    return group(3, "(# ", join(all, ",", SOFT), " #)");
+  }
+
+  private Doc match(Expr.Match match) {
+    List<Doc> cases = new ArrayList<>();
+    for (Expr.Case each : match.cases()) {
+      cases.add(
+          group(2, pattern(each.constructor().name(), each.variables()), SOFT, of(each.value())));
+    }
+    return new Doc.Group(
+        Doc.of(
+            "CASES ",
+            of(match.of()),
+            " OF",
+            new Doc.Nest(2, Doc.of(LINE, join(cases, ",", LINE))),
+            LINE,
+            "ENDCASES"));
+  }
+
+  /** {@code failed(M):}, where a case begins. */
+  static String pattern(String constructor, List<Field> variables) {
+    return variables.isEmpty()
+        ? constructor + ":"
+        : constructor
+            + variables.stream().map(Field::name).collect(Collectors.joining(", ", "(", "):"));
+  }
+
+  private Doc conditional(Expr.If first) {
+    List<Object> parts = new ArrayList<>();
+    String word = "IF ";
+    Expr rest = first;
+    while (rest instanceof Expr.If next) {
+      parts.add(group(2, word, of(next.condition()), " THEN", LINE, of(next.then())));
+      parts.add(LINE);
+      word = "ELSIF ";
+      rest = next.otherwise();
+    }
+    parts.addAll(List.of(group(2, "ELSE", LINE, of(rest)), LINE, "ENDIF"));
+    return new Doc.Group(Doc.of(parts.toArray()));
+  }
+
+  private Doc set(List<Expr> elements) {
+    if (elements.isEmpty()) {
+      return Doc.of("emptyset");
+    }
+    Doc set = Doc.of("singleton(", of(elements.getLast()), ")");
+    for (Expr element : elements.reversed().subList(1, elements.size())) {
+      set = Doc.of("add(", of(element), ", ", set, ")");
+    }
+    return set;
+  }
+
+  private Doc list(List<Expr> elements) {
+    return elements.isEmpty()
+        ? Doc.of("null")
+        : group(3, "(: ", join(elements.stream().map(this::of).toList(), ",", SOFT), " :)");
+  }
+
+  private static String builtIn(Expr.BuiltIn.Name name) {
+    return switch (name) {
+      case THE -> "down";
+      case HEAD -> "car";
+      case TAIL -> "cdr";
+      case ELEMENTS -> "list2set";
+    };
+  }
+
+  private Doc binary(Binary binary, boolean isLast) {
+    Expr left = binary.left();
+    Expr right = binary.right();
+    return switch (binary.operator()) {
+      case AND -> chain("AND", operands(binary, Operator.AND), isLast);
+      case OR -> chain("OR", operands(binary, Operator.OR), isLast);
+      case IMPLIES ->
+          group(2, of(left, IMPLIES + 1, false), " IMPLIES", LINE, tail(right, IMPLIES, isLast));
+      case IFF -> group(2, of(left, IFF + 1, false), " IFF", LINE, tail(right, IFF + 1, isLast));
+      case EQUAL ->
+          isEmptyTest(binary) ? emptyTest(binary) : infix("=", COMPARISON + 1, binary, isLast);
+      case UNEQUAL ->
+          isEmptyTest(binary)
+              ? emptyTest(binary)
+              : Doc.of("NOT ", infix("=", COMPARISON + 1, binary, isLast));
+      case LESS, AT_MOST, GREATER, AT_LEAST ->
+          infix(binary.operator().text(), COMPARISON + 1, binary, isLast);
+      case PLUS, LESS_BY, TIMES, DIVIDED_BY ->
+          infix(binary.operator().text(), level(binary), binary, isLast);
+      case IN -> Doc.of(atom(right), "(", of(left), ")");
+      case SUBSET -> apply("subset?", left, right);
+      case DISJOINT -> apply("disjoint?", left, right);
+      case INTERSECT -> apply("intersection", left, right);
+      case UNION ->
+          single(right).isEmpty()
+              ? apply("union", left, right)
+              : apply("add", single(right).getFirst(), left);
+      case MINUS ->
+          single(right).isEmpty()
+              ? apply("difference", left, right)
+              : apply("remove", single(right).getFirst(), left);
+    };
+  }
+
+  private Doc apply(String function, Expr... arguments) {
+    return call(function, List.of(arguments));
+  }
+
+  /** Left to right: the right operand of an equal operator needs parentheses. */
+  private Doc infix(String operator, int level, Binary binary, boolean isLast) {
+    boolean isComparison = level > COMPARISON && level(binary) <= COMPARISON;
+    return group(
+        2,
+        of(binary.left(), level, false),
+        " " + operator,
+        SOFT,
+        of(binary.right(), isComparison ? level : level + 1, isLast));
+  }
+
+  /** The last operand: a quantifier there may extend to the end. */
+  private Doc tail(Expr expr, int level, boolean isLast) {
+    return level(expr) == 0 && isLast ? bare(expr, true) : of(expr, level, isLast);
+  }
+
+  /** Operands of one AND or OR, each on its own line if they do not fit on one. */
+  private Doc chain(String operator, List<Expr> operands, boolean isLast) {
+    List<Doc> all = new ArrayList<>();
+    for (int i = 0; i < operands.size(); i++) {
+      boolean isEnd = i == operands.size() - 1;
+      // OR binds less than AND, but readers should not have to know.
+      all.add(tail(operands.get(i), AND + 1, isEnd && isLast));
+    }
+    return new Doc.Group(join(all, " " + operator, LINE));
+  }
+
+  private static List<Expr> operands(Expr expr, Operator operator) {
+    if (expr instanceof Binary binary && binary.operator() == operator) {
+      List<Expr> all = new ArrayList<>(operands(binary.left(), operator));
+      all.addAll(operands(binary.right(), operator));
+      return all;
+    }
+    return List.of(expr);
+  }
+
+  /** The element of a set of one, or nothing. */
+  private static List<Expr> single(Expr expr) {
+    return expr instanceof Expr.SetOf set && set.elements().size() == 1
+        ? set.elements()
+        : List.of();
+  }
+
+  private static boolean isEmptyTest(Binary binary) {
+    return isEmpty(binary.left()) || isEmpty(binary.right());
+  }
+
+  private static boolean isEmpty(Expr expr) {
+    return expr instanceof Expr.None
+        || (expr instanceof Expr.SetOf set && set.elements().isEmpty())
+        || (expr instanceof Expr.ListOf list && list.elements().isEmpty());
+  }
+
+  /** {@code empty?(S)}, {@code bottom?(x)}, {@code null?(l)}, and their opposites. */
+  private Doc emptyTest(Binary binary) {
+    boolean isEqual = binary.operator() == Operator.EQUAL;
+    Expr empty = isEmpty(binary.right()) ? binary.right() : binary.left();
+    Expr other = isEmpty(binary.right()) ? binary.left() : binary.right();
+    String test =
+        switch (empty) {
+          case Expr.None none -> isEqual ? "bottom?" : "up?";
+          case Expr.SetOf set -> isEqual ? "empty?" : "nonempty?";
+          default -> isEqual ? "null?" : "cons?";
+        };
+    return apply(test, other);
+  }
+}

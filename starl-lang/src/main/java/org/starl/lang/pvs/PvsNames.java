@@ -1,0 +1,155 @@
+package org.starl.lang.pvs;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * The variables that a theory declares: those of its functions, quantifiers, sets and maps. A name that
+ * has two types in the automaton is not declared; each place gives its type.
+ */
+final class PvsNames {
+
+  private final Map<String, String> declared = new LinkedHashMap<>();
+  private final TreeSet<String> ambiguous = new TreeSet<>();
+
+  PvsNames(Automaton automaton) {
+    declared.put("s", "states");
+    declared.put("a", "actions");
+    automaton
+        .functions()
+        .forEach(function -> {
+          function.signature().parameters().forEach(this::add);
+          collect(function.body());
+        });
+    automaton.start().forEach(this::collect);
+    for (Action action : automaton.actions()) {
+      action.pre().forEach(conjunct -> collect(conjunct.condition()));
+      action.eff().forEach(this::collect);
+    }
+    automaton.invariants().forEach(invariant -> collect(invariant.condition()));
+    ambiguous.forEach(declared::remove);
+  }
+
+  /** A line of each type: {@code i, j: VAR PIDS}. */
+  List<String> lines() {
+    Map<String, List<String>> byType = new LinkedHashMap<>();
+    declared.forEach(
+        (name, type) -> byType.computeIfAbsent(type, any -> new ArrayList<>()).add(name));
+    List<String> lines = new ArrayList<>();
+    byType.forEach((type, names) -> lines.add(String.join(", ", names) + ": VAR " + type));
+    return lines;
+  }
+
+  /** A variable where it is bound: {@code i}, or {@code i: PIDS} if the name alone says not enough. */
+  String bound(Field variable) {
+    return declared.containsKey(variable.name())
+        ? variable.name()
+        : variable.name() + ": " + PvsExpr.type(variable.type());
+  }
+
+  /** The variables of a quantifier or function: {@code i, j}, or {@code (i: PIDS), j}. */
+  String binders(List<Field> variables) {
+    List<String> all = new ArrayList<>();
+    for (Field variable : variables) {
+      String bound = bound(variable);
+      all.add(bound.contains(":") ? "(" + bound + ")" : bound);
+    }
+    return String.join(", ", all);
+  }
+
+  private void add(Field variable) {
+    String type = PvsExpr.type(variable.type());
+    if (!declared.computeIfAbsent(variable.name(), any -> type).equals(type)) {
+      if (variable.name().equals("s") || variable.name().equals("a")) {
+        throw new IllegalArgumentException(
+            "variable '"
+                + variable.name()
+                + "' has this name in PVS for the state or the action; expected another name");
+      }
+      ambiguous.add(variable.name());
+    }
+  }
+
+  private void collect(Effect effect) {
+    switch (effect) {
+      case Effect.Assign assign -> {
+        for (Selector selector : assign.selectors()) {
+          if (selector instanceof Selector.At at) {
+            at.arguments().forEach(this::collect);
+          }
+        }
+        collect(assign.value());
+      }
+      case Effect.Step step -> step.arguments().forEach(this::collect);
+    }
+  }
+
+  private void collect(Expr expr) {
+    switch (expr) {
+      case Expr.Quantified of -> of.variables().forEach(this::add);
+      case Expr.MapOf of -> of.variables().forEach(this::add);
+      case Expr.SuchThat of -> add(of.variable());
+      default -> {
+        // Binds nothing that a theory declares.
+      }
+    }
+    parts(expr).forEach(this::collect);
+  }
+
+  /** The expressions that {@code expr} is made of. */
+  private static List<Expr> parts(Expr expr) {
+    return switch (expr) {
+      case Expr.Bool of -> List.of();
+      case Expr.Numeral of -> List.of();
+      case Expr.Variable of -> List.of();
+      case Expr.Parameter of -> List.of();
+      case Expr.Component of -> List.of();
+      case Expr.Started of -> List.of();
+      case Expr.None of -> List.of();
+      case Expr.At of -> and(of.arguments(), of.map());
+      case Expr.Call of -> of.arguments();
+      case Expr.Enabled of -> of.arguments();
+      case Expr.Get of -> List.of(of.of());
+      case Expr.Make of -> of.arguments();
+      case Expr.MakeRecord of -> of.values();
+      case Expr.Is of -> List.of(of.of());
+      case Expr.Match of -> and(of.cases().stream().map(Expr.Case::value).toList(), of.of());
+      case Expr.Not of -> List.of(of.of());
+      case Expr.Negative of -> List.of(of.of());
+      case Expr.Binary of -> List.of(of.left(), of.right());
+      case Expr.Quantified of -> List.of(of.body());
+      case Expr.If of -> List.of(of.condition(), of.then(), of.otherwise());
+      case Expr.SuchThat of -> List.of(of.body());
+      case Expr.SetOf of -> of.elements();
+      case Expr.MapOf of -> List.of(of.body());
+      case Expr.ListOf of -> of.elements();
+      case Expr.Some of -> List.of(of.of());
+      case Expr.BuiltIn of -> List.of(of.of());
+    };
+  }
+
+  private static List<Expr> and(List<Expr> some, Expr one) {
+    List<Expr> all = new ArrayList<>(some);
+    all.add(one);
+    return all;
+  }
+
+  /** The functions that {@code expr} calls. */
+  static List<Expr.Call> calls(Expr expr) {
+    List<Expr.Call> calls = new ArrayList<>();
+    if (expr instanceof Expr.Call call) {
+      calls.add(call);
+    }
+    parts(expr).forEach(part -> calls.addAll(calls(part)));
+    return calls;
+  }
+}
