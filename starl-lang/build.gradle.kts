@@ -17,6 +17,7 @@ dependencies {
     implementation(libs.antlr.runtime)
     implementation(libs.lsp4j)
     implementation(libs.z3)
+    testImplementation(project(":starl-core"))
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)

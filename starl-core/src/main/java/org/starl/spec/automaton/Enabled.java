@@ -15,10 +15,11 @@ public final class Enabled {
 
   private final @Nullable Enabled before;
   private final String conjunct;
-  // Of the last conjunct if it is false; null if it is true.
-  private final @Nullable String values;
+  // Of the last conjunct if it is false; null if it is true. Asked for only in messages: most false
+  // conditions are tries.
+  private final @Nullable Supplier<String> values;
 
-  private Enabled(@Nullable Enabled before, String conjunct, @Nullable String values) {
+  private Enabled(@Nullable Enabled before, String conjunct, @Nullable Supplier<String> values) {
     this.before = before;
     this.conjunct = conjunct;
     this.values = values;
@@ -27,8 +28,8 @@ public final class Enabled {
   /**
    * A condition of one conjunct.
    *
-   * @param conjunct its text in the theory
-   * @param values the values in it, asked for only if it is false: {@code req_set(bot1) = [A]}
+   * @param conjunct its text in the source
+   * @param values the values in it, asked for only by {@link #falseConjunct}
    */
   public static Enabled when(String conjunct, boolean holds, Supplier<String> values) {
     return TRUE.and(conjunct, holds, values);
@@ -36,16 +37,20 @@ public final class Enabled {
 
   /** Adds a conjunct; after a false one it is not evaluated. */
   public Enabled and(String added, boolean holds, Supplier<String> addedValues) {
-    return isTrue() ? new Enabled(this, added, holds ? null : addedValues.get()) : this;
+    return isTrue() ? new Enabled(this, added, holds ? null : addedValues) : this;
   }
 
   public boolean isTrue() {
     return values == null;
   }
 
-  /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
+  /** {@code req_set(i) = {} is false: req_set(bot1) = [A]}; empty if it is true. */
   public String falseConjunct() {
-    return isTrue() ? "" : conjunct + " is false: " + values;
+    if (values == null) {
+      return "";
+    }
+    String shown = values.get();
+    return conjunct + " is false" + (shown.isEmpty() ? "" : ": ") + shown;
   }
 
   /** Reports the evaluated conjuncts: all true, but the last one of a condition that is false. */

@@ -1,5 +1,7 @@
 package org.starl.spec.automaton;
 
+import java.util.Collections;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
@@ -53,6 +55,11 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return defaultValue;
   }
 
+  /** The exceptions' arguments, in order. */
+  public Set<K> arguments() {
+    return Collections.unmodifiableSet(exceptions.keySet());
+  }
+
   /** The number of exceptions. */
   public int size() {
     return exceptions.size();
@@ -71,6 +78,27 @@ public final class Fun<K extends Comparable<? super K>, V> {
   /** Whether {@code test} is true of every exception: argument and value. */
   public boolean allMatch(BiPredicate<? super K, ? super V> test) {
     return exceptions.entrySet().stream().allMatch(e -> test.test(e.getKey(), e.getValue()));
+  }
+
+  /** Collects the exceptions of one function. */
+  static final class Builder<K extends Comparable<? super K>, V> {
+    private final V defaultValue;
+    private final SortedMap<K, V> exceptions = new TreeMap<>();
+
+    Builder(V defaultValue) {
+      this.defaultValue = defaultValue;
+    }
+
+    void put(K argument, V value) {
+      if (!value.equals(defaultValue)) {
+        exceptions.put(argument, value);
+      }
+    }
+
+    /** To be called once. */
+    Fun<K, V> build() {
+      return new Fun<>(defaultValue, exceptions);
+    }
   }
 
   @Override

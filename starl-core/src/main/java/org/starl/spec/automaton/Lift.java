@@ -25,6 +25,18 @@ public sealed interface Lift<T> extends Term {
     return this instanceof up;
   }
 
+  /**
+   * The value.
+   *
+   * @throws IllegalStateException if there is none
+   */
+  default T get() {
+    if (this instanceof up<T> known) {
+      return known.value;
+    }
+    throw new IllegalStateException("no value");
+  }
+
   @Override
   default List<Object> args() {
     return this instanceof up<T> known ? List.of(known.value) : List.of();

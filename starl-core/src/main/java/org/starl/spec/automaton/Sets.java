@@ -33,4 +33,38 @@ public final class Sets {
     less.remove(x);
     return Collections.unmodifiableSortedSet(less);
   }
+
+  /** The set of {@code elements}. */
+  public static <T> SortedSet<T> of(Collection<? extends T> elements) {
+    return Collections.unmodifiableSortedSet(new TreeSet<>(elements));
+  }
+
+  /** The elements of one or both. */
+  public static <T> SortedSet<T> union(SortedSet<T> a, SortedSet<T> b) {
+    if (a.isEmpty() || b.isEmpty()) {
+      return a.isEmpty() ? b : a;
+    }
+    SortedSet<T> both = new TreeSet<>(a);
+    both.addAll(b);
+    return Collections.unmodifiableSortedSet(both);
+  }
+
+  /** The elements of {@code a} that are not in {@code b}. */
+  public static <T> SortedSet<T> difference(SortedSet<T> a, SortedSet<T> b) {
+    SortedSet<T> less = new TreeSet<>(a);
+    less.removeAll(b);
+    return Collections.unmodifiableSortedSet(less);
+  }
+
+  /** The elements of both. */
+  public static <T> SortedSet<T> intersection(SortedSet<T> a, SortedSet<T> b) {
+    SortedSet<T> both = new TreeSet<>(a);
+    both.retainAll(b);
+    return Collections.unmodifiableSortedSet(both);
+  }
+
+  /** Whether no element is in both. */
+  public static <T> boolean disjoint(SortedSet<T> a, SortedSet<T> b) {
+    return Collections.disjoint(a, b);
+  }
 }

@@ -21,8 +21,8 @@ part
     | START expression (',' expression)*                            # startPart
     | ACTION name=id binders? pre? eff?                             # actionPart
     | INVARIANT name=id ':' expression                              # invariantPart
-    | JAVA PACKAGE STRING                                           # javaPackagePart
-    | JAVA type '=' STRING                                          # javaTypePart
+    | JAVA STRING                                                   # javaClassPart
+    | JAVA type '=' of=STRING (START first=STRING)?                 # javaTypePart
     ;
 
 component: name=id ':' type;
@@ -99,7 +99,7 @@ matchCase: name=id ('(' id (',' id)* ')')? '->' expression;
 namedArgument: name=id ':=' expression;
 
 // Words that are names where they cannot be anything else.
-id: ID | TYPE | STATE | START | ACTION | JAVA | PACKAGE | MEASURE | RECORD | SET | LIST | OPTION;
+id: ID | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION;
 
 AUTOMATON: 'automaton';
 TYPE: 'type';
@@ -110,7 +110,6 @@ START: 'start';
 ACTION: 'action';
 INVARIANT: 'invariant';
 JAVA: 'java';
-PACKAGE: 'package';
 PRE: 'pre';
 EFF: 'eff';
 MEASURE: 'measure';

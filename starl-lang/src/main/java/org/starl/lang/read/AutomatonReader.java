@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
-import org.antlr.v4.runtime.tree.TerminalNode;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.PartContext;
 import org.starl.lang.tree.Action;
@@ -24,6 +24,7 @@ import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Automaton.JavaType;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Signature;
@@ -43,8 +44,8 @@ final class AutomatonReader {
 
   private final List<Declared> declared = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
-  private final Map<Type, String> javaTypes = new LinkedHashMap<>();
-  private String javaPackage = "";
+  private final Map<Type, JavaType> javaTypes = new LinkedHashMap<>();
+  private String javaClass = "";
 
   /**
    * @param others finds the automata that this one uses
@@ -90,10 +91,15 @@ final class AutomatonReader {
     }
     each(StarlParser.StatePartContext.class, at -> at.component().forEach(this::component));
     each(StarlParser.UsesPartContext.class, this::use);
-    each(StarlParser.JavaPackagePartContext.class, at -> javaPackage = unquoted(at.STRING()));
+    each(
+        StarlParser.JavaClassPartContext.class,
+        at -> javaClass = unquoted(at.STRING().getSymbol()));
     each(
         StarlParser.JavaTypePartContext.class,
-        at -> javaTypes.put(types.type(at.type()), unquoted(at.STRING())));
+        at ->
+            javaTypes.put(
+                types.type(at.type()),
+                new JavaType(unquoted(at.of), at.first == null ? "" : unquoted(at.first))));
     List<StarlParser.FunPartContext> functionParts = signatures();
     List<Function> functions = new ArrayList<>();
     functionParts.forEach(at -> orTold(() -> functions.add(function(at))));
@@ -139,7 +145,7 @@ final class AutomatonReader {
         List.copyOf(start),
         List.copyOf(actions),
         List.copyOf(invariants),
-        javaPackage,
+        javaClass,
         java.util.Collections.unmodifiableMap(javaTypes),
         source.before(unit),
         pos(unit));
@@ -187,7 +193,7 @@ final class AutomatonReader {
     }
   }
 
-  private static String unquoted(TerminalNode string) {
+  private static String unquoted(Token string) {
     return string.getText().substring(1, string.getText().length() - 1);
   }
 

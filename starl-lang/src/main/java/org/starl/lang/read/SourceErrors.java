@@ -10,7 +10,10 @@ public final class SourceErrors extends Exception {
 
   private final transient List<SourceError> errors;
 
-  SourceErrors(List<SourceError> errors) {
+  /**
+   * @param errors at least one
+   */
+  public SourceErrors(List<SourceError> errors) {
     super(errors.stream().map(SourceError::toString).collect(Collectors.joining("\n")));
     this.errors = List.copyOf(errors);
   }

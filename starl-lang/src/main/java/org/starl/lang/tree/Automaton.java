@@ -14,7 +14,7 @@ import org.starl.lang.tree.Type.Field;
  * @param state the components of its state, those of used automata included, in order
  * @param uses the automata that it is composed with, by component
  * @param start the conjuncts that hold of a start state
- * @param javaPackage of its executable form; empty if the source names none
+ * @param javaClass the full name of its executable form; empty if the source names none
  * @param javaTypes the Java types that stand for types of the source
  * @param comment the lines of comment before it
  */
@@ -29,8 +29,8 @@ public record Automaton(
     List<Expr> start,
     List<Action> actions,
     List<Invariant> invariants,
-    String javaPackage,
-    Map<Type, String> javaTypes,
+    String javaClass,
+    Map<Type, JavaType> javaTypes,
     List<String> comment,
     Pos pos) {
 
@@ -44,6 +44,14 @@ public record Automaton(
    * @param note the comment at the end of its line; empty if there is none
    */
   public record Component(String name, Type type, List<String> comment, String note) {}
+
+  /**
+   * The Java type that stands for a type of the source.
+   *
+   * @param name its full name
+   * @param start a constant of it that start states have where any value will do; may be empty
+   */
+  public record JavaType(String name, String start) {}
 
   /** What is to hold in every state that can be reached. */
   public record Invariant(String name, Expr condition, List<String> comment, Pos pos) {}

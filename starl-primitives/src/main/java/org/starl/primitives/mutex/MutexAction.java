@@ -1,3 +1,4 @@
+// Generated from Mutex_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.mutex;
 
 import java.util.List;
@@ -5,28 +6,23 @@ import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Action;
 
-/** The actions of the theory {@code Mutex_decls}, under their names there. */
+/** The actions of Mutex_decls. */
 public sealed interface MutexAction extends Action {
 
-  /** The robot. */
-  RobotId i();
-
-  /** Requests access to {@code RS}. */
   record do_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
-  /** Has access to {@code RS}. */
+  /** access is granted */
   record od_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
-  /** Releases {@code RS}. */
   record release(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
-  /** Its request ends without access. */
+  /** the request ends without access: failed */
   record withdraw(RobotId i) implements MutexAction {}
 
-  /** Its program restarts after a crash. */
+  /** i's program begins anew, after a crash */
   record restart(RobotId i) implements MutexAction {}
 
-  /** Its program declares the sections in which its body may be. */
+  /** the program says where its body stands */
   record stands_in(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   @Override

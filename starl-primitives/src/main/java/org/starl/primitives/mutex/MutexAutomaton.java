@@ -1,18 +1,29 @@
+// Generated from Mutex_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.mutex;
 
 import java.util.List;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.id.RobotId;
-import org.starl.primitives.membership.Sections;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Mutex_decls} as an executable automaton: mutual exclusion on sets of zones.
- * {@code PIDS} are robots, {@code Zones} names of sections. {@link MutexConformance} replays runs
- * on it.
+ * The automaton Mutex_decls, executable.
+ *
+ * <p>Mutual exclusion on sets of zones (paper, section 4.5): the abstract specification, with any
+ * number of processes.
+ *
+ * <p>A process asks for a set of zones, is granted the whole set at once, and gives zones back one
+ * by one or together. In which order requests are granted is left open. A program may begin anew
+ * after a crash: what it held then, its body may still stand in, until the program says where its
+ * body is. What is asked of the caller (do_mutex and stands_in with sense, release of what is held)
+ * stands in the enabling conditions.
+ *
+ * <p>Java: org.starl.primitives.mutex.MutexPrim; this automaton: MutexAutomaton; monitors:
+ * MutexSpec, MutexConformance.
  */
 public final class MutexAutomaton implements Automaton<MutexAutomaton.States, MutexAction> {
 
@@ -20,23 +31,29 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
   public static final String MUTEX_DECLS = "Mutex_decls";
 
   /**
-   * The theory's states.
+   * The states.
    *
-   * @param crit_set the sections that the robot's present program holds
-   * @param req_set the sections that it waits for
-   * @param rest_set the sections that earlier starts of its program held: its body may still be
-   *     there
+   * @param crit_set held by the present program
+   * @param req_set asked for and not yet granted
+   * @param rest_set held by earlier starts of i's program
    */
   public record States(
       Fun<RobotId, SortedSet<String>> crit_set,
       Fun<RobotId, SortedSet<String>> req_set,
       Fun<RobotId, SortedSet<String>> rest_set) {
 
-    /** All sections that no other robot may hold because of {@code i}. */
     public SortedSet<String> held(RobotId i) {
-      TreeSet<String> held = new TreeSet<>(crit_set.at(i));
-      held.addAll(rest_set.at(i));
-      return Sections.copyOf(held);
+      return Sets.union(crit_set.at(i), rest_set.at(i));
+    }
+
+    /** Nobody else holds a zone of RS. */
+    public boolean isFreeFor(RobotId i, SortedSet<String> RS) {
+      return Finite.forAll(
+              j -> i.equals(j) || Sets.disjoint(RS, held(j)),
+              List.of(i),
+              crit_set.arguments(),
+              rest_set.arguments())
+          && Sets.disjoint(RS, Sets.union(crit_set.defaultValue(), rest_set.defaultValue()));
     }
   }
 
@@ -47,41 +64,49 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
 
   @Override
   public States start() {
-    Fun<RobotId, SortedSet<String>> empty = Fun.always(Sections.NONE);
-    return new States(empty, empty, empty);
+    return new States(
+        Fun.always(Sets.emptyset()), Fun.always(Sets.emptyset()), Fun.always(Sets.emptyset()));
   }
 
   @Override
   public Enabled enabled(MutexAction action, States s) {
-    RobotId i = action.i();
     return switch (action) {
       case MutexAction.do_mutex a ->
-          nonempty(a.RS())
+          Enabled.when("RS != {}", !a.RS().isEmpty(), () -> "RS = " + a.RS())
               .and(
-                  "empty?(req_set(i, s))",
-                  s.req_set.at(i).isEmpty(),
-                  () -> at("req_set", i, s.req_set))
+                  "req_set(i) = {}",
+                  s.req_set.at(a.i()).isEmpty(),
+                  () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()))
               .and(
-                  "empty?(crit_set(i, s))",
-                  s.crit_set.at(i).isEmpty(),
-                  () -> at("crit_set", i, s.crit_set));
+                  "crit_set(i) = {}",
+                  s.crit_set.at(a.i()).isEmpty(),
+                  () -> "crit_set(" + a.i() + ") = " + s.crit_set.at(a.i()));
       case MutexAction.od_mutex a ->
-          nonempty(a.RS())
+          Enabled.when("RS != {}", !a.RS().isEmpty(), () -> "RS = " + a.RS())
               .and(
-                  "RS = req_set(i, s)",
-                  a.RS().equals(s.req_set.at(i)),
-                  () -> at("req_set", i, s.req_set))
-              .and("free_for?(i, RS, s)", isFreeFor(i, a.RS(), s), () -> holders(i, a.RS(), s));
+                  "RS = req_set(i)",
+                  a.RS().equals(s.req_set.at(a.i())),
+                  () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()))
+              .and(
+                  "free_for?(i, RS)",
+                  s.isFreeFor(a.i(), a.RS()),
+                  () ->
+                      Finite.first(
+                          j -> !(a.i().equals(j) || Sets.disjoint(a.RS(), s.held(j))),
+                          j -> "held(" + j + ") = " + s.held(j),
+                          List.of(a.i()),
+                          s.crit_set.arguments(),
+                          s.rest_set.arguments()));
       case MutexAction.release a ->
           Enabled.when(
-              "subset?(RS, crit_set(i, s))",
-              s.crit_set.at(i).containsAll(a.RS()),
-              () -> at("crit_set", i, s.crit_set));
+              "RS subset crit_set(i)",
+              s.crit_set.at(a.i()).containsAll(a.RS()),
+              () -> "crit_set(" + a.i() + ") = " + s.crit_set.at(a.i()));
       case MutexAction.withdraw a ->
           Enabled.when(
-              "nonempty?(req_set(i, s))",
-              !s.req_set.at(i).isEmpty(),
-              () -> at("req_set", i, s.req_set));
+              "req_set(i) != {}",
+              !s.req_set.at(a.i()).isEmpty(),
+              () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()));
       case MutexAction.restart a -> Enabled.TRUE;
       case MutexAction.stands_in a -> Enabled.TRUE;
     };
@@ -89,60 +114,29 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
 
   @Override
   public States trans(MutexAction action, States s) {
-    RobotId i = action.i();
     return switch (action) {
-      case MutexAction.do_mutex a -> new States(s.crit_set, s.req_set.with(i, a.RS()), s.rest_set);
+      case MutexAction.do_mutex a ->
+          new States(s.crit_set, s.req_set.with(a.i(), a.RS()), s.rest_set);
       case MutexAction.od_mutex a ->
-          new States(s.crit_set.with(i, a.RS()), s.req_set.with(i, Sections.NONE), s.rest_set);
+          new States(
+              s.crit_set.with(a.i(), a.RS()), s.req_set.with(a.i(), Sets.emptyset()), s.rest_set);
       case MutexAction.release a ->
           new States(
-              s.crit_set.with(i, Sections.without(s.crit_set.at(i), a.RS())),
+              s.crit_set.with(a.i(), Sets.difference(s.crit_set.at(a.i()), a.RS())),
               s.req_set,
               s.rest_set);
       case MutexAction.withdraw a ->
-          new States(s.crit_set, s.req_set.with(i, Sections.NONE), s.rest_set);
+          new States(s.crit_set, s.req_set.with(a.i(), Sets.emptyset()), s.rest_set);
       case MutexAction.restart a ->
           new States(
-              s.crit_set.with(i, Sections.NONE),
-              s.req_set.with(i, Sections.NONE),
-              s.rest_set.with(i, s.held(i)));
+              s.crit_set.with(a.i(), Sets.emptyset()),
+              s.req_set.with(a.i(), Sets.emptyset()),
+              s.rest_set.with(a.i(), s.held(a.i())));
       case MutexAction.stands_in a ->
           new States(
-              s.crit_set, s.req_set, s.rest_set.with(i, Sections.common(s.rest_set.at(i), a.RS())));
+              s.crit_set,
+              s.req_set,
+              s.rest_set.with(a.i(), Sets.intersection(s.rest_set.at(a.i()), a.RS())));
     };
-  }
-
-  private static boolean isFreeFor(RobotId i, SortedSet<String> sections, States s) {
-    return isFreeFor(i, sections, s.crit_set) && isFreeFor(i, sections, s.rest_set);
-  }
-
-  private static boolean isFreeFor(
-      RobotId i, SortedSet<String> sections, Fun<RobotId, SortedSet<String>> held) {
-    return held.allMatch((j, its) -> j.equals(i) || !Sections.meet(sections, its));
-  }
-
-  private static Enabled nonempty(SortedSet<String> sections) {
-    return Enabled.when("nonempty?(RS)", !sections.isEmpty(), () -> "RS = []");
-  }
-
-  private static String at(String component, RobotId i, Fun<RobotId, SortedSet<String>> of) {
-    return component + "(" + i + ", s) = " + of.at(i);
-  }
-
-  private static String holders(RobotId i, SortedSet<String> sections, States s) {
-    TreeSet<RobotId> holders = new TreeSet<>();
-    for (Fun<RobotId, SortedSet<String>> held : List.of(s.crit_set, s.rest_set)) {
-      held.forEach((j, its) -> {
-        if (!j.equals(i) && Sections.meet(sections, its)) {
-          holders.add(j);
-        }
-      });
-    }
-    StringBuilder text = new StringBuilder();
-    for (RobotId j : holders) {
-      text.append(text.length() == 0 ? "" : ", ").append("held(").append(j).append(", s) = ");
-      text.append(s.held(j));
-    }
-    return text.toString();
   }
 }

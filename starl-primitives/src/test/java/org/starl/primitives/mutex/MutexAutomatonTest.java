@@ -88,19 +88,19 @@ class MutexAutomatonTest {
     States restarted = after(holds, new MutexAction.restart(I));
     States other = after(restarted, new MutexAction.do_mutex(J, set("B C")));
     assertThat(obstacle(idle, new MutexAction.do_mutex(I, set(""))))
-        .isEqualTo("nonempty?(RS) is false: RS = []");
+        .isEqualTo("RS != {} is false: RS = []");
     assertThat(obstacle(waits, new MutexAction.do_mutex(I, set("C"))))
-        .isEqualTo("empty?(req_set(i, s)) is false: req_set(i, s) = [A, B]");
+        .isEqualTo("req_set(i) = {} is false: req_set(i) = [A, B]");
     assertThat(obstacle(holds, new MutexAction.do_mutex(I, set("C"))))
-        .isEqualTo("empty?(crit_set(i, s)) is false: crit_set(i, s) = [A, B]");
+        .isEqualTo("crit_set(i) = {} is false: crit_set(i) = [A, B]");
     assertThat(obstacle(waits, new MutexAction.od_mutex(I, set("A"))))
-        .isEqualTo("RS = req_set(i, s) is false: req_set(i, s) = [A, B]");
+        .isEqualTo("RS = req_set(i) is false: req_set(i) = [A, B]");
     assertThat(obstacle(other, new MutexAction.od_mutex(J, set("B C"))))
-        .isEqualTo("free_for?(i, RS, s) is false: held(i, s) = [A, B]");
+        .isEqualTo("free_for?(i, RS) is false: held(i) = [A, B]");
     assertThat(obstacle(holds, new MutexAction.release(I, set("B C"))))
-        .isEqualTo("subset?(RS, crit_set(i, s)) is false: crit_set(i, s) = [A, B]");
+        .isEqualTo("RS subset crit_set(i) is false: crit_set(i) = [A, B]");
     assertThat(obstacle(holds, new MutexAction.withdraw(I)))
-        .isEqualTo("nonempty?(req_set(i, s)) is false: req_set(i, s) = []");
+        .isEqualTo("req_set(i) != {} is false: req_set(i) = []");
     assertThat(obstacle(other, new MutexAction.withdraw(J))).isEmpty();
   }
 

@@ -115,7 +115,7 @@ class MutexConformanceTest {
         .extracting(SpecReport.Violation::toString)
         .containsExactly(
             "Mutex_decls violated at 0.000 s by j: mutex/x: od_mutex(j, [B]) is not enabled:"
-                + " free_for?(i, RS, s) is false: held(i, s) = [A, B]");
+                + " free_for?(i, RS) is false: held(i) = [A, B]");
   }
 
   @Test

@@ -1,0 +1,86 @@
+package org.starl.spec.automaton;
+
+import java.util.Collections;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.function.Predicate;
+
+/**
+ * Conditions on all values of an infinite type that are evaluated at finitely many of them: the
+ * elements of {@code where}. At all other values they are the same. A value may occur more than once.
+ */
+public final class Finite {
+
+  private Finite() {}
+
+  /** Whether {@code condition} is true at all elements of {@code where}. */
+  @SafeVarargs
+  public static <T> boolean forAll(Predicate<? super T> condition, Iterable<? extends T>... where) {
+    for (Iterable<? extends T> values : where) {
+      for (T value : values) {
+        if (!condition.test(value)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** Whether {@code condition} is true at an element of {@code where}. */
+  @SafeVarargs
+  public static <T> boolean exists(Predicate<? super T> condition, Iterable<? extends T>... where) {
+    for (Iterable<? extends T> values : where) {
+      for (T value : values) {
+        if (condition.test(value)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** The elements of {@code where} at which {@code condition} is true. */
+  @SafeVarargs
+  public static <T> SortedSet<T> suchThat(
+      Predicate<? super T> condition, Iterable<? extends T>... where) {
+    SortedSet<T> those = new TreeSet<>();
+    for (Iterable<? extends T> values : where) {
+      for (T value : values) {
+        if (condition.test(value)) {
+          those.add(value);
+        }
+      }
+    }
+    return Collections.unmodifiableSortedSet(those);
+  }
+
+  /** The function that is {@code function} at the elements of {@code where}, and else {@code value}. */
+  @SafeVarargs
+  public static <K extends Comparable<? super K>, V> Fun<K, V> map(
+      V value, Function<? super K, ? extends V> function, Iterable<? extends K>... where) {
+    Fun.Builder<K, V> made = new Fun.Builder<>(value);
+    for (Iterable<? extends K> arguments : where) {
+      for (K argument : arguments) {
+        made.put(argument, function.apply(argument));
+      }
+    }
+    return made.build();
+  }
+
+  /** The text of the first element of {@code where} at which {@code condition} is true; else empty. */
+  @SafeVarargs
+  public static <T> String first(
+      Predicate<? super T> condition,
+      Function<? super T, String> text,
+      Iterable<? extends T>... where) {
+    for (Iterable<? extends T> values : where) {
+      for (T value : values) {
+        if (condition.test(value)) {
+          return text.apply(value);
+        }
+      }
+    }
+    return "";
+  }
+}

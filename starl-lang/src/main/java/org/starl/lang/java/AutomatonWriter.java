@@ -1,0 +1,350 @@
+package org.starl.lang.java;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Conjunct;
+import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Component;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** Writes the body of {@code XAutomaton}. */
+final class AutomatonWriter {
+
+  private final Automaton automaton;
+  private final JavaTypes types;
+  private final Names names;
+  private final JavaText out = new JavaText();
+
+  AutomatonWriter(Automaton automaton, JavaTypes types, Names names) {
+    this.automaton = automaton;
+    this.types = types;
+    this.names = names;
+  }
+
+  /** All that follows the imports. */
+  String body() {
+    List<String> about = new ArrayList<>();
+    about.add("The automaton " + automaton.name() + ", executable.");
+    if (!automaton.comment().isEmpty()) {
+      about.add("");
+      about.addAll(automaton.comment());
+    }
+    out.doc(0, about, List.of());
+    String interfaces = "<" + names.automaton() + ".States, " + names.action() + "> {";
+    Layout head = new Layout().token("public final class " + names.automaton()).open(4).brk(" ");
+    out.add(
+        0,
+        head.token("implements ")
+            .token(types.use("org.starl.spec.automaton.Automaton") + interfaces)
+            .close());
+    out.blank().line(2, "/** The theory's name. */");
+    String constant = names.constant();
+    out.line(2, "public static final String " + constant + " = \"" + automaton.name() + "\";");
+    parameters();
+    automaton.types().forEach(this::type);
+    states();
+    out.blank().line(2, "@Override").line(2, "public String theory() {");
+    out.line(4, "return " + constant + ";").line(2, "}");
+    out.blank().line(2, "@Override").line(2, "public States start() {");
+    out.returned(4, new StartState(writer("")).of(automaton)).line(2, "}");
+    Functions.written(automaton, true).forEach(f -> function(2, f, "s"));
+    Functions.written(automaton, false).stream()
+        .filter(f -> !f.signature().readsState())
+        .forEach(f -> function(2, f, ""));
+    enabled();
+    trans();
+    return out.line(0, "}").toString();
+  }
+
+  private ExpressionWriter writer(String state) {
+    return new ExpressionWriter(automaton, types, state);
+  }
+
+  private void parameters() {
+    if (automaton.valueParameters().isEmpty()) {
+      return;
+    }
+    out.blank();
+    List<String> parameters = new ArrayList<>();
+    for (Field each : automaton.valueParameters()) {
+      String parameter = given(each) + " " + JavaTypes.name(each.name());
+      parameters.add(parameter);
+      out.line(2, "private final " + parameter + ";");
+    }
+    out.blank().line(2, "/** Of the theory's parameters. */");
+    out.head(2, "public " + names.automaton(), parameters, List.of(" {"));
+    for (Field each : automaton.valueParameters()) {
+      String name = JavaTypes.name(each.name());
+      boolean isSet =
+          each.type().base() instanceof Type.SetOf
+              && types.form(each.type()) == JavaTypes.Sets.FINITE;
+      String value =
+          isSet ? types.use("org.starl.spec.automaton.Sets") + ".of(" + name + ")" : name;
+      out.line(4, "this." + name + " = " + value + ";");
+    }
+    out.line(2, "}");
+    for (Field each : automaton.valueParameters()) {
+      if (!(each.type().base() instanceof Type.MapOf)) {
+        String name = JavaTypes.name(each.name());
+        out.blank().line(2, "/** The theory's parameter. */");
+        out.line(2, "public " + given(each) + " " + name + "() {");
+        out.line(4, "return " + name + ";").line(2, "}");
+      }
+    }
+  }
+
+  /** The Java type of a value parameter. */
+  private String given(Field parameter) {
+    Pos pos = automaton.pos();
+    if (!(parameter.type().base() instanceof Type.MapOf map)) {
+      return types.of(parameter.type(), pos);
+    }
+    int arity = map.arguments().size();
+    if (arity > 2) {
+      throw new NotExecutable(
+          pos, "'" + parameter.name() + "' has " + arity + " arguments; expected at most 2");
+    }
+    boolean isCondition = map.result().base() == Type.Bool.BOOL;
+    String name = (arity == 2 ? "Bi" : "") + (isCondition ? "Predicate" : "Function");
+    List<String> arguments = new ArrayList<>();
+    map.arguments().forEach(each -> arguments.add(types.boxed(each, pos)));
+    if (!isCondition) {
+      arguments.add(types.boxed(map.result(), pos));
+    }
+    return types.use("java.util.function." + name) + "<" + String.join(", ", arguments) + ">";
+  }
+
+  private List<String> fields(List<Field> fields) {
+    return fields.stream()
+        .map(f -> types.of(f.type(), automaton.pos()) + " " + JavaTypes.name(f.name()))
+        .toList();
+  }
+
+  private void type(Automaton.Declared declared) {
+    if (types.isGiven(declared.type())) {
+      return;
+    }
+    switch (declared.type()) {
+      case Type.Rec rec -> {
+        out.blank().doc(2, declared.comment(), List.of());
+        out.head(2, "public record " + rec.name(), fields(rec.fields()), List.of(" {}"));
+      }
+      case Type.Sum sum when sum.isEnum() -> {
+        out.blank().doc(2, declared.comment(), List.of());
+        out.line(2, "public enum " + sum.name() + " {");
+        for (int i = 0; i < sum.constructors().size(); i++) {
+          boolean isLast = i == sum.constructors().size() - 1;
+          out.line(4, JavaTypes.name(sum.constructors().get(i).name()) + (isLast ? "" : ","));
+        }
+        out.line(2, "}");
+      }
+      case Type.Sum sum -> {
+        out.blank().doc(2, declared.comment(), List.of());
+        sum(sum);
+      }
+      default -> {
+        // Another name of a type is no type of Java.
+      }
+    }
+  }
+
+  private void sum(Type.Sum sum) {
+    String term = types.use("org.starl.spec.automaton.Term");
+    out.line(2, "public sealed interface " + sum.name() + " extends " + term + " {");
+    Map<String, List<Field>> constructors = new LinkedHashMap<>();
+    for (Type.Constructor each : sum.constructors()) {
+      String name = JavaTypes.name(each.name());
+      constructors.put(name, each.fields());
+      out.blank();
+      if (JavaTypes.isContextual(name)) {
+        out.line(4, "// The theory's name; in module declarations it is a keyword.");
+        out.line(4, "@SuppressWarnings(\"NamedLikeContextualKeyword\")");
+      }
+      out.head(
+          4, "record " + name, fields(each.fields()), List.of("implements " + sum.name(), " {"));
+      out.line(6, "@Override").line(6, "public String toString() {");
+      out.line(8, "return text();").line(6, "}").line(4, "}");
+    }
+    ActionWriter.args(4, constructors, types, out);
+    out.line(2, "}");
+  }
+
+  private void states() {
+    List<String> tags = new ArrayList<>();
+    List<String> parts = new ArrayList<>();
+    for (Component each : automaton.state()) {
+      String name = JavaTypes.name(each.name());
+      parts.add(types.of(each.type(), automaton.pos()) + " " + name);
+      String about = (String.join(" ", each.comment()) + " " + each.note()).strip();
+      if (!about.isEmpty()) {
+        tags.add("@param " + name + " " + JavaText.escaped(about));
+      }
+    }
+    out.blank().doc(2, List.of("The states."), tags);
+    var functions =
+        Functions.written(automaton, false).stream()
+            .filter(f -> f.signature().readsState())
+            .toList();
+    out.head(2, "public record States", parts, List.of(functions.isEmpty() ? " {}" : " {"));
+    if (!functions.isEmpty()) {
+      functions.forEach(f -> function(4, f, ""));
+      out.line(2, "}");
+    }
+  }
+
+  private void function(int indent, org.starl.lang.tree.Function f, String state) {
+    String name = JavaTypes.function(f.signature().name());
+    Pos pos = f.pos();
+    List<String> parameters = new ArrayList<>();
+    for (Field each : f.signature().parameters()) {
+      String variable = JavaTypes.variable(each.name());
+      parameters.add(types.of(each.type(), pos) + " " + variable);
+    }
+    boolean isStatic = state.isEmpty() && !f.signature().readsState();
+    if (!state.isEmpty() && f.signature().readsState()) {
+      parameters.add("States s");
+    }
+    ExpressionWriter writer = writer(state);
+    f.signature()
+        .parameters()
+        .forEach(p -> writer.bind(p.name(), Code.name(JavaTypes.variable(p.name()))));
+    String type = types.of(f.signature().result(), pos);
+    out.blank().doc(indent, f.comment(), List.of());
+    out.head(
+        indent,
+        "public " + (isStatic ? "static " : "") + type + " " + name,
+        parameters,
+        List.of(" {"));
+    if (Recursion.isCounted(f)) {
+      Recursion.write(indent + 2, f, writer, out);
+    } else {
+      out.returned(indent + 2, writer.of(f.body()));
+    }
+    out.line(indent, "}");
+  }
+
+  private void enabled() {
+    String enabled = types.use("org.starl.spec.automaton.Enabled");
+    out.blank().line(2, "@Override");
+    out.line(2, "public " + enabled + " enabled(" + names.action() + " action, States s) {");
+    cases(action -> {
+      Code guard = Code.name(enabled).field("TRUE");
+      ExpressionWriter writer = writer(action);
+      Code before = Code.TRUE;
+      for (int i = 0; i < action.pre().size(); i++) {
+        Conjunct each = action.pre().get(i);
+        Code condition = writer.of(each.condition());
+        // Those before may be what gives it a value.
+        Code holds = isPartial(each.condition()) ? Code.or(Code.not(before), condition) : condition;
+        Code values = new Code.Lambda("()", new Values(writer).of(each.condition()));
+        Code text = Code.string(each.text());
+        guard =
+            i == 0
+                ? Code.call(enabled + ".when", text, holds, values)
+                : guard.then("and", text, holds, values);
+        before = Code.and(before, condition);
+      }
+      return guard;
+    });
+  }
+
+  private static boolean isPartial(Expr at) {
+    return at instanceof Expr.BuiltIn
+        || (at instanceof Expr.Get get && get.of().type().base() instanceof Type.Sum)
+        || Exprs.parts(at).stream().anyMatch(AutomatonWriter::isPartial);
+  }
+
+  private void trans() {
+    out.blank().line(2, "@Override");
+    out.line(2, "public States trans(" + names.action() + " action, States s) {");
+    cases(action -> {
+      ExpressionWriter writer = writer(action);
+      Map<String, Code> changed = new LinkedHashMap<>();
+      for (Effect effect : action.eff()) {
+        switch (effect) {
+          case Effect.Assign assign -> {
+            Code before =
+                changed.getOrDefault(assign.component(), writer.component(assign.component()));
+            Type type = automaton.component(assign.component()).orElseThrow().type();
+            changed.put(
+                assign.component(),
+                changed(before, type, assign.selectors(), writer.of(assign.value()), writer));
+          }
+          case Effect.Step step ->
+              throw new NotExecutable(
+                  step.pos(),
+                  "'"
+                      + step.used()
+                      + "' is a used automaton; such an automaton has no Java form yet");
+        }
+      }
+      if (changed.isEmpty()) {
+        return Code.name("s");
+      }
+      List<Code> parts = new ArrayList<>();
+      automaton
+          .state()
+          .forEach(c -> parts.add(changed.getOrDefault(c.name(), writer.component(c.name()))));
+      return new Code.New("States", List.copyOf(parts));
+    });
+  }
+
+  /** {@code of} with {@code value} in the place of a part. */
+  private Code changed(
+      Code of, Type type, List<Selector> selectors, Code value, ExpressionWriter writer) {
+    if (selectors.isEmpty()) {
+      return value;
+    }
+    List<Selector> rest = selectors.subList(1, selectors.size());
+    return switch (selectors.getFirst()) {
+      case Selector.At at -> {
+        Type result = ((Type.MapOf) type.base()).result();
+        List<Code> arguments = at.arguments().stream().map(writer::of).toList();
+        List<Code> maps = new ArrayList<>(List.of(of));
+        arguments.forEach(each -> maps.add(maps.getLast().then("at", each)));
+        Code whole = changed(maps.getLast(), result, rest, value, writer);
+        for (int i = arguments.size() - 1; i >= 0; i--) {
+          whole = maps.get(i).then("with", arguments.get(i), whole);
+        }
+        yield whole;
+      }
+      case Selector.Of field -> {
+        Type.Rec rec = (Type.Rec) type.base();
+        List<Code> parts = new ArrayList<>();
+        for (Field each : rec.fields()) {
+          Code part = of.then(JavaTypes.name(each.name()));
+          parts.add(
+              each.name().equals(field.field())
+                  ? changed(part, each.type(), rest, value, writer)
+                  : part);
+        }
+        yield new Code.New(types.of(type, automaton.pos()), List.copyOf(parts));
+      }
+    };
+  }
+
+  private ExpressionWriter writer(Action action) {
+    ExpressionWriter writer = writer("s");
+    action
+        .parameters()
+        .forEach(p -> writer.bind(p.name(), Code.name("a").then(JavaTypes.name(p.name()))));
+    return writer;
+  }
+
+  private void cases(Function<Action, Code> value) {
+    out.line(4, "return switch (action) {");
+    for (Action action : automaton.actions()) {
+      out.of(6, names.action() + "." + JavaTypes.name(action.name()) + " a", value.apply(action));
+    }
+    out.line(4, "};").line(2, "}");
+  }
+}

@@ -1,0 +1,449 @@
+package org.starl.lang.java;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** Makes Java of expressions. */
+final class ExpressionWriter {
+
+  private final Automaton automaton;
+  private final JavaTypes types;
+  private final Inlining inlining;
+  // "s", or empty in a method of the state itself
+  private final String state;
+  private final Map<String, Code> variables = new LinkedHashMap<>();
+  // Variables that have none of the values that the condition distinguishes.
+  private final Set<String> elsewhere = new TreeSet<>();
+  private final Finite finite;
+
+  /**
+   * @param state the variable that has the state; empty in a method of the state
+   */
+  ExpressionWriter(Automaton automaton, JavaTypes types, String state) {
+    this.automaton = automaton;
+    this.types = types;
+    this.state = state;
+    inlining = new Inlining(automaton);
+    finite = new Finite(this);
+  }
+
+  Inlining inlining() {
+    return inlining;
+  }
+
+  Finite finite() {
+    return finite;
+  }
+
+  /** Whether a called function can be read as its body. */
+  boolean canInline(Expr.Call at) {
+    return at.used().isEmpty()
+        && automaton.function(at.function().name()).stream()
+            .noneMatch(f -> f.measure().isPresent());
+  }
+
+  JavaTypes types() {
+    return types;
+  }
+
+  /** Makes a variable known. */
+  void bind(String variable, Code value) {
+    variables.put(variable, value);
+  }
+
+  /** Evaluates {@code code} with {@code variable} bound to a variable of Java of its name. */
+  <T> T under(Field variable, Supplier<T> code) {
+    Code before = variables.put(variable.name(), Code.name(JavaTypes.variable(variable.name())));
+    try {
+      return code.get();
+    } finally {
+      if (before == null) {
+        variables.remove(variable.name());
+      } else {
+        variables.put(variable.name(), before);
+      }
+    }
+  }
+
+  /** Evaluates {@code code} for a value of {@code variable} unlike all that occur. */
+  <T> T elsewhere(Field variable, Supplier<T> code) {
+    elsewhere.add(variable.name());
+    try {
+      return code.get();
+    } finally {
+      elsewhere.remove(variable.name());
+    }
+  }
+
+  private boolean isElsewhere(Expr at) {
+    return at instanceof Expr.Variable v && elsewhere.contains(v.name());
+  }
+
+  private boolean mentionsElsewhere(Expr at) {
+    return elsewhere.stream().anyMatch(variable -> Exprs.mentions(at, variable));
+  }
+
+  Code of(Expr at) {
+    return switch (at) {
+      case Expr.Bool e -> e.value() ? Code.TRUE : Code.FALSE;
+      case Expr.Numeral e -> Code.name(e.value().toPlainString() + (isNatural(e) ? "L" : ""));
+      case Expr.Variable e -> variable(e);
+      case Expr.Parameter e -> Code.name(JavaTypes.name(e.name()));
+      case Expr.Component e -> component(e.name());
+      case Expr.At e -> apply(e);
+      case Expr.Call e -> called(e);
+      case Expr.Get e -> get(e);
+      case Expr.Make e ->
+          types.make(
+              (Type.Sum) e.type().base(), e.constructor().name(), all(e.arguments()), e.pos());
+      case Expr.MakeRecord e -> new Code.New(types.of(e.type(), e.pos()), all(e.values()));
+      case Expr.Is e -> is(of(e.of()), (Type.Sum) e.of().type().base(), e.constructor(), e.pos());
+      case Expr.Match e -> Choices.of(e, this, this::of);
+      case Expr.Not e -> Code.not(of(e.of()));
+      case Expr.Negative e -> new Code.Prefix("-", Code.strong(of(e.of()), Code.PRIMARY));
+      case Expr.Binary e -> binary(e);
+      case Expr.Quantified e -> finite.quantified(e);
+      case Expr.If e -> Code.choice(of(e.condition()), of(e.then()), of(e.otherwise()));
+      case Expr.SuchThat e -> finite.set(e);
+      case Expr.SetOf e -> set(e);
+      case Expr.MapOf e -> finite.map(e);
+      case Expr.ListOf e ->
+          Code.call(types.use("java.util.List") + ".of", all(e.elements()).toArray(Code[]::new));
+      case Expr.None e -> types.bottom();
+      case Expr.Some e ->
+          new Code.New(types.use("org.starl.spec.automaton.Lift") + ".up<>", List.of(of(e.of())));
+      case Expr.BuiltIn e -> builtIn(e);
+      case Expr.Enabled e -> throw unlikeJava(e.used(), e.pos());
+      case Expr.Started e -> throw unlikeJava(e.used(), e.pos());
+    };
+  }
+
+  private static NotExecutable unlikeJava(String used, Pos pos) {
+    return new NotExecutable(
+        pos, "'" + used + "' is a used automaton; such an automaton has no Java form yet");
+  }
+
+  private List<Code> all(List<Expr> parts) {
+    return parts.stream().map(this::of).toList();
+  }
+
+  private static boolean isNatural(Expr e) {
+    return e.type().base() == Type.Num.NAT;
+  }
+
+  private Code variable(Expr.Variable at) {
+    if (elsewhere.contains(at.name())) {
+      throw new NotExecutable(
+          at.pos(),
+          "the values of '"
+              + at.name()
+              + "' that matter here are not known to be finitely many; expected "
+              + at.name()
+              + " to be compared, looked up in a set, or the argument of a map");
+    }
+    Code value = variables.get(at.name());
+    if (value == null) {
+      throw new NotExecutable(
+          at.pos(), "'" + at.name() + "' varies here; expected values that do not depend on it");
+    }
+    return value;
+  }
+
+  Code component(String name) {
+    String plain = JavaTypes.name(name);
+    return state.isEmpty() ? Code.name(plain) : Code.name(state).field(plain);
+  }
+
+  private Code apply(Expr.At at) {
+    if (at.map() instanceof Expr.Parameter given) {
+      boolean isCondition =
+          given.type().base() instanceof Type.MapOf map && map.result() == Type.Bool.BOOL;
+      return of(given)
+          .then(isCondition ? "test" : "apply", all(at.arguments()).toArray(Code[]::new));
+    }
+    Code value = of(at.map());
+    for (Expr argument : at.arguments()) {
+      value = isElsewhere(argument) ? value.then("defaultValue") : value.then("at", of(argument));
+    }
+    return value;
+  }
+
+  private Code called(Expr.Call at) {
+    if (mentionsElsewhere(at) || !at.used().isEmpty()) {
+      return of(inlining.body(at));
+    }
+    List<Code> arguments = new ArrayList<>(all(at.arguments()));
+    String name = JavaTypes.function(at.function().name());
+    if (!at.function().readsState()) {
+      return Code.call(name, arguments.toArray(Code[]::new));
+    }
+    if (Functions.needsParameters(automaton, at.function().name())) {
+      arguments.add(Code.name(state));
+      return Code.call(name, arguments.toArray(Code[]::new));
+    }
+    return state.isEmpty()
+        ? Code.call(name, arguments.toArray(Code[]::new))
+        : Code.name(state).then(name, arguments.toArray(Code[]::new));
+  }
+
+  private Code get(Expr.Get at) {
+    Code of = of(at.of());
+    if (at.of().type().base() instanceof Type.Sum sum) {
+      String constructor =
+          sum.constructors().stream()
+              .filter(c -> c.fields().stream().anyMatch(f -> f.name().equals(at.field())))
+              .findFirst()
+              .orElseThrow()
+              .name();
+      of =
+          new Code.Prefix(
+              "(" + types.of(sum, at.pos()) + "." + JavaTypes.name(constructor) + ") ", of);
+    }
+    return of.then(JavaTypes.name(at.field()));
+  }
+
+  Code is(Code of, Type.Sum sum, Type.Constructor constructor, Pos pos) {
+    String type = types.of(sum, pos);
+    String name = JavaTypes.name(constructor.name());
+    return sum.isEnum()
+        ? Code.infix("==", of, Code.name(type).field(name))
+        : new Code.InstanceOf(of, type + "." + name);
+  }
+
+  private Code set(Expr.SetOf at) {
+    JavaTypes.Sets form = types.form(at.type());
+    if (form == JavaTypes.Sets.OWN) {
+      if (at.elements().isEmpty()) {
+        return types.any(at.type(), at.pos());
+      }
+      throw new NotExecutable(
+          at.pos(), "a " + at.type() + " has a Java type of its own; expected no elements here");
+    }
+    if (form == JavaTypes.Sets.FUN) {
+      return at.elements().isEmpty() ? types.always(Code.FALSE) : finite.set(asCondition(at));
+    }
+    String sets = types.use("org.starl.spec.automaton.Sets");
+    if (at.elements().isEmpty()) {
+      return types.emptyset();
+    }
+    Code set = Code.call(sets + ".singleton", of(at.elements().getFirst()));
+    for (Expr more : at.elements().subList(1, at.elements().size())) {
+      set = Code.call(sets + ".add", of(more), set);
+    }
+    return set;
+  }
+
+  private Code builtIn(Expr.BuiltIn at) {
+    Code of = of(at.of());
+    return switch (at.name()) {
+      case THE -> of.then("get");
+      case HEAD -> of.then("get", Code.name("0"));
+      case TAIL -> of.then("subList", Code.name("1"), of.then("size"));
+      case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
+    };
+  }
+
+  private Code binary(Expr.Binary at) {
+    return switch (at.operator()) {
+      case AND -> Code.and(of(at.left()), of(at.right()));
+      case OR -> Code.or(of(at.left()), of(at.right()));
+      case IMPLIES -> Code.or(Code.not(of(at.left())), of(at.right()));
+      case IFF, EQUAL -> equal(at.left(), at.right());
+      case UNEQUAL -> Code.not(equal(at.left(), at.right()));
+      case LESS, AT_MOST, GREATER, AT_LEAST ->
+          Code.infix(at.operator().text(), number(at.left()), number(at.right()));
+      case PLUS, LESS_BY, TIMES -> arithmetic(at);
+      case DIVIDED_BY -> {
+        if (types.of(at.type(), at.pos()).equals("long")) {
+          throw new NotExecutable(
+              at.pos(), "quotients need java " + at.type() + " = \"double\"; it is \"long\"");
+        }
+        yield arithmetic(at);
+      }
+      case IN -> in(at.left(), at.right());
+      case SUBSET, DISJOINT, UNION, MINUS, INTERSECT -> sets(at);
+    };
+  }
+
+  private Code arithmetic(Expr.Binary at) {
+    return Code.infix(at.operator().text(), number(at.left()), number(at.right()));
+  }
+
+  /** A literal needs no suffix beside an operator. */
+  private Code number(Expr at) {
+    return at instanceof Expr.Numeral e ? Code.name(e.value().toPlainString()) : of(at);
+  }
+
+  private Code equal(Expr left, Expr right) {
+    if (isElsewhere(left) && isElsewhere(right)) {
+      return sameElsewhere((Expr.Variable) left, (Expr.Variable) right);
+    }
+    if (isElsewhere(left) || isElsewhere(right)) {
+      return Code.FALSE;
+    }
+    if (isEmpty(left) || isEmpty(right)) {
+      Expr other = isEmpty(left) ? right : left;
+      boolean isFun =
+          other.type().base() instanceof Type.SetOf
+              && types.form(other.type()) != JavaTypes.Sets.FINITE;
+      if (!isFun) {
+        return of(other).then("isEmpty");
+      }
+    }
+    if (left instanceof Expr.None || right instanceof Expr.None) {
+      return Code.not(of(left instanceof Expr.None ? right : left).then("isUp"));
+    }
+    if (isPrimitive(left.type())) {
+      if (left instanceof Expr.Bool || right instanceof Expr.Bool) {
+        Code other = of(left instanceof Expr.Bool ? right : left);
+        boolean isTrue = (left instanceof Expr.Bool a ? a : (Expr.Bool) right).value();
+        return isTrue ? other : Code.not(other);
+      }
+      return isBoxed(left) && isBoxed(right)
+          ? of(left).then("equals", of(right))
+          : Code.infix("==", number(left), number(right));
+    }
+    if (left.type().base() instanceof Type.Sum sum && sum.isEnum()) {
+      return Code.infix("==", of(left), of(right));
+    }
+    return of(left).then("equals", of(right));
+  }
+
+  private Code sameElsewhere(Expr.Variable left, Expr.Variable right) {
+    if (left.name().equals(right.name())) {
+      return Code.TRUE;
+    }
+    throw new NotExecutable(
+        left.pos(),
+        "'" + left.name() + "' and '" + right.name() + "' both have infinitely many values here");
+  }
+
+  private static boolean isEmpty(Expr at) {
+    return (at instanceof Expr.SetOf set && set.elements().isEmpty())
+        || (at instanceof Expr.ListOf list && list.elements().isEmpty());
+  }
+
+  private static boolean isPrimitive(Type type) {
+    return type.base() instanceof Type.Bool || type.base() instanceof Type.Num;
+  }
+
+  /** Whether its Java value may be an object, so that {@code ==} may compare two references. */
+  private static boolean isBoxed(Expr at) {
+    return !(at instanceof Expr.Numeral
+        || at instanceof Expr.Binary
+        || at instanceof Expr.Component
+        || at instanceof Expr.Call
+        || at instanceof Expr.Get);
+  }
+
+  private Code in(Expr element, Expr set) {
+    if (isElsewhere(element)) {
+      return switch (types.form(set.type())) {
+        case FINITE -> Code.FALSE;
+        case FUN -> of(set).then("defaultValue");
+        case OWN -> variable((Expr.Variable) element);
+      };
+    }
+    if (set instanceof Expr.SetOf literal) {
+      Code any = Code.FALSE;
+      for (Expr each : literal.elements()) {
+        any = Code.or(any, equal(element, each));
+      }
+      return any;
+    }
+    return of(set)
+        .then(types.form(set.type()) == JavaTypes.Sets.FUN ? "at" : "contains", of(element));
+  }
+
+  private Code sets(Expr.Binary at) {
+    return switch (types.form(at.left().type())) {
+      case FINITE -> finiteSets(at);
+      case FUN -> funs(at);
+      case OWN ->
+          throw new NotExecutable(
+              at.pos(),
+              "a " + at.left().type() + " has a Java type of its own; expected 'in' alone");
+    };
+  }
+
+  private Code finiteSets(Expr.Binary at) {
+    String sets = types.use("org.starl.spec.automaton.Sets");
+    boolean isOne = at.right() instanceof Expr.SetOf right && right.elements().size() == 1;
+    if (isOne && (at.operator() == Operator.UNION || at.operator() == Operator.MINUS)) {
+      Expr element = ((Expr.SetOf) at.right()).elements().getFirst();
+      String function = at.operator() == Operator.UNION ? ".add" : ".remove";
+      return Code.call(sets + function, of(element), of(at.left()));
+    }
+    Code left = of(at.left());
+    Code right = of(at.right());
+    return switch (at.operator()) {
+      case SUBSET -> right.then("containsAll", left);
+      case DISJOINT -> Code.call(sets + ".disjoint", left, right);
+      case UNION -> Code.call(sets + ".union", left, right);
+      case MINUS -> Code.call(sets + ".difference", left, right);
+      default -> Code.call(sets + ".intersection", left, right);
+    };
+  }
+
+  private Code funs(Expr.Binary at) {
+    boolean isOne = at.right() instanceof Expr.SetOf right && right.elements().size() == 1;
+    if (isOne && (at.operator() == Operator.UNION || at.operator() == Operator.MINUS)) {
+      Expr element = ((Expr.SetOf) at.right()).elements().getFirst();
+      boolean isIn = at.operator() == Operator.UNION;
+      return of(at.left()).then("with", of(element), isIn ? Code.TRUE : Code.FALSE);
+    }
+    return switch (at.operator()) {
+      case SUBSET, DISJOINT ->
+          of(new Expr.Quantified(true, List.of(element(at)), condition(at), at.pos()));
+      default -> finite.set(asCondition(at));
+    };
+  }
+
+  private static Field element(Expr set) {
+    Type type = set instanceof Expr.Binary both ? both.left().type() : set.type();
+    return new Field("element_", ((Type.SetOf) type.base()).element());
+  }
+
+  /** A set as {@code {x | ...}}. */
+  private static Expr.SuchThat asCondition(Expr set) {
+    return new Expr.SuchThat(element(set), condition(set), set.type(), set.pos());
+  }
+
+  /** Of the elements of a set, or, of {@code subset} and {@code disjoint}, of all values. */
+  private static Expr condition(Expr set) {
+    Expr x = new Expr.Variable("element_", element(set).type(), set.pos());
+    if (set instanceof Expr.SetOf literal) {
+      Expr any = new Expr.Bool(false, set.pos());
+      for (Expr each : literal.elements()) {
+        any = both(Operator.OR, any, both(Operator.EQUAL, x, each));
+      }
+      return any;
+    }
+    Expr.Binary at = (Expr.Binary) set;
+    Expr left = both(Operator.IN, x, at.left());
+    Expr right = both(Operator.IN, x, at.right());
+    Expr notRight = new Expr.Not(right, at.pos());
+    return switch (at.operator()) {
+      case SUBSET -> both(Operator.IMPLIES, left, right);
+      case DISJOINT -> both(Operator.IMPLIES, left, notRight);
+      case UNION -> both(Operator.OR, left, right);
+      case MINUS -> both(Operator.AND, left, notRight);
+      default -> both(Operator.AND, left, right);
+    };
+  }
+
+  private static Expr both(Operator operator, Expr left, Expr right) {
+    return new Expr.Binary(operator, left, right, Type.Bool.BOOL, left.pos());
+  }
+}

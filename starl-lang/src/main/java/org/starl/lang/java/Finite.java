@@ -1,0 +1,285 @@
+package org.starl.lang.java;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * Evaluates conditions on all values of a type. Either they can be true, or false, only of the
+ * elements of finite sets; or they are evaluated at each value that they distinguish, and once for
+ * all others.
+ */
+final class Finite {
+
+  private final ExpressionWriter writer;
+
+  Finite(ExpressionWriter writer) {
+    this.writer = writer;
+  }
+
+  private String quantifiers() {
+    return writer.types().use("org.starl.spec.automaton.Finite");
+  }
+
+  Code quantified(Expr.Quantified at) {
+    Field variable = at.variables().getFirst();
+    Expr body = rest(at);
+    Where where = where(variable, body, !at.forAll());
+    Code here = writer.under(variable, () -> writer.of(body));
+    Code values = null;
+    if (where.sets.isEmpty()) {
+      values = at.forAll() ? Code.TRUE : Code.FALSE;
+    } else {
+      String function = quantifiers() + (at.forAll() ? ".forAll" : ".exists");
+      values = Code.call(function, where.with(lambda(variable, here)));
+    }
+    return at.forAll() ? Code.and(values, where.elsewhere) : Code.or(values, where.elsewhere);
+  }
+
+  /** A value of which the condition is false, and the text of it: for messages. */
+  Optional<Code> counterexample(Expr.Quantified at, Function<Expr, Code> text) {
+    Field variable = at.variables().getFirst();
+    Expr body = rest(at);
+    Where where = where(variable, body, false);
+    if (where.sets.isEmpty()) {
+      return Optional.empty();
+    }
+    Code fails = writer.under(variable, () -> Code.not(writer.of(body)));
+    Code value = writer.under(variable, () -> text.apply(body));
+    List<Code> arguments = new ArrayList<>();
+    arguments.add(lambda(variable, fails));
+    arguments.add(lambda(variable, value));
+    arguments.addAll(where.sets);
+    return Optional.of(Code.call(quantifiers() + ".first", arguments.toArray(Code[]::new)));
+  }
+
+  /** The body, with a quantifier over the variables after the first. */
+  private static Expr rest(Expr.Quantified at) {
+    return at.variables().size() == 1
+        ? at.body()
+        : new Expr.Quantified(
+            at.forAll(), at.variables().subList(1, at.variables().size()), at.body(), at.pos());
+  }
+
+  Code set(Expr.SuchThat at) {
+    Where where = where(at.variable(), at.body(), true);
+    Code here = writer.under(at.variable(), () -> writer.of(at.body()));
+    if (writer.types().form(at.type()) == JavaTypes.Sets.FUN) {
+      return where.sets.isEmpty()
+          ? writer.types().always(where.elsewhere)
+          : Code.call(
+              quantifiers() + ".map", where.after(where.elsewhere, lambda(at.variable(), here)));
+    }
+    if (!where.elsewhere.equals(Code.FALSE)) {
+      throw new NotExecutable(
+          at.pos(),
+          "this set may be infinite; expected a condition on finitely many values, or a line: java "
+              + at.type()
+              + " = \"org.starl.spec.automaton.Fun\"");
+    }
+    return where.sets.isEmpty()
+        ? writer.types().emptyset()
+        : Code.call(quantifiers() + ".suchThat", where.with(lambda(at.variable(), here)));
+  }
+
+  Code map(Expr.MapOf at) {
+    Field variable = at.variables().getFirst();
+    Expr body =
+        at.variables().size() == 1
+            ? at.body()
+            : new Expr.MapOf(
+                at.variables().subList(1, at.variables().size()),
+                at.body(),
+                curried((Type.MapOf) at.type().base()),
+                at.pos());
+    List<Code> sets = sets(variable, body);
+    Code elsewhere = writer.elsewhere(variable, () -> writer.of(body));
+    if (sets.isEmpty()) {
+      return writer.types().always(elsewhere);
+    }
+    Code here = writer.under(variable, () -> writer.of(body));
+    return Code.call(
+        quantifiers() + ".map",
+        new Where(sets, elsewhere).after(elsewhere, lambda(variable, here)));
+  }
+
+  private static Type curried(Type.MapOf map) {
+    return new Type.MapOf(map.arguments().subList(1, map.arguments().size()), map.result());
+  }
+
+  private static Code lambda(Field variable, Code body) {
+    return new Code.Lambda(JavaTypes.variable(variable.name()), body);
+  }
+
+  /**
+   * Where a condition is to be evaluated.
+   *
+   * @param sets of values
+   * @param elsewhere its value at all others
+   */
+  private record Where(List<Code> sets, Code elsewhere) {
+    private Code[] with(Code lambda) {
+      List<Code> all = new ArrayList<>(List.of(lambda));
+      all.addAll(sets);
+      return all.toArray(Code[]::new);
+    }
+
+    private Code[] after(Code first, Code lambda) {
+      List<Code> all = new ArrayList<>(List.of(first, lambda));
+      all.addAll(sets);
+      return all.toArray(Code[]::new);
+    }
+  }
+
+  /** Where {@code body} is to be evaluated to find the values of which it is {@code wanted}. */
+  private Where where(Field variable, Expr body, boolean wanted) {
+    List<Code> bounds = bounds(variable.name(), body, wanted);
+    if (bounds != null) {
+      return new Where(bounds, wanted ? Code.FALSE : Code.TRUE);
+    }
+    return new Where(sets(variable, body), writer.elsewhere(variable, () -> writer.of(body)));
+  }
+
+  /** Finite sets that have all values of which {@code at} is {@code wanted}; null if none is known. */
+  private @Nullable List<Code> bounds(String variable, Expr at, boolean wanted) {
+    return switch (at) {
+      case Expr.Not not -> bounds(variable, not.of(), !wanted);
+      case Expr.Call call when Exprs.mentions(call, variable) ->
+          bounds(variable, writer.inlining().body(call), wanted);
+      case Expr.Bool constant when constant.value() != wanted -> List.of();
+      case Expr.Binary e ->
+          switch (e.operator()) {
+            case AND -> both(variable, e.left(), wanted, e.right(), wanted, wanted);
+            case OR -> both(variable, e.left(), wanted, e.right(), wanted, !wanted);
+            case IMPLIES -> both(variable, e.left(), !wanted, e.right(), wanted, !wanted);
+            case EQUAL -> wanted ? equal(variable, e) : null;
+            case UNEQUAL -> wanted ? null : equal(variable, e);
+            case IN -> wanted ? elements(variable, e) : null;
+            default -> null;
+          };
+      default -> null;
+    };
+  }
+
+  /** Of two conditions: a bound of one if both must hold, else the bounds of both. */
+  private @Nullable List<Code> both(
+      String variable, Expr a, boolean aWanted, Expr b, boolean bWanted, boolean mustBoth) {
+    List<Code> left = bounds(variable, a, aWanted);
+    if (mustBoth && left != null) {
+      return left;
+    }
+    List<Code> right = bounds(variable, b, bWanted);
+    if (mustBoth) {
+      return right;
+    }
+    if (left == null || right == null) {
+      return null;
+    }
+    return joined(left, right);
+  }
+
+  private static List<Code> joined(List<Code> left, List<Code> right) {
+    List<Code> all = new ArrayList<>(left);
+    right.stream().filter(each -> !all.contains(each)).forEach(all::add);
+    return all;
+  }
+
+  private @Nullable List<Code> equal(String variable, Expr.Binary at) {
+    boolean isLeft = isVariable(at.left(), variable);
+    Expr other = isLeft ? at.right() : at.left();
+    return (isLeft || isVariable(at.right(), variable)) && !Exprs.mentions(other, variable)
+        ? List.of(only(List.of(other)))
+        : null;
+  }
+
+  private @Nullable List<Code> elements(String variable, Expr.Binary at) {
+    if (!isVariable(at.left(), variable) || Exprs.mentions(at.right(), variable)) {
+      return null;
+    }
+    if (at.right() instanceof Expr.SetOf literal) {
+      return List.of(only(literal.elements()));
+    }
+    return writer.types().form(at.right().type()) == JavaTypes.Sets.FINITE
+        ? List.of(writer.of(at.right()))
+        : null;
+  }
+
+  private Code only(List<Expr> elements) {
+    return Code.call(
+        writer.types().use("java.util.List") + ".of",
+        elements.stream().map(writer::of).toArray(Code[]::new));
+  }
+
+  private static boolean isVariable(Expr at, String variable) {
+    return at instanceof Expr.Variable v && v.name().equals(variable);
+  }
+
+  /** Sets of all values of {@code variable} that {@code body} distinguishes. */
+  private List<Code> sets(Field variable, Expr body) {
+    List<Code> sets = new ArrayList<>();
+    writer.elsewhere(
+        variable,
+        () -> {
+          collect(variable.name(), body, sets);
+          return sets;
+        });
+    return sets.stream().distinct().toList();
+  }
+
+  private void collect(String variable, Expr at, List<Code> sets) {
+    if (!Exprs.mentions(at, variable)) {
+      return;
+    }
+    if (at instanceof Expr.Call call) {
+      collect(variable, writer.inlining().body(call), sets);
+      return;
+    }
+    if (at instanceof Expr.At e && !(e.map() instanceof Expr.Parameter)) {
+      arguments(variable, e, sets);
+    } else if (at instanceof Expr.Binary e && e.operator() == Operator.IN) {
+      looked(variable, e.left(), e.right(), sets);
+    } else if (at instanceof Expr.Binary e
+        && (e.operator() == Operator.EQUAL || e.operator() == Operator.UNEQUAL)) {
+      compared(variable, e.left(), e.right(), sets);
+      compared(variable, e.right(), e.left(), sets);
+    }
+    Exprs.parts(at).forEach(part -> collect(variable, part, sets));
+  }
+
+  private void arguments(String variable, Expr.At at, List<Code> sets) {
+    Code map = writer.of(at.map());
+    for (Expr argument : at.arguments()) {
+      if (isVariable(argument, variable)) {
+        sets.add(map.then("arguments"));
+        map = map.then("defaultValue");
+      } else {
+        map = map.then("at", writer.of(argument));
+      }
+    }
+  }
+
+  private void looked(String variable, Expr element, Expr set, List<Code> sets) {
+    if (!isVariable(element, variable)) {
+      return;
+    }
+    if (set instanceof Expr.SetOf literal) {
+      literal.elements().forEach(each -> compared(variable, element, each, sets));
+    } else {
+      Code all = writer.of(set);
+      boolean isFun = writer.types().form(set.type()) == JavaTypes.Sets.FUN;
+      sets.add(isFun ? all.then("arguments") : all);
+    }
+  }
+
+  private void compared(String variable, Expr one, Expr other, List<Code> sets) {
+    if (isVariable(one, variable) && !isVariable(other, variable)) {
+      sets.add(only(List.of(other)));
+    }
+  }
+}

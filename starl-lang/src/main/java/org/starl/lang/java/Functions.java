@@ -1,0 +1,79 @@
+package org.starl.lang.java;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Function;
+
+/** Which functions an expression calls, and what they read. */
+final class Functions {
+
+  private Functions() {}
+
+  /** Whether a function reads a value parameter, itself or through others. */
+  static boolean needsParameters(Automaton automaton, String function) {
+    Set<String> called = new TreeSet<>(Set.of(function));
+    automaton.function(function).ifPresent(f -> collect(automaton, f.body(), called));
+    return called.stream()
+        .flatMap(name -> automaton.function(name).stream())
+        .anyMatch(f -> readsParameter(f.body()));
+  }
+
+  /**
+   * The functions to write: those that actions need, and others that can be evaluated.
+   *
+   * @param withParameters those that read value parameters, or the others
+   */
+  static List<Function> written(Automaton automaton, boolean withParameters) {
+    Set<String> needed = new TreeSet<>();
+    for (Action action : automaton.actions()) {
+      action.pre().forEach(each -> collect(automaton, each.condition(), needed));
+      for (Action.Effect effect : action.eff()) {
+        if (effect instanceof Action.Effect.Assign assign) {
+          collect(automaton, assign.value(), needed);
+          for (Action.Selector selector : assign.selectors()) {
+            if (selector instanceof Action.Selector.At at) {
+              at.arguments().forEach(each -> collect(automaton, each, needed));
+            }
+          }
+        }
+      }
+    }
+    return automaton.functions().stream()
+        .filter(f -> needsParameters(automaton, f.signature().name()) == withParameters)
+        .filter(f -> needed.contains(f.signature().name()) || canBeWritten(automaton, f))
+        .toList();
+  }
+
+  private static boolean canBeWritten(Automaton automaton, Function f) {
+    ExpressionWriter trial =
+        new ExpressionWriter(automaton, new JavaTypes(automaton, Names.of(automaton), false), "s");
+    f.signature().parameters().forEach(p -> trial.bind(p.name(), Code.name(p.name())));
+    try {
+      trial.of(f.body());
+      return true;
+    } catch (NotExecutable e) {
+      return false;
+    }
+  }
+
+  /** Adds the functions that {@code at} calls, also through others. */
+  static void collect(Automaton automaton, Expr at, Set<String> called) {
+    if (at instanceof Expr.Call call
+        && call.used().isEmpty()
+        && called.add(call.function().name())) {
+      automaton
+          .function(call.function().name())
+          .ifPresent(f -> collect(automaton, f.body(), called));
+    }
+    Exprs.parts(at).forEach(part -> collect(automaton, part, called));
+  }
+
+  private static boolean readsParameter(Expr at) {
+    return at instanceof Expr.Parameter
+        || Exprs.parts(at).stream().anyMatch(Functions::readsParameter);
+  }
+}

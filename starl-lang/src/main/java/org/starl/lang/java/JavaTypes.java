@@ -1,0 +1,249 @@
+package org.starl.lang.java;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.JavaType;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type;
+
+/** The Java types of an automaton's types, and names that Java allows. */
+final class JavaTypes {
+
+  private static final String FUN = "org.starl.spec.automaton.Fun";
+
+  /** Names of the generated methods' own variables. */
+  private static final Set<String> LOCAL = Set.of("s", "a", "action", "value");
+
+  /** Names that are taken in Java, or in every generated class. */
+  private static final Set<String> TAKEN =
+      Set.of(
+          ("abstract assert boolean break byte case catch char class const continue default do double"
+                  + " else enum extends final finally float for goto if implements import instanceof"
+                  + " int interface long native new package private protected public return short"
+                  + " static strictfp super switch synchronized this throw throws transient try void"
+                  + " volatile while true false null _ yield record sealed permits var"
+                  + " args name text hashCode equals toString getClass notify"
+                  + " notifyAll wait clone finalize")
+              .split(" "));
+
+  /** Names that a module declaration reads as keywords: Error Prone warns of them. */
+  private static final Set<String> CONTEXTUAL =
+      Set.of(
+          "exports",
+          "module",
+          "open",
+          "opens",
+          "provides",
+          "requires",
+          "to",
+          "transitive",
+          "uses",
+          "when",
+          "with");
+
+  private final Map<Type, JavaType> given;
+
+  /** Full names of the classes used so far, by simple name. */
+  private final Map<String, String> imports = new TreeMap<>();
+
+  private final Names names;
+  private final boolean isOutside;
+
+  /**
+   * @param isOutside whether the file is not that of the automaton, in which its types are declared
+   */
+  JavaTypes(Automaton automaton, Names names, boolean isOutside) {
+    this.names = names;
+    this.isOutside = isOutside;
+    given =
+        automaton.javaTypes().entrySet().stream()
+            .collect(Collectors.toUnmodifiableMap(e -> e.getKey().base(), Map.Entry::getValue));
+  }
+
+  /** The form of sets of one type. */
+  enum Sets {
+    /** {@code SortedSet}: finite sets. */
+    FINITE,
+    /** {@code Fun<T, Boolean>}: finite sets and their complements. */
+    FUN,
+    /** A class with a method {@code contains}. */
+    OWN
+  }
+
+  Sets form(Type set) {
+    return given(set).map(own -> own.name().equals(FUN) ? Sets.FUN : Sets.OWN).orElse(Sets.FINITE);
+  }
+
+  private Optional<JavaType> given(Type type) {
+    return Optional.ofNullable(given.get(type.base()));
+  }
+
+  /** Uses a class; returns its simple name. */
+  String use(String full) {
+    String simple = full.substring(full.lastIndexOf('.') + 1);
+    boolean isHere = full.equals(names.packageName() + "." + simple);
+    if (full.contains(".") && !isHere) {
+      imports.put(simple, full);
+    }
+    return simple;
+  }
+
+  Iterable<String> imports() {
+    return imports.values().stream().sorted().toList();
+  }
+
+  static boolean isContextual(String name) {
+    return CONTEXTUAL.contains(name);
+  }
+
+  /** {@code name} as a name of Java. */
+  static String name(String name) {
+    String plain = name.endsWith("?") ? name.substring(0, name.length() - 1) : name;
+    return TAKEN.contains(plain) ? plain + "_" : plain;
+  }
+
+  /** {@code name} as the name of a variable. */
+  static String variable(String name) {
+    return LOCAL.contains(name) ? name + "_" : name(name);
+  }
+
+  /** {@code free_for?} is {@code isFreeFor}, {@code members} is itself. */
+  static String function(String name) {
+    if (!name.endsWith("?")) {
+      return name(name);
+    }
+    StringBuilder camel = new StringBuilder("is");
+    for (String word : name(name).split("_", -1)) {
+      if (!word.isEmpty()) {
+        camel.append(Character.toUpperCase(word.charAt(0))).append(word.substring(1));
+      }
+    }
+    return camel.toString();
+  }
+
+  /** As the type of a variable. */
+  String of(Type type, Pos pos) {
+    return of(type, false, pos);
+  }
+
+  /** As an argument of a generic type. */
+  String boxed(Type type, Pos pos) {
+    return of(type, true, pos);
+  }
+
+  private String of(Type type, boolean isBoxed, Pos pos) {
+    Optional<JavaType> own = given(type);
+    if (own.isPresent() && !(type.base() instanceof Type.SetOf && form(type) == Sets.FUN)) {
+      String name = use(own.get().name());
+      return !isBoxed
+          ? name
+          : name.equals("long") ? "Long" : name.equals("double") ? "Double" : name;
+    }
+    return switch (type) {
+      case Type.Alias alias -> of(alias.target(), isBoxed, pos);
+      case Type.Bool bool -> isBoxed ? "Boolean" : "boolean";
+      case Type.Num number when number == Type.Num.NAT -> isBoxed ? "Long" : "long";
+      case Type.Num number ->
+          throw new NotExecutable(
+              pos,
+              "no Java type is given for "
+                  + number
+                  + "; expected a line: java "
+                  + number
+                  + " = \"long\", or \"double\"");
+      case Type.Opaque opaque -> "String";
+      case Type.Rec rec -> declared(rec.name());
+      case Type.Sum sum -> declared(sum.name());
+      case Type.SetOf set when form(set) == Sets.FUN ->
+          use(FUN) + "<" + boxed(set.element(), pos) + ", Boolean>";
+      case Type.SetOf set -> use("java.util.SortedSet") + "<" + boxed(set.element(), pos) + ">";
+      case Type.ListOf list -> use("java.util.List") + "<" + boxed(list.element(), pos) + ">";
+      case Type.OptionOf option ->
+          use("org.starl.spec.automaton.Lift") + "<" + boxed(option.element(), pos) + ">";
+      case Type.MapOf map -> {
+        String whole = boxed(map.result(), pos);
+        for (Type argument : map.arguments().reversed()) {
+          whole = use(FUN) + "<" + boxed(argument, pos) + ", " + whole + ">";
+        }
+        yield whole;
+      }
+      case Type.StateOf used ->
+          throw new NotExecutable(
+              pos, "an automaton that uses " + used.automaton().name() + " has no Java form yet");
+    };
+  }
+
+  private String declared(String type) {
+    return isOutside ? use(names.packageName() + "." + names.automaton() + "." + type) : type;
+  }
+
+  /** Whether the type is a class that the source names, so that it is not declared. */
+  boolean isGiven(Type type) {
+    return given(type).isPresent();
+  }
+
+  /** A value of the type for a start state that may have any; also the empty set of a given class. */
+  Code any(Type type, Pos pos) {
+    Optional<JavaType> own = given(type);
+    if (own.isPresent() && !own.get().start().isEmpty()) {
+      return Code.name(use(own.get().name())).field(own.get().start());
+    }
+    return switch (type.base()) {
+      case Type.Bool bool -> Code.FALSE;
+      case Type.Num number -> zero(number, pos);
+      case Type.SetOf set when form(set) == Sets.FUN -> always(Code.FALSE);
+      case Type.SetOf set when form(set) == Sets.FINITE -> emptyset();
+      case Type.ListOf list -> Code.call(use("java.util.List") + ".of");
+      case Type.OptionOf option -> bottom();
+      case Type.MapOf map -> {
+        Code value = any(map.result(), pos);
+        for (int i = 0; i < map.arguments().size(); i++) {
+          value = always(value);
+        }
+        yield value;
+      }
+      case Type.Rec rec ->
+          new Code.New(rec.name(), rec.fields().stream().map(f -> any(f.type(), pos)).toList());
+      case Type.Sum sum when sum.constructors().getFirst().fields().isEmpty() ->
+          make(sum, sum.constructors().getFirst().name(), List.of(), pos);
+      case Type.Opaque opaque when own.isEmpty() -> Code.string("");
+      default ->
+          throw new NotExecutable(
+              pos,
+              "no value of "
+                  + type
+                  + " is given for the start state; expected a line: java "
+                  + type
+                  + " = \"a.Class\" start \"A_CONSTANT\"");
+    };
+  }
+
+  private Code zero(Type.Num number, Pos pos) {
+    return Code.name(of(number, pos).equals("double") ? "0.0" : "0L");
+  }
+
+  Code emptyset() {
+    return Code.call(use("org.starl.spec.automaton.Sets") + ".emptyset");
+  }
+
+  Code always(Code value) {
+    return Code.call(use(FUN) + ".always", value);
+  }
+
+  Code bottom() {
+    return new Code.New(use("org.starl.spec.automaton.Lift") + ".bottom<>", List.of());
+  }
+
+  /** A value of a sum. */
+  Code make(Type.Sum sum, String constructor, List<Code> arguments, Pos pos) {
+    String type = of(sum, pos);
+    return sum.isEnum()
+        ? Code.name(type).field(name(constructor))
+        : new Code.New(type + "." + name(constructor), arguments);
+  }
+}

@@ -1,0 +1,150 @@
+package org.starl.lang.java;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Component;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * Finds a start state in the conditions on it: equations of a component, or of all values of a map.
+ * What they leave open has the first value of its type: 0, false, empty.
+ */
+final class StartState {
+
+  private final ExpressionWriter writer;
+
+  /** A part of the state. */
+  private static final class Part {
+    private final Type type;
+    private @Nullable Code value;
+    private @Nullable Part result;
+    private final Map<String, Part> fields = new TreeMap<>();
+
+    private Part(Type type) {
+      this.type = type;
+    }
+
+    private Part result() {
+      Part known = result;
+      if (known == null) {
+        known = new Part(((Type.MapOf) type.base()).result());
+        result = known;
+      }
+      return known;
+    }
+
+    private Code code(JavaTypes types, Pos pos) {
+      if (value != null) {
+        return value;
+      }
+      Part all = result;
+      if (all != null) {
+        Code code = all.code(types, pos);
+        for (int i = 0; i < ((Type.MapOf) type.base()).arguments().size(); i++) {
+          code = types.always(code);
+        }
+        return code;
+      }
+      if (!fields.isEmpty() && type.base() instanceof Type.Rec rec) {
+        return new Code.New(
+            types.of(type, pos),
+            rec.fields().stream().map(f -> field(f.name(), f.type()).code(types, pos)).toList());
+      }
+      return types.any(type, pos);
+    }
+
+    private Part field(String name, Type of) {
+      return fields.computeIfAbsent(name, wanted -> new Part(of));
+    }
+  }
+
+  private final Map<String, Part> components = new TreeMap<>();
+
+  StartState(ExpressionWriter writer) {
+    this.writer = writer;
+  }
+
+  /** {@code new States(...)}. */
+  Code of(Automaton automaton) {
+    for (Component component : automaton.state()) {
+      components.put(component.name(), new Part(component.type()));
+    }
+    automaton.start().forEach(condition -> hold(condition, List.of()));
+    return new Code.New(
+        "States",
+        automaton.state().stream()
+            .map(c -> part(c.name()).code(writer.types(), automaton.pos()))
+            .toList());
+  }
+
+  private Part part(String component) {
+    return Objects.requireNonNull(components.get(component), component);
+  }
+
+  /** Makes {@code condition} true for all values of the variables. */
+  private void hold(Expr condition, List<Field> variables) {
+    switch (condition) {
+      case Expr.Binary e when e.operator() == Expr.Operator.AND -> {
+        hold(e.left(), variables);
+        hold(e.right(), variables);
+      }
+      case Expr.Quantified e when e.forAll() ->
+          hold(e.body(), Stream.concat(variables.stream(), e.variables().stream()).toList());
+      case Expr.Binary e when e.operator() == Expr.Operator.EQUAL ->
+          set(place(e.left(), variables), writer.of(e.right()), e.pos());
+      case Expr.Is e when e.constructor().fields().isEmpty() ->
+          set(
+              place(e.of(), variables),
+              writer
+                  .types()
+                  .make(
+                      (Type.Sum) e.of().type().base(), e.constructor().name(), List.of(), e.pos()),
+              e.pos());
+      case Expr.Not e -> set(place(e.of(), variables), Code.FALSE, e.pos());
+      default -> set(place(condition, variables), Code.TRUE, condition.pos());
+    }
+  }
+
+  private static void set(Part part, Code value, Pos pos) {
+    Code before = part.value;
+    if (before != null && !before.equals(value)) {
+      throw new NotExecutable(pos, "the start state has two values here; expected one");
+    }
+    part.value = value;
+  }
+
+  private Part place(Expr at, List<Field> variables) {
+    return switch (at) {
+      case Expr.Component e -> part(e.name());
+      case Expr.At e when areAll(e.arguments(), variables) -> place(e.map(), variables).result();
+      case Expr.At e when e.arguments().stream().allMatch(Expr.Numeral.class::isInstance) ->
+          place(e.map(), variables).result();
+      case Expr.Get e -> place(e.of(), variables).field(e.field(), e.type());
+      default ->
+          throw new NotExecutable(
+              at.pos(),
+              "no start state is found from this condition; expected equations such as"
+                  + " 'owner = none', or 'forall i: PIDS :: held(i) = {}'");
+    };
+  }
+
+  private static boolean areAll(List<Expr> arguments, List<Field> variables) {
+    TreeSet<String> names = new TreeSet<>();
+    arguments.forEach(each -> {
+      if (each instanceof Expr.Variable v
+          && variables.stream().anyMatch(f -> f.name().equals(v.name()))) {
+        names.add(v.name());
+      }
+    });
+    return names.size() == arguments.size();
+  }
+}

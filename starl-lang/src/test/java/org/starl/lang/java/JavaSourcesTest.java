@@ -1,0 +1,150 @@
+package org.starl.lang.java;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.lang.read.SourceErrors;
+
+class JavaSourcesTest {
+
+  private static final String PAIR =
+      """
+      automaton Pair[T]
+      java "x.XAutomaton"
+      type Color = red | green
+      type Both = record(left: nat, right: option[T])
+      type Form = none_yet | some_of(those: set[T]) | one(it: T, at: nat)
+      state
+        a: nat
+        b: nat
+        color: Color
+        both: [T -> Both]
+        form: Form
+        grid: [T, nat -> nat]
+        queue: list[T]
+      start a = 1, b = 2, color = green, forall t: T :: both(t).left = 3, queue = []
+      fun sum(n: nat): nat = if n = 0 then 0 else n + sum(n - 1) measure n
+      fun size(f: Form): nat = match f { none_yet -> 0, some_of(S) -> if S = {} then 1 else 2, one(t, n) -> n }
+      action swap eff a := b, b := a
+      action paint pre color is red eff color := if color = green then red else green
+      action set_right(t: T) eff both(t).right := some(t), grid(t, a) := b, grid(t, b) := a
+      action same(t: T, u: T) pre both(t).right != none, the(both(t).right) = u
+      action forms(f: Form) pre size(f) > 1 eff form := f
+      action sums(n: nat, m: nat) pre sum(n) = m
+      action queued(t: T) pre queue != [], head(queue) = t eff queue := tail(queue)
+      action enqueue(t: T) eff queue := [t, t]
+      """;
+
+  private static Compiled pair;
+
+  @BeforeAll
+  static void compile() throws SourceErrors {
+    pair = new Compiled(PAIR);
+  }
+
+  @BeforeEach
+  void begin() {
+    pair.begin();
+  }
+
+  @Test
+  void startHasWhatIsAskedAndTheFirstValueElsewhere() {
+    assertThat(pair.state())
+        .isEqualTo("States[a=1, b=2, color=green, both=(), form=none_yet, grid=(), queue=[]]");
+  }
+
+  @Test
+  void effectsReadTheStateBefore() {
+    assertThat(pair.step("swap")).contains("a=2, b=1");
+  }
+
+  @Test
+  void effectsChangeFieldsAndPointsOfMaps() {
+    assertThat(pair.step("set_right", "t"))
+        .contains("both=(t: Both[left=3, right=up(t)])", "grid=(t: (1: 2, 2: 1))");
+  }
+
+  @Test
+  void falseConjunctsAreNamedByTheirTextWithTheirValues() {
+    assertThat(pair.enabled("paint").falseConjunct())
+        .isEqualTo("color is red is false: color = green");
+    assertThat(pair.enabled("sums", 3L, 7L).falseConjunct())
+        .isEqualTo("sum(n) = m is false: sum(3) = 6");
+    assertThat(pair.enabled("sums", 3L, 6L).isTrue()).isTrue();
+  }
+
+  @Test
+  void conjunctsMayNeedThoseBefore() {
+    assertThat(pair.enabled("same", "t", "t").conjunct()).isEqualTo("both(t).right != none");
+    assertThat(pair.enabled("queued", "t").conjunct()).isEqualTo("queue != []");
+    pair.step("set_right", "t");
+    assertThat(pair.enabled("same", "t", "t").isTrue()).isTrue();
+    assertThat(pair.enabled("same", "t", "u").falseConjunct())
+        .isEqualTo("the(both(t).right) = u is false: both(t).right = up(t)");
+    pair.step("enqueue", "t");
+    assertThat(pair.enabled("queued", "t").isTrue()).isTrue();
+    assertThat(pair.step("queued", "t")).contains("queue=[t]");
+  }
+
+  @Test
+  void functionsThatCountDownAreLoops() {
+    assertThat(pair.enabled("sums", 1_000_000L, 500_000_500_000L).isTrue()).isTrue();
+  }
+
+  @Test
+  void matchTakesTheCaseOfTheValue() throws ReflectiveOperationException {
+    assertThat(pair.enabled("forms", form("none_yet")).isTrue()).isFalse();
+    assertThat(pair.enabled("forms", form("some_of", new TreeSet<>())).isTrue()).isFalse();
+    SortedSet<String> one = new TreeSet<>(List.of("t"));
+    assertThat(pair.enabled("forms", form("some_of", one)).isTrue()).isTrue();
+    assertThat(pair.enabled("forms", form("one", "t", 1L)).isTrue()).isFalse();
+    assertThat(pair.enabled("forms", form("one", "t", 2L)).isTrue()).isTrue();
+    assertThat(pair.step("forms", form("one", "t", 2L))).contains("form=one(t, 2)");
+  }
+
+  private Object form(String constructor, Object... arguments) throws ReflectiveOperationException {
+    Class<?> type = pair.loader().loadClass("x.XAutomaton$Form$" + constructor);
+    var made = type.getDeclaredConstructors()[0];
+    made.setAccessible(true);
+    return made.newInstance(arguments);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          a: nat | a: time | 1:1: no Java type is given for time; expected a line: java time = "long", or "double"
+          eff S := {t} | eff S := {u: T ∣ not u = t} | 8:27: this set may be infinite; expected a condition on finitely many values, or a line: java set[T] = "org.starl.spec.automaton.Fun"
+          pre t in S | pre forall n: nat :: n < a => t in S | 7:40: the values of 'n' that matter here are not known to be finitely many; expected n to be compared, looked up in a set, or the argument of a map
+          start a = 0 | start a > 0 | 6:7: no start state is found from this condition; expected equations such as 'owner = none', or 'forall i: PIDS :: held(i) = {}'
+          start a = 0 | start a = 0, a = 1 | 6:14: the start state has two values here; expected one
+          java "x.XAutomaton" | java "XAutomaton" | 1:1: 'XAutomaton' is no Java class of an automaton; expected a line: java "a.package.NameAutomaton"
+          java "x.XAutomaton" |  | 1:1: automaton 'Small' names no Java class; expected a line: java "a.package.NameAutomaton"
+          """)
+  void whatHasNoFormIsToldWithItsPlace(String right, String wrong, String error) {
+    String text =
+        """
+        automaton Small[T]
+        java "x.XAutomaton"
+        state
+          a: nat
+          S: set[T]
+        start a = 0
+        action take(t: T) pre t in S
+        action put(t: T) eff S := {t}
+        """;
+    String changed = text.replace(right, wrong == null ? "" : wrong.replace('∣', '|'));
+    assertThatThrownBy(() -> Compiled.files(changed))
+        .isInstanceOf(SourceErrors.class)
+        .hasMessage("x.starl:" + error);
+  }
+}

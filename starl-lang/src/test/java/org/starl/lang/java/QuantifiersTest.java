@@ -1,0 +1,113 @@
+package org.starl.lang.java;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.BiPredicate;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.starl.lang.read.SourceErrors;
+
+/** Conditions on all values are as on a universe that has more values than the state mentions. */
+class QuantifiersTest {
+
+  private static final List<String> NAMES = List.of("p", "q", "r");
+  // The first value of T is empty; y and z occur nowhere.
+  private static final List<String> UNIVERSE = List.of("", "p", "q", "r", "y", "z");
+  private static final int CONDITIONS = 40;
+
+  /** A state, and the arguments of an action. */
+  private record Here(TreeSet<String> those, Map<String, String> next, String me) {
+    private String nextOf(String name) {
+      return next.getOrDefault(name, "");
+    }
+  }
+
+  /** A condition on {@code x}: its text, and its value. */
+  private record Condition(String text, BiPredicate<String, Here> value) {}
+
+  @Property(tries = 6)
+  void generatedConditionsAreTrueWhereTheyAreInAFiniteUniverse(@ForAll long seed)
+      throws SourceErrors {
+    Random random = new Random(seed);
+    List<Condition> conditions = new ArrayList<>();
+    StringBuilder text =
+        new StringBuilder(
+            """
+            automaton Random_decls[T]
+            java "x.XAutomaton"
+            state
+              those: set[T]
+              next: [T -> T]
+            start those = {}
+            fun follows?(t: T, u: T): bool = next(t) = u or next(u) = t
+            action put(t: T) eff those := those union {t}
+            action point(t: T, u: T) eff next(t) := u
+            """);
+    for (int n = 0; n < CONDITIONS; n++) {
+      Condition condition = any(random, 3);
+      conditions.add(condition);
+      text.append("action all_%d(me: T) pre forall x: T :: %s\n".formatted(n, condition.text));
+      text.append("action one_%d(me: T) pre exists x: T :: %s\n".formatted(n, condition.text));
+    }
+    Compiled compiled = new Compiled(text.toString());
+    Here here = new Here(new TreeSet<>(), new TreeMap<>(), "q");
+    for (int change = 0; change < 5; change++) {
+      for (int n = 0; n < CONDITIONS; n++) {
+        Condition each = conditions.get(n);
+        assertThat(compiled.enabled("all_" + n, "q").isTrue())
+            .as("all: %s in %s", each.text, here)
+            .isEqualTo(UNIVERSE.stream().allMatch(x -> each.value.test(x, here)));
+        assertThat(compiled.enabled("one_" + n, "q").isTrue())
+            .as("one: %s in %s", each.text, here)
+            .isEqualTo(UNIVERSE.stream().anyMatch(x -> each.value.test(x, here)));
+        compiled.enabled("all_" + n, "q").falseConjunct();
+      }
+      String a = NAMES.get(random.nextInt(NAMES.size()));
+      String b = NAMES.get(random.nextInt(NAMES.size()));
+      if (random.nextBoolean()) {
+        compiled.step("put", a);
+        here.those.add(a);
+      } else {
+        compiled.step("point", a, b);
+        here.next.put(a, b);
+      }
+    }
+  }
+
+  private static Condition any(Random random, int depth) {
+    if (depth == 0 || random.nextInt(4) == 0) {
+      return atom(random);
+    }
+    Condition a = any(random, depth - 1);
+    Condition b = any(random, depth - 1);
+    return switch (random.nextInt(4)) {
+      case 0 -> new Condition("not (" + a.text + ")", a.value.negate());
+      case 1 -> new Condition("(" + a.text + ") and (" + b.text + ")", a.value.and(b.value));
+      case 2 -> new Condition("(" + a.text + ") or (" + b.text + ")", a.value.or(b.value));
+      default ->
+          new Condition("(" + a.text + ") => (" + b.text + ")", a.value.negate().or(b.value));
+    };
+  }
+
+  private static Condition atom(Random random) {
+    return switch (random.nextInt(7)) {
+      case 0 -> new Condition("x in those", (x, s) -> s.those.contains(x));
+      case 1 -> new Condition("x = me", (x, s) -> x.equals(s.me));
+      case 2 -> new Condition("next(x) = me", (x, s) -> s.nextOf(x).equals(s.me));
+      case 3 -> new Condition("next(x) in those", (x, s) -> s.those.contains(s.nextOf(x)));
+      case 4 ->
+          new Condition(
+              "x in {me, next(me)}", (x, s) -> x.equals(s.me) || x.equals(s.nextOf(s.me)));
+      case 5 ->
+          new Condition(
+              "follows?(x, me)", (x, s) -> s.nextOf(x).equals(s.me) || s.nextOf(s.me).equals(x));
+      default -> new Condition("next(x) = next(me)", (x, s) -> s.nextOf(x).equals(s.nextOf(s.me)));
+    };
+  }
+}
