@@ -43,6 +43,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       RecordCommand.class,
       ReplayCommand.class,
       SchemaCommand.class,
+      CompileCommand.class,
       NewCommand.class,
       BenchCommand.class,
       DeployCommand.class,

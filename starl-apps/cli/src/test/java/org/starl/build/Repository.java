@@ -32,6 +32,7 @@ final class Repository {
           "json",
           "wpt",
           "pvs",
+          "starl",
           "prf",
           "sh",
           "csv",

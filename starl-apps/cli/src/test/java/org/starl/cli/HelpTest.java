@@ -32,6 +32,7 @@ class HelpTest {
         "record",
         "replay",
         "schema",
+        "compile",
         "new",
         "bench"
       })
