@@ -1,3 +1,4 @@
+// Generated from Registration_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.registration;
 
 import java.util.List;
@@ -5,25 +6,22 @@ import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Action;
 
-/** The actions of the theory {@code Registration_decls}, under their names there. */
+/** The actions of Registration_decls. */
 public sealed interface RegistrationAction extends Action {
 
-  /** An attempt to register begins. */
   record do_register(ProcessId i) implements RegistrationAction {}
 
-  /** Asks to be removed. */
   record unregister(ProcessId i) implements RegistrationAction {}
 
-  /** Its robot will request nothing with this id again. */
+  /** i's own robot requests nothing under this id any more */
   record give_up(ProcessId i) implements RegistrationAction {}
 
-  /** A fencer bounds what it may still hold. */
+  /** somebody vouches for what i may still hold */
   record confine(ProcessId i) implements RegistrationAction {}
 
-  /** The next list. */
+  /** the next list */
   record decide(SortedSet<ProcessId> L) implements RegistrationAction {}
 
-  /** Learns list {@code n}. */
   record learn(ProcessId i, long n) implements RegistrationAction {}
 
   @Override

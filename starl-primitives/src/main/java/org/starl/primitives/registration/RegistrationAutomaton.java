@@ -1,17 +1,28 @@
+// Generated from Registration_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.registration;
 
 import java.util.SortedSet;
-import java.util.TreeSet;
-import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Registration_decls} as an executable automaton: numbered lists of participants.
- * {@code PIDS} are ids, one for each attempt. {@link RegistrationConformance} replays runs on it.
+ * The automaton Registration_decls, executable.
+ *
+ * <p>Registration (paper, section 4.3): who takes part, as numbered lists.
+ *
+ * <p>Ids, one for each attempt to take part, ask to be listed; list n + 1 is decided from list n;
+ * ids learn of lists. Every list has all of the list before it but those who may be left out: who
+ * has asked out, whose robot has given the id up, or for whose sections somebody else vouches. The
+ * time stamp of a list is its number: the paper's agreement, of lists whose times lie within d of
+ * each other, does not carry the intersection (theory Registration_rounds).
+ *
+ * <p>Assumes nothing: any delay and loss is some order of `decide' and `learn'. How long that takes
+ * is the matter of Registration_progress. Java: org.starl.primitives.registration.RegPrim; this
+ * automaton: RegistrationAutomaton; monitors: RegistrationSpec, RegistrationConformance.
  */
 public final class RegistrationAutomaton
     implements Automaton<RegistrationAutomaton.States, RegistrationAction> {
@@ -19,43 +30,26 @@ public final class RegistrationAutomaton
   /** The theory's name. */
   public static final String REGISTRATION_DECLS = "Registration_decls";
 
-  private static final SortedSet<ProcessId> EMPTY = Sets.emptyset();
-
   /**
-   * The theory's states.
+   * The states.
    *
-   * @param asked whether an id has called {@code do_register}
-   * @param gone whether an id may be removed
-   * @param entered whether some list has contained an id
-   * @param number the number of the latest list
-   * @param list the lists; list 0 is empty
-   * @param ts the number of the list that an id knows
+   * @param asked called do_register
+   * @param gone may be left out
+   * @param entered some list has had it
+   * @param number of the latest list
+   * @param list list 0 is empty
+   * @param ts of the list that i knows; 0: rList is null
    */
   public record States(
-      Fun<ProcessId, Boolean> asked,
-      Fun<ProcessId, Boolean> gone,
-      Fun<ProcessId, Boolean> entered,
+      SortedSet<ProcessId> asked,
+      SortedSet<ProcessId> gone,
+      SortedSet<ProcessId> entered,
       long number,
       Fun<Long, SortedSet<ProcessId>> list,
       Fun<ProcessId, Long> ts) {
 
-    /** The latest list. */
-    SortedSet<ProcessId> latest() {
-      return list.at(number);
-    }
-
-    /** The list that {@code i} knows. */
     public SortedSet<ProcessId> rList(ProcessId i) {
       return list.at(ts.at(i));
-    }
-
-    /** Without an old list, which no step reads. */
-    States withoutList(long old) {
-      return new States(asked, gone, entered, number, list.with(old, EMPTY), ts);
-    }
-
-    private States withGone(ProcessId i) {
-      return new States(asked, gone.with(i, true), entered, number, list, ts);
     }
   }
 
@@ -67,11 +61,11 @@ public final class RegistrationAutomaton
   @Override
   public States start() {
     return new States(
-        Fun.always(false),
-        Fun.always(false),
-        Fun.always(false),
-        0,
-        Fun.always(EMPTY),
+        Sets.emptyset(),
+        Sets.emptyset(),
+        Sets.emptyset(),
+        0L,
+        Fun.always(Sets.emptyset()),
         Fun.always(0L));
   }
 
@@ -79,11 +73,44 @@ public final class RegistrationAutomaton
   public Enabled enabled(RegistrationAction action, States s) {
     return switch (action) {
       case RegistrationAction.do_register a ->
-          Enabled.when("NOT asked(i)", !s.asked.at(a.i()), () -> "asked(" + a.i() + ")");
-      case RegistrationAction.unregister a -> asked(a.i(), s);
-      case RegistrationAction.give_up a -> asked(a.i(), s);
-      case RegistrationAction.confine a -> asked(a.i(), s);
-      case RegistrationAction.decide a -> mayFollow(a.L(), s);
+          Enabled.when("not i in asked", !s.asked.contains(a.i()), () -> "asked = " + s.asked);
+      case RegistrationAction.unregister a ->
+          Enabled.when("i in asked", s.asked.contains(a.i()), () -> "asked = " + s.asked);
+      case RegistrationAction.give_up a ->
+          Enabled.when("i in asked", s.asked.contains(a.i()), () -> "asked = " + s.asked);
+      case RegistrationAction.confine a ->
+          Enabled.when("i in asked", s.asked.contains(a.i()), () -> "asked = " + s.asked);
+      case RegistrationAction.decide a ->
+          Enabled.when(
+                  "list(number) minus gone subset L",
+                  a.L().containsAll(Sets.difference(s.list.at(s.number), s.gone)),
+                  () -> "list(" + s.number + ") = " + s.list.at(s.number) + ", gone = " + s.gone)
+              .and(
+                  "forall i: PIDS :: i in L => i in list(number) or (i in asked and not i in entered)",
+                  Finite.forAll(
+                      i ->
+                          !a.L().contains(i)
+                              || s.list.at(s.number).contains(i)
+                              || (s.asked.contains(i) && !s.entered.contains(i)),
+                      a.L()),
+                  () ->
+                      Finite.first(
+                          i ->
+                              !(!a.L().contains(i)
+                                  || s.list.at(s.number).contains(i)
+                                  || (s.asked.contains(i) && !s.entered.contains(i))),
+                          i ->
+                              "i = "
+                                  + i
+                                  + ", list("
+                                  + s.number
+                                  + ") = "
+                                  + s.list.at(s.number)
+                                  + ", "
+                                  + (!s.asked.contains(i)
+                                      ? "asked = " + s.asked
+                                      : "entered = " + s.entered),
+                          a.L()));
       case RegistrationAction.learn a ->
           Enabled.when(
                   "ts(i) <= n",
@@ -93,47 +120,25 @@ public final class RegistrationAutomaton
     };
   }
 
-  private static Enabled asked(ProcessId i, States s) {
-    return Enabled.when("asked(i)", s.asked.at(i), () -> "NOT asked(" + i + ")");
-  }
-
-  private static Enabled mayFollow(SortedSet<ProcessId> next, States s) {
-    SortedSet<ProcessId> before = s.latest();
-    SortedSet<ProcessId> lost = those(before, i -> !s.gone.at(i) && !next.contains(i));
-    SortedSet<ProcessId> unasked = those(next, i -> !before.contains(i) && !s.asked.at(i));
-    SortedSet<ProcessId> back = those(next, i -> !before.contains(i) && s.entered.at(i));
-    String isNew = "FORALL i: L(i) IMPLIES list(number)(i) OR ";
-    return Enabled.when(
-            "subset?(difference(list(number), gone), L)",
-            lost.isEmpty(),
-            () -> "list(" + s.number + ") has " + lost + " as well")
-        .and(isNew + "asked(i)", unasked.isEmpty(), () -> unasked + " never asked")
-        .and(isNew + "NOT entered(i)", back.isEmpty(), () -> back + " had entered and left");
-  }
-
-  private static SortedSet<ProcessId> those(
-      SortedSet<ProcessId> ids, Predicate<ProcessId> condition) {
-    SortedSet<ProcessId> those = new TreeSet<>(ids);
-    those.removeIf(condition.negate());
-    return those;
-  }
-
   @Override
   public States trans(RegistrationAction action, States s) {
     return switch (action) {
       case RegistrationAction.do_register a ->
-          new States(s.asked.with(a.i(), true), s.gone, s.entered, s.number, s.list, s.ts);
-      case RegistrationAction.unregister a -> s.withGone(a.i());
-      case RegistrationAction.give_up a -> s.withGone(a.i());
-      case RegistrationAction.confine a -> s.withGone(a.i());
-      case RegistrationAction.decide a -> {
-        Fun<ProcessId, Boolean> entered = s.entered;
-        for (ProcessId i : a.L()) {
-          entered = entered.with(i, true);
-        }
-        long number = s.number + 1;
-        yield new States(s.asked, s.gone, entered, number, s.list.with(number, a.L()), s.ts);
-      }
+          new States(Sets.add(a.i(), s.asked), s.gone, s.entered, s.number, s.list, s.ts);
+      case RegistrationAction.unregister a ->
+          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
+      case RegistrationAction.give_up a ->
+          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
+      case RegistrationAction.confine a ->
+          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
+      case RegistrationAction.decide a ->
+          new States(
+              s.asked,
+              s.gone,
+              Sets.union(s.entered, a.L()),
+              s.number + 1,
+              s.list.with(s.number + 1, a.L()),
+              s.ts);
       case RegistrationAction.learn a ->
           new States(s.asked, s.gone, s.entered, s.number, s.list, s.ts.with(a.i(), a.n()));
     };

@@ -69,7 +69,7 @@ final class RegistrationRun {
   }
 
   void gaveUp(TraceEvent event, ProcessId id, Report report) {
-    if (id.robot().equals(event.robot()) && replay.state().asked().at(id)) {
+    if (id.robot().equals(event.robot()) && replay.state().asked().contains(id)) {
       step(event, new RegistrationAction.give_up(id), report);
     }
   }
@@ -161,7 +161,7 @@ final class RegistrationRun {
   private void fillOne(Report report) {
     TraceEvent event = early.firstEntry().getValue().event;
     while (replay.state().number() + 1 < early.firstKey() && !replay.hasDeviated()) {
-      step(event, new RegistrationAction.decide(replay.state().latest()), report);
+      step(event, new RegistrationAction.decide(latest(replay.state())), report);
     }
     decide(report);
   }
@@ -171,11 +171,26 @@ final class RegistrationRun {
       Early next = early.pollFirstEntry().getValue();
       step(next.event, new RegistrationAction.decide(next.list), report);
       next.waiting.forEach(check -> check.accept(report));
-      replay.reduce(s -> s.withoutList(s.number() - KEPT_VIEWS));
+      replay.reduce(s -> withoutList(s.number() - KEPT_VIEWS, s));
       if (replay.hasDeviated()) {
         early.clear();
       }
     }
+  }
+
+  private static SortedSet<ProcessId> latest(States s) {
+    return s.list().at(s.number());
+  }
+
+  /** Without an old list, which no step reads. */
+  private static States withoutList(long old, States s) {
+    return new States(
+        s.asked(),
+        s.gone(),
+        s.entered(),
+        s.number(),
+        s.list().with(old, s.list().defaultValue()),
+        s.ts());
   }
 
   private boolean isForgotten(long number) {

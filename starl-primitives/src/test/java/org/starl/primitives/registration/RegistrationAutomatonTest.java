@@ -34,7 +34,7 @@ class RegistrationAutomatonTest {
   /** Keeps, Fresh, Soundness; Agreement is plain from the states' form. */
   private static String broken(States s) {
     for (ProcessId i : PIDS) {
-      if (s.ts().at(i) > s.number() || s.rList(i).stream().anyMatch(j -> !s.asked().at(j))) {
+      if (s.ts().at(i) > s.number() || s.rList(i).stream().anyMatch(j -> !s.asked().contains(j))) {
         return "Soundness";
       }
       boolean was = false;
@@ -47,7 +47,7 @@ class RegistrationAutomatonTest {
         left |= was && !is;
         was |= is;
       }
-      if (left && !s.gone().at(i)) {
+      if (left && !s.gone().contains(i)) {
         return "Keeps";
       }
     }
