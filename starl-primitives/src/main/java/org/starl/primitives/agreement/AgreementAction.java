@@ -1,22 +1,19 @@
+// Generated from SetAgreement_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.agreement;
 
 import java.util.List;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Action;
 
-/** The actions of the theory {@code SetAgreement_decls}, under their names there. */
+/** The actions of SetAgreement_decls. */
 public sealed interface AgreementAction extends Action {
 
-  /** Proposes {@code v}. */
   record propose(RobotId i, String v) implements AgreementAction {}
 
-  /** {@code v} is decided on; no robot need know yet. */
   record choose(String v) implements AgreementAction {}
 
-  /** Learns the decision. */
   record decide(RobotId i) implements AgreementAction {}
 
-  /** Its program restarts and knows nothing. */
   record restart(RobotId i) implements AgreementAction {}
 
   @Override

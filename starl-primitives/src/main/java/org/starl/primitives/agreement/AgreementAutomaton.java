@@ -1,14 +1,28 @@
+// Generated from SetAgreement_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.agreement;
 
+import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Lift;
+import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code SetAgreement_decls}, as an executable automaton: agreement on one value, once. {@code PIDS} are
- * robots, {@code Values} the values' texts. {@link AgreementConformance} replays runs on it.
+ * The automaton SetAgreement_decls, executable.
+ *
+ * <p>Agreement on one value, once and for all: the abstract specification. The paper calls the core
+ * of Registration a "set-valued distributed consensus" (section 4.3); this is that consensus, over
+ * any values.
+ *
+ * <p>Anybody may propose any values. One of those proposed is chosen, at some instant that nobody
+ * need know of; whoever is told is told that one. A process that restarts has forgotten what it was
+ * told.
+ *
+ * <p>Nothing is assumed. Java: org.starl.primitives.agreement.SetAgreement; `proposed' and `value'
+ * are what is true of the whole system, `decided(i)' is what i knows; this automaton:
+ * AgreementAutomaton; monitors: AgreementSpec, AgreementConformance.
  */
 public final class AgreementAutomaton
     implements Automaton<AgreementAutomaton.States, AgreementAction> {
@@ -17,14 +31,12 @@ public final class AgreementAutomaton
   public static final String SET_AGREEMENT_DECLS = "SetAgreement_decls";
 
   /**
-   * The theory's states.
+   * The states.
    *
-   * @param proposed by any robot
-   * @param value the decision
-   * @param decided the decision, as a robot knows it
+   * @param value what is chosen; none: nothing yet
    */
   public record States(
-      Fun<String, Boolean> proposed, Lift<String> value, Fun<RobotId, Lift<String>> decided) {}
+      SortedSet<String> proposed, Lift<String> value, Fun<RobotId, Lift<String>> decided) {}
 
   @Override
   public String theory() {
@@ -33,7 +45,7 @@ public final class AgreementAutomaton
 
   @Override
   public States start() {
-    return new States(Fun.always(false), new Lift.bottom<>(), Fun.always(new Lift.bottom<>()));
+    return new States(Sets.emptyset(), new Lift.bottom<>(), Fun.always(new Lift.bottom<>()));
   }
 
   @Override
@@ -41,10 +53,10 @@ public final class AgreementAutomaton
     return switch (action) {
       case AgreementAction.propose a -> Enabled.TRUE;
       case AgreementAction.choose a ->
-          Enabled.when("bottom?(value)", !s.value.isUp(), () -> "value = " + s.value.text())
-              .and("proposed(v)", s.proposed.at(a.v()), () -> "no robot proposed " + a.v());
+          Enabled.when("value = none", !s.value.isUp(), () -> "value = " + s.value)
+              .and("v in proposed", s.proposed.contains(a.v()), () -> "proposed = " + s.proposed);
       case AgreementAction.decide a ->
-          Enabled.when("up?(value)", s.value.isUp(), () -> "value = " + s.value.text());
+          Enabled.when("value != none", s.value.isUp(), () -> "value = " + s.value);
       case AgreementAction.restart a -> Enabled.TRUE;
     };
   }
@@ -52,8 +64,7 @@ public final class AgreementAutomaton
   @Override
   public States trans(AgreementAction action, States s) {
     return switch (action) {
-      case AgreementAction.propose a ->
-          new States(s.proposed.with(a.v(), true), s.value, s.decided);
+      case AgreementAction.propose a -> new States(Sets.add(a.v(), s.proposed), s.value, s.decided);
       case AgreementAction.choose a -> new States(s.proposed, new Lift.up<>(a.v()), s.decided);
       case AgreementAction.decide a ->
           new States(s.proposed, s.value, s.decided.with(a.i(), s.value));

@@ -62,6 +62,6 @@ class AgreementConformanceTest {
     knows("b", "03");
     assertThat(run.details())
         .containsExactly(
-            "agreement/x: choose(03) is not enabled: proposed(v) is false: no robot proposed 03");
+            "agreement/x: choose(03) is not enabled: v in proposed is false: proposed = []");
   }
 }
