@@ -1,3 +1,4 @@
+// Generated from Election_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.election;
 
 import java.util.SortedSet;
@@ -9,8 +10,18 @@ import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Election_decls} as an executable automaton: at most one leader for each term. {@code
- * PIDS} are ids, one for each start of a robot's program. {@link ElectionConformance} replays runs on it.
+ * The automaton Election_decls, executable.
+ *
+ * <p>Leader election (paper, section 4.4): at most one leader for each term.
+ *
+ * <p>Terms are numbered. Who has called do_election may stand in any term; one of those who stand
+ * in it is elected; whoever is told of a term is told the one elected in it. Leader(i) is null,
+ * fail, or a term with its leader; a process may know an old term while others know later ones.
+ *
+ * <p>Nothing is assumed. PIDS are ids: a robot that restarts takes part under another one. Java:
+ * org.starl.primitives.election.Election; `elected' is what is true of the whole system,
+ * `Leader(i)' is what i shows; this automaton: ElectionAutomaton; monitors: ElectionSpec,
+ * ElectionConformance.
  */
 public final class ElectionAutomaton
     implements Automaton<ElectionAutomaton.States, ElectionAction> {
@@ -18,38 +29,19 @@ public final class ElectionAutomaton
   /** The theory's name. */
   public static final String ELECTION_DECLS = "Election_decls";
 
-  /**
-   * The leader that an id knows.
-   *
-   * @param who the leader; bottom for null or fail
-   */
-  public record Known(long term, Lift<ProcessId> who) {
-
-    /** {@code (# term := 1, who := up(bot0#1) #)}. */
-    @Override
-    public String toString() {
-      return "(# term := " + term + ", who := " + who + " #)";
-    }
-  }
+  /** who = none: null or fail */
+  public record Known(long term, Lift<ProcessId> who) {}
 
   /**
-   * The theory's states.
+   * The states.
    *
-   * @param part whether an id has called {@code do_election}
-   * @param stood the candidates of a term
-   * @param elected the leader of a term
-   * @param Leader the leader that an id shows
+   * @param part called do_election
    */
   public record States(
-      Fun<ProcessId, Boolean> part,
+      SortedSet<ProcessId> part,
       Fun<Long, SortedSet<ProcessId>> stood,
       Fun<Long, Lift<ProcessId>> elected,
-      Fun<ProcessId, Known> Leader) {
-
-    private States withLeader(ProcessId i, Known known) {
-      return new States(part, stood, elected, Leader.with(i, known));
-    }
-  }
+      Fun<ProcessId, Known> Leader) {}
 
   @Override
   public String theory() {
@@ -59,10 +51,10 @@ public final class ElectionAutomaton
   @Override
   public States start() {
     return new States(
-        Fun.always(false),
+        Sets.emptyset(),
         Fun.always(Sets.emptyset()),
         Fun.always(new Lift.bottom<>()),
-        Fun.always(new Known(0, new Lift.bottom<>())));
+        Fun.always(new Known(0L, new Lift.bottom<>())));
   }
 
   @Override
@@ -70,19 +62,19 @@ public final class ElectionAutomaton
     return switch (action) {
       case ElectionAction.do_election a -> Enabled.TRUE;
       case ElectionAction.candidate a ->
-          Enabled.when("part(i)", s.part.at(a.i()), () -> "NOT part(" + a.i() + ")");
+          Enabled.when("i in part", s.part.contains(a.i()), () -> "part = " + s.part);
       case ElectionAction.elect a ->
           Enabled.when(
-                  "bottom?(elected(n))",
+                  "elected(n) = none",
                   !s.elected.at(a.n()).isUp(),
                   () -> "elected(" + a.n() + ") = " + s.elected.at(a.n()))
               .and(
-                  "stood(n)(i)",
+                  "i in stood(n)",
                   s.stood.at(a.n()).contains(a.i()),
                   () -> "stood(" + a.n() + ") = " + s.stood.at(a.n()));
       case ElectionAction.learn a ->
           Enabled.when(
-              "up?(elected(n))",
+              "elected(n) != none",
               s.elected.at(a.n()).isUp(),
               () -> "elected(" + a.n() + ") = " + s.elected.at(a.n()));
       case ElectionAction.fail a -> Enabled.TRUE;
@@ -93,16 +85,24 @@ public final class ElectionAutomaton
   public States trans(ElectionAction action, States s) {
     return switch (action) {
       case ElectionAction.do_election a ->
-          new States(s.part.with(a.i(), true), s.stood, s.elected, s.Leader);
-      case ElectionAction.candidate a -> {
-        SortedSet<ProcessId> stood = Sets.add(a.i(), s.stood.at(a.n()));
-        yield new States(s.part, s.stood.with(a.n(), stood), s.elected, s.Leader);
-      }
+          new States(Sets.add(a.i(), s.part), s.stood, s.elected, s.Leader);
+      case ElectionAction.candidate a ->
+          new States(
+              s.part, s.stood.with(a.n(), Sets.add(a.i(), s.stood.at(a.n()))), s.elected, s.Leader);
       case ElectionAction.elect a ->
           new States(s.part, s.stood, s.elected.with(a.n(), new Lift.up<>(a.i())), s.Leader);
-      case ElectionAction.learn a -> s.withLeader(a.i(), new Known(a.n(), s.elected.at(a.n())));
+      case ElectionAction.learn a ->
+          new States(
+              s.part,
+              s.stood,
+              s.elected,
+              s.Leader.with(a.i(), new Known(a.n(), s.elected.at(a.n()))));
       case ElectionAction.fail a ->
-          s.withLeader(a.i(), new Known(s.Leader.at(a.i()).term(), new Lift.bottom<>()));
+          new States(
+              s.part,
+              s.stood,
+              s.elected,
+              s.Leader.with(a.i(), new Known(s.Leader.at(a.i()).term(), new Lift.bottom<>())));
     };
   }
 }

@@ -49,9 +49,9 @@ class ElectionConformanceTest {
             "candidate(a#1, 1)",
             "elect(1, a#1)",
             "learn(a#1, 1)",
-            "Leader(a#1) = (# term := 1, who := up(a#1) #)",
+            "Leader(a#1) = Known[term=1, who=up(a#1)]",
             "learn(b#1, 1)",
-            "Leader(b#1) = (# term := 1, who := up(a#1) #)",
+            "Leader(b#1) = Known[term=1, who=up(a#1)]",
             "fail(b#1)",
             "fail(a#1)");
   }
@@ -65,12 +65,11 @@ class ElectionConformanceTest {
     acts("a", "Election", "2", "a#2");
     shows("a", "1:a#1");
     assertThat(run.steps())
-        .containsExactly(
-            "fail(a#1)", "learn(a#2, 1)", "Leader(a#2) = (# term := 1, who := up(a#1) #)");
+        .containsExactly("fail(a#1)", "learn(a#2, 1)", "Leader(a#2) = Known[term=1, who=up(a#1)]");
     acts("a", "candidate", "2", "a#2");
     assertThat(run.details())
         .containsExactly(
-            "election/x: candidate(a#2, 2) is not enabled: part(i) is false: NOT part(a#2)");
+            "election/x: candidate(a#2, 2) is not enabled: i in part is false: part = [a#1]");
   }
 
   @Test
@@ -93,8 +92,8 @@ class ElectionConformanceTest {
     shows("b", "1:b#1");
     assertThat(run.details())
         .containsExactly(
-            "election/x: Leader(b#1) is (# term := 1, who := up(a#1) #),"
-                + " but the trace has (# term := 1, who := up(b#1) #)");
+            "election/x: Leader(b#1) is Known[term=1, who=up(a#1)],"
+                + " but the trace has Known[term=1, who=up(b#1)]");
   }
 
   @Test
@@ -113,6 +112,6 @@ class ElectionConformanceTest {
     shows("a", "2:a#1");
     assertThat(run.details())
         .containsExactly(
-            "election/x: elect(2, a#1) is not enabled: stood(n)(i) is false: stood(2) = []");
+            "election/x: elect(2, a#1) is not enabled: i in stood(n) is false: stood(2) = []");
   }
 }
