@@ -1,3 +1,4 @@
+// Generated from Barrier_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.barrier;
 
 import java.util.List;
@@ -5,16 +6,13 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.Outcome;
 import org.starl.spec.automaton.Action;
 
-/** The actions of the theory {@code Barrier_decls}, under their names there. */
+/** The actions of Barrier_decls. */
 public sealed interface BarrierAction extends Action {
 
-  /** Arrives in generation {@code g}. */
   record arrive(ProcessId i, long g) implements BarrierAction {}
 
-  /** The outcome of generation {@code g} is decided; no robot need know yet. */
   record decide(long g, Outcome o) implements BarrierAction {}
 
-  /** Is told the outcome of generation {@code g}. */
   record tell(ProcessId i, long g) implements BarrierAction {}
 
   @Override

@@ -1,9 +1,8 @@
+// Generated from Barrier_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.barrier;
 
-import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
@@ -12,9 +11,20 @@ import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Term;
 
 /**
- * The theory {@code Barrier_decls} as an executable automaton: in each generation, all members arrive
- * and are told one outcome. {@code PIDS} are ids, one for each start of a robot's program. {@link
- * BarrierConformance} replays runs on it.
+ * The automaton Barrier_decls, executable.
+ *
+ * <p>Barrier synchronisation (the paper names it among StarL's primitives, section 4): generation
+ * by generation, all members arrive and are told one outcome.
+ *
+ * <p>Generations are 1, 2, 3, ...; `first' are the members of generation 1. A generation is passed
+ * once all its members have arrived in it, or broken by the absence of some, who are members of no
+ * later one. Outcomes come in the order of the generations; an arrival may come at any time, and
+ * counts for its own generation. Whoever is told of a generation is told its outcome (a process
+ * that is among the missing is thereby told excluded).
+ *
+ * <p>Nothing is assumed. PIDS are ids: a robot that restarts is another participant. Java:
+ * org.starl.primitives.barrier.Barrier; `outcome' is what is true of the whole system, `told(i)' is
+ * what i shows; this automaton: BarrierAutomaton; monitors: BarrierSpec, BarrierConformance.
  */
 public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States, BarrierAction> {
 
@@ -23,17 +33,18 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
 
   private final SortedSet<ProcessId> first;
 
-  /**
-   * @param first the theory's parameter: the members of generation 1
-   */
+  /** Of the theory's parameters. */
   public BarrierAutomaton(SortedSet<ProcessId> first) {
-    this.first = Collections.unmodifiableSortedSet(new TreeSet<>(first));
+    this.first = Sets.of(first);
   }
 
-  /** The theory's data type of outcomes. */
+  /** The theory's parameter. */
+  public SortedSet<ProcessId> first() {
+    return first;
+  }
+
   public sealed interface Outcome extends Term {
 
-    /** None yet. */
     // The theory's name; in module declarations it is a keyword.
     @SuppressWarnings("NamedLikeContextualKeyword")
     record open() implements Outcome {
@@ -43,7 +54,6 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
       }
     }
 
-    /** All members arrived. */
     record passed() implements Outcome {
       @Override
       public String toString() {
@@ -51,7 +61,6 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
       }
     }
 
-    /** The missing members are excluded. */
     record failed(SortedSet<ProcessId> missing) implements Outcome {
       @Override
       public String toString() {
@@ -61,44 +70,25 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
 
     @Override
     default List<Object> args() {
-      return this instanceof failed some ? List.of(some.missing) : List.of();
+      return switch (this) {
+        case open a -> List.of();
+        case passed a -> List.of();
+        case failed a -> List.of(a.missing);
+      };
     }
   }
 
-  /** The latest outcome that an id was told, and its generation. */
   public record Told(long gen, Outcome out) {}
 
-  /**
-   * The theory's states.
-   *
-   * @param arrived the ids that arrived in a generation
-   * @param outcome the outcome of a generation
-   * @param told the outcome that an id shows
-   */
+  /** The states. */
   public record States(
       Fun<Long, SortedSet<ProcessId>> arrived,
       Fun<Long, Outcome> outcome,
-      Fun<ProcessId, Told> told) {
-
-    /** Whether {@code g} has no outcome. */
-    boolean isOpen(long g) {
-      return outcome.at(g) instanceof Outcome.open;
-    }
-
-    /** Without the arrivals in a decided generation, which no action reads. */
-    States withoutArrivals(long g) {
-      return new States(arrived.with(g, Sets.emptyset()), outcome, told);
-    }
-  }
+      Fun<ProcessId, Told> told) {}
 
   @Override
   public String theory() {
     return BARRIER_DECLS;
-  }
-
-  /** The theory's parameter. */
-  SortedSet<ProcessId> first() {
-    return first;
   }
 
   @Override
@@ -106,18 +96,35 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
     return new States(
         Fun.always(Sets.emptyset()),
         Fun.always(new Outcome.open()),
-        Fun.always(new Told(0, new Outcome.open())));
+        Fun.always(new Told(0L, new Outcome.open())));
   }
 
-  /** The members of a generation: the initial members minus those excluded earlier. */
+  /** The members of a generation: the first without whom those before left out. */
   public SortedSet<ProcessId> members(long g, States s) {
-    SortedSet<ProcessId> members = new TreeSet<>(first);
-    s.outcome.forEach((before, outcome) -> {
-      if (0 < before && before < g && outcome instanceof Outcome.failed some) {
-        members.removeAll(some.missing());
-      }
-    });
-    return members;
+    SortedSet<ProcessId> value = Sets.emptyset();
+    for (long g_ = 0; g_ <= g; g_++) {
+      value =
+          g_ <= 1
+              ? first
+              : s.outcome.at(g_ - 1) instanceof Outcome.failed
+                  ? Sets.difference(value, ((Outcome.failed) s.outcome.at(g_ - 1)).missing())
+                  : value;
+    }
+    return value;
+  }
+
+  /**
+   * o may be the outcome of g: those before have theirs, and all have arrived, or some of them are
+   * missing.
+   */
+  public boolean isRight(long g, Outcome o, States s) {
+    return g > 0
+        && (g == 1 || !(s.outcome.at(g - 1) instanceof Outcome.open))
+        && (o instanceof Outcome.open
+            ? false
+            : o instanceof Outcome.failed failed
+                ? !failed.missing().isEmpty() && members(g, s).containsAll(failed.missing())
+                : s.arrived.at(g).containsAll(members(g, s)));
   }
 
   @Override
@@ -125,65 +132,51 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
     return switch (action) {
       case BarrierAction.arrive a -> Enabled.TRUE;
       case BarrierAction.decide a ->
-          right(
-              Enabled.when(
-                  "open?(outcome(g))",
-                  s.isOpen(a.g()),
-                  () -> "outcome(" + a.g() + ") = " + s.outcome.at(a.g())),
-              a.g(),
-              a.o(),
-              s);
+          Enabled.when(
+                  "outcome(g) is open",
+                  s.outcome.at(a.g()) instanceof Outcome.open,
+                  () -> "outcome(" + a.g() + ") = " + s.outcome.at(a.g()))
+              .and(
+                  "right?(g, o)",
+                  isRight(a.g(), a.o(), s),
+                  () ->
+                      !(a.g() > 0
+                              && (a.g() == 1 || !(s.outcome.at(a.g() - 1) instanceof Outcome.open)))
+                          ? (!(a.g() > 0)
+                              ? "g = " + a.g()
+                              : "outcome(" + (a.g() - 1) + ") = " + s.outcome.at(a.g() - 1))
+                          : a.o() instanceof Outcome.open
+                              ? "o = " + a.o()
+                              : a.o() instanceof Outcome.failed failed
+                                  ? (failed.missing().isEmpty()
+                                      ? "M = " + failed.missing()
+                                      : "members(" + a.g() + ") = " + members(a.g(), s))
+                                  : "members("
+                                      + a.g()
+                                      + ") = "
+                                      + members(a.g(), s)
+                                      + ", arrived("
+                                      + a.g()
+                                      + ") = "
+                                      + s.arrived.at(a.g()));
       case BarrierAction.tell a ->
           Enabled.when(
-              "NOT open?(outcome(g))",
-              !s.isOpen(a.g()),
+              "not outcome(g) is open",
+              !(s.outcome.at(a.g()) instanceof Outcome.open),
               () -> "outcome(" + a.g() + ") = " + s.outcome.at(a.g()));
-    };
-  }
-
-  /** The theory's {@code right?(g, o, s)}, after other conjuncts. */
-  private Enabled right(Enabled before, long g, Outcome o, States s) {
-    Enabled inOrder =
-        before
-            .and("g > 0", g > 0, () -> "g = " + g)
-            .and(
-                "g = 1 OR NOT open?(outcome(g - 1))",
-                g == 1 || !s.isOpen(g - 1),
-                () -> "outcome(" + (g - 1) + ") = " + s.outcome.at(g - 1));
-    return switch (o) {
-      case Outcome.open none -> inOrder.and("NOT open?(o)", false, () -> "o = " + none);
-      case Outcome.passed all -> {
-        SortedSet<ProcessId> late = members(g, s);
-        late.removeAll(s.arrived.at(g));
-        yield inOrder.and(
-            "subset?(members(g, s), arrived(g))",
-            late.isEmpty(),
-            () -> late + " have not arrived in " + g);
-      }
-      case Outcome.failed some -> {
-        SortedSet<ProcessId> members = members(g, s);
-        yield inOrder
-            .and("nonempty?(M)", !some.missing().isEmpty(), () -> "M = " + some.missing())
-            .and(
-                "subset?(M, members(g, s))",
-                members.containsAll(some.missing()),
-                () -> "members(" + g + ", s) = " + members);
-      }
     };
   }
 
   @Override
   public States trans(BarrierAction action, States s) {
     return switch (action) {
-      case BarrierAction.arrive a -> {
-        SortedSet<ProcessId> arrived = Sets.add(a.i(), s.arrived.at(a.g()));
-        yield new States(s.arrived.with(a.g(), arrived), s.outcome, s.told);
-      }
+      case BarrierAction.arrive a ->
+          new States(
+              s.arrived.with(a.g(), Sets.add(a.i(), s.arrived.at(a.g()))), s.outcome, s.told);
       case BarrierAction.decide a -> new States(s.arrived, s.outcome.with(a.g(), a.o()), s.told);
-      case BarrierAction.tell a -> {
-        Told told = new Told(a.g(), s.outcome.at(a.g()));
-        yield new States(s.arrived, s.outcome, s.told.with(a.i(), told));
-      }
+      case BarrierAction.tell a ->
+          new States(
+              s.arrived, s.outcome, s.told.with(a.i(), new Told(a.g(), s.outcome.at(a.g()))));
     };
   }
 }

@@ -88,7 +88,7 @@ final class BarrierRun {
   }
 
   private void told(Begun run, Variable event, long generation, Outcome outcome, Report report) {
-    if (run.state().isOpen(generation)) {
+    if (isOpen(generation, run.state())) {
       decide(run, event, generation, outcome, report);
     }
     ProcessId i = ids.get(event.robot());
@@ -100,12 +100,22 @@ final class BarrierRun {
     }
   }
 
+  private static boolean isOpen(long generation, States s) {
+    return s.outcome().at(generation) instanceof Outcome.open;
+  }
+
+  /** Without the arrivals in a decided generation, which no action reads. */
+  private static States withoutArrivals(long generation, States s) {
+    return new States(
+        s.arrived().with(generation, s.arrived().defaultValue()), s.outcome(), s.told());
+  }
+
   private void excluded(Begun run, Variable event, long generation, Report report) {
     ProcessId i = ids.get(event.robot());
     if (i == null || generation == 0) {
       return; // it was never a member
     }
-    if (run.state().isOpen(generation)) {
+    if (isOpen(generation, run.state())) {
       excluded.computeIfAbsent(generation, g -> new ArrayList<>()).add(new Early(event, i));
     } else {
       tell(run, event, i, generation, report);
@@ -115,7 +125,7 @@ final class BarrierRun {
   private void decide(
       Begun run, TraceEvent event, long generation, Outcome outcome, Report report) {
     run.step(event, new BarrierAction.decide(generation, outcome), report);
-    run.replay.reduce(s -> s.withoutArrivals(generation));
+    run.replay.reduce(s -> withoutArrivals(generation, s));
     List<Early> waiting = excluded.remove(generation);
     if (waiting != null) {
       waiting.forEach(early -> tell(run, early.event, early.i, generation, report));

@@ -102,22 +102,23 @@ class BarrierAutomatonTest {
     States s = automaton.start();
     Outcome passed = new Outcome.passed();
     assertThat(obstacle(s, new BarrierAction.tell(A, 1)))
-        .isEqualTo("NOT open?(outcome(g)) is false: outcome(1) = open");
-    assertThat(obstacle(s, new BarrierAction.decide(0, passed))).isEqualTo("g > 0 is false: g = 0");
+        .isEqualTo("not outcome(g) is open is false: outcome(1) = open");
+    assertThat(obstacle(s, new BarrierAction.decide(0, passed)))
+        .isEqualTo("right?(g, o) is false: g = 0");
     assertThat(obstacle(s, new BarrierAction.decide(2, passed)))
-        .isEqualTo("g = 1 OR NOT open?(outcome(g - 1)) is false: outcome(1) = open");
+        .isEqualTo("right?(g, o) is false: outcome(1) = open");
     assertThat(obstacle(s, new BarrierAction.decide(1, new Outcome.open())))
-        .isEqualTo("NOT open?(o) is false: o = open");
+        .isEqualTo("right?(g, o) is false: o = open");
     s = automaton.trans(new BarrierAction.arrive(B, 1), s);
     assertThat(obstacle(s, new BarrierAction.decide(1, passed)))
-        .isEqualTo("subset?(members(g, s), arrived(g)) is false: [a#1, c#1] have not arrived in 1");
+        .isEqualTo("right?(g, o) is false: members(1) = [a#1, b#1, c#1], arrived(1) = [b#1]");
     assertThat(obstacle(s, new BarrierAction.decide(1, failed())))
-        .isEqualTo("nonempty?(M) is false: M = []");
+        .isEqualTo("right?(g, o) is false: M = []");
     s = after(s, new BarrierAction.decide(1, failed(A)));
     assertThat(obstacle(s, new BarrierAction.decide(1, passed)))
-        .isEqualTo("open?(outcome(g)) is false: outcome(1) = failed([a#1])");
+        .isEqualTo("outcome(g) is open is false: outcome(1) = failed([a#1])");
     assertThat(obstacle(s, new BarrierAction.decide(2, failed(A))))
-        .isEqualTo("subset?(M, members(g, s)) is false: members(2, s) = [b#1, c#1]");
+        .isEqualTo("right?(g, o) is false: members(2) = [b#1, c#1]");
   }
 
   @Test

@@ -124,8 +124,8 @@ class BarrierConformanceTest {
     shows("a", "1:passed");
     assertThat(run.details())
         .containsExactly(
-            "barrier/x: decide(1, passed) is not enabled: subset?(members(g, s), arrived(g)) is"
-                + " false: [b#1, c#1] have not arrived in 1");
+            "barrier/x: decide(1, passed) is not enabled: right?(g, o) is false:"
+                + " members(1) = [a#1, b#1, c#1], arrived(1) = [a#1]");
   }
 
   @Test
@@ -154,7 +154,7 @@ class BarrierConformanceTest {
     assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(2, failed([c#1])) is not enabled:"
-                + " g = 1 OR NOT open?(outcome(g - 1)) is false: outcome(1) = open");
+                + " right?(g, o) is false: outcome(1) = open");
   }
 
   @Test
