@@ -1,94 +1,53 @@
+// Generated from Geocast_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.geocast;
 
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Geocast_decls} as an executable automaton: messages to all robots in an area.
- * {@code PIDS} are robots, {@code Msgs} the ids of geocasts, times are in ns. An area is
- * represented by the id of its geocast, and a place, of {@code Places}, by the set of the areas
- * that contain it: {@code area(m)(p)} is {@code p.contains(area(m))}. {@link GeocastConformance}
- * replays runs on it.
+ * The automaton Geocast_decls, executable.
+ *
+ * <p>Geocast (paper, section 4.2), safety: a message to all in an area A, within an interval of
+ * length d.
+ *
+ * <p>A message m is sent at t0(m), to area(m), until t0(m) + d(m). Whoever has been in the area in
+ * that interval may be handed it, once, as long as the interval is not over; a process that
+ * restarts has forgotten what it was handed. Places change at any time. was_in and was_out say, of
+ * each message and process, whether the process has been inside or outside the area at some time of
+ * the interval.
+ *
+ * <p>Nothing is assumed: messages may be lost, late and doubled, and time passes as it likes. What
+ * is owed in time is in Geocast_progress. Java: org.starl.primitives.geocast.Geocast; this
+ * automaton: GeocastAutomaton; monitors: GeocastSpec, GeocastConformance.
  */
 public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States, GeocastAction> {
 
   /** The theory's name. */
   public static final String GEOCAST_DECLS = "Geocast_decls";
 
-  private static final Fun<RobotId, Boolean> EMPTYSET = Fun.always(false);
-
-  /**
-   * The theory's states.
-   *
-   * @param now the time since the start
-   * @param pos the place of a robot
-   * @param sent whether a message was sent
-   * @param t0 when it was sent
-   * @param d the length of the interval in which robots in its area may receive it
-   * @param area the area it is sent to
-   * @param got the robots that received it, and have not restarted since
-   * @param was_in the robots that were in the area during its interval
-   * @param was_out the robots that were outside the area during its interval
-   */
+  /** The states. */
   public record States(
       long now,
-      Fun<RobotId, SortedSet<String>> pos,
-      Fun<String, Boolean> sent,
+      Fun<RobotId, Place> pos,
+      SortedSet<String> sent,
       Fun<String, Long> t0,
       Fun<String, Long> d,
-      Fun<String, String> area,
+      Fun<String, Area> area,
       Fun<String, Fun<RobotId, Boolean>> got,
       Fun<String, Fun<RobotId, Boolean>> was_in,
       Fun<String, Fun<RobotId, Boolean>> was_out) {
 
-    /** {@code open?(m, s)}. */
-    boolean isOpen(String m) {
-      return sent.at(m) && now <= t0.at(m) + d.at(m);
+    public boolean isOpen(String m) {
+      return sent.contains(m) && now <= t0.at(m) + d.at(m);
     }
 
-    private boolean isIn(SortedSet<String> place, String m) {
-      return place.contains(area.at(m));
-    }
-
-    private States withPos(RobotId i, SortedSet<String> place) {
-      return new States(now, pos.with(i, place), sent, t0, d, area, got, was_in, was_out);
-    }
-
-    private States withGot(Fun<String, Fun<RobotId, Boolean>> newGot) {
-      return new States(now, pos, sent, t0, d, area, newGot, was_in, was_out);
-    }
-
-    /** Removes a message whose interval is over, as if it had never been sent. */
-    States without(String m) {
-      Fun<RobotId, SortedSet<String>> places = pos;
-      for (RobotId i : those(pos, m)) {
-        places = places.with(i, Sets.remove(area.at(m), pos.at(i)));
-      }
-      return new States(
-          now,
-          places,
-          sent.with(m, false),
-          t0.with(m, t0.defaultValue()),
-          d.with(m, d.defaultValue()),
-          area.with(m, area.defaultValue()),
-          got.with(m, EMPTYSET),
-          was_in.with(m, EMPTYSET),
-          was_out.with(m, EMPTYSET));
-    }
-
-    private SortedSet<RobotId> those(Fun<RobotId, SortedSet<String>> places, String m) {
-      SortedSet<RobotId> inside = new TreeSet<>();
-      places.forEach((i, place) -> {
-        if (isIn(place, m)) {
-          inside.add(i);
-        }
-      });
-      return inside;
+    public boolean isOver(String m) {
+      return sent.contains(m) && now > t0.at(m) + d.at(m);
     }
   }
 
@@ -100,15 +59,15 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
   @Override
   public States start() {
     return new States(
-        0,
-        Fun.always(Sets.emptyset()),
-        Fun.always(false),
+        0L,
+        Fun.always(Place.ELSEWHERE),
+        Sets.emptyset(),
         Fun.always(0L),
         Fun.always(0L),
-        Fun.always(""),
-        Fun.always(EMPTYSET),
-        Fun.always(EMPTYSET),
-        Fun.always(EMPTYSET));
+        Fun.always(Area.NONE),
+        Fun.always(Fun.always(false)),
+        Fun.always(Fun.always(false)),
+        Fun.always(Fun.always(false)));
   }
 
   @Override
@@ -116,26 +75,35 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
     return switch (action) {
       case GeocastAction.dt a -> Enabled.TRUE;
       case GeocastAction.do_geocast a ->
-          Enabled.when("NOT sent(m)", !s.sent.at(a.m()), () -> "sent(" + a.m() + ")");
+          Enabled.when("not m in sent", !s.sent.contains(a.m()), () -> "sent = " + s.sent);
       case GeocastAction.deliver a ->
-          Enabled.when("open?(m, s)", s.isOpen(a.m()), () -> whyNotOpen(a.m(), s))
+          Enabled.when(
+                  "open?(m)",
+                  s.isOpen(a.m()),
+                  () ->
+                      !s.sent.contains(a.m())
+                          ? "sent = " + s.sent
+                          : "now = "
+                              + s.now
+                              + ", t0("
+                              + a.m()
+                              + ") = "
+                              + s.t0.at(a.m())
+                              + ", d("
+                              + a.m()
+                              + ") = "
+                              + s.d.at(a.m()))
               .and(
-                  "was_in(m)(i)",
+                  "i in was_in(m)",
                   s.was_in.at(a.m()).at(a.i()),
                   () -> "was_in(" + a.m() + ") = " + s.was_in.at(a.m()))
               .and(
-                  "NOT got(m)(i)",
+                  "not i in got(m)",
                   !s.got.at(a.m()).at(a.i()),
                   () -> "got(" + a.m() + ") = " + s.got.at(a.m()));
       case GeocastAction.move a -> Enabled.TRUE;
       case GeocastAction.restart a -> Enabled.TRUE;
     };
-  }
-
-  private static String whyNotOpen(String m, States s) {
-    return s.sent.at(m)
-        ? "now = " + s.now + ", t0 = " + s.t0.at(m) + ", d = " + s.d.at(m)
-        : m + " was never sent, or is over and forgotten";
   }
 
   @Override
@@ -144,61 +112,83 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
       case GeocastAction.dt a ->
           new States(
               s.now + a.delta_t(), s.pos, s.sent, s.t0, s.d, s.area, s.got, s.was_in, s.was_out);
-      case GeocastAction.do_geocast a -> sends(a, s);
+      case GeocastAction.do_geocast a ->
+          new States(
+              s.now,
+              s.pos,
+              Sets.add(a.m(), s.sent),
+              s.t0.with(a.m(), s.now),
+              s.d.with(a.m(), a.bound()),
+              s.area.with(a.m(), a.A()),
+              s.got.with(a.m(), Fun.always(false)),
+              s.was_in.with(
+                  a.m(),
+                  Finite.map(
+                      a.A().contains(s.pos.defaultValue()),
+                      i -> a.A().contains(s.pos.at(i)),
+                      s.pos.arguments())),
+              s.was_out.with(
+                  a.m(),
+                  Finite.map(
+                      !a.A().contains(s.pos.defaultValue()),
+                      i -> !a.A().contains(s.pos.at(i)),
+                      s.pos.arguments())));
       case GeocastAction.deliver a ->
-          s.withGot(s.got.with(a.m(), s.got.at(a.m()).with(a.i(), true)));
-      case GeocastAction.move a -> moves(a.i(), a.p(), s);
-      case GeocastAction.restart a -> restarts(a.i(), s);
+          new States(
+              s.now,
+              s.pos,
+              s.sent,
+              s.t0,
+              s.d,
+              s.area,
+              s.got.with(a.m(), s.got.at(a.m()).with(a.i(), true)),
+              s.was_in,
+              s.was_out);
+      case GeocastAction.move a ->
+          new States(
+              s.now,
+              s.pos.with(a.i(), a.p()),
+              s.sent,
+              s.t0,
+              s.d,
+              s.area,
+              s.got,
+              Finite.map(
+                  s.was_in.defaultValue(),
+                  m ->
+                      s.isOpen(m) && s.area.at(m).contains(a.p())
+                          ? s.was_in.at(m).with(a.i(), true)
+                          : s.was_in.at(m),
+                  s.sent,
+                  s.t0.arguments(),
+                  s.d.arguments(),
+                  s.area.arguments(),
+                  s.was_in.arguments()),
+              Finite.map(
+                  s.was_out.defaultValue(),
+                  m ->
+                      s.isOpen(m) && !s.area.at(m).contains(a.p())
+                          ? s.was_out.at(m).with(a.i(), true)
+                          : s.was_out.at(m),
+                  s.sent,
+                  s.t0.arguments(),
+                  s.d.arguments(),
+                  s.area.arguments(),
+                  s.was_out.arguments()));
+      case GeocastAction.restart a ->
+          new States(
+              s.now,
+              s.pos,
+              s.sent,
+              s.t0,
+              s.d,
+              s.area,
+              Finite.map(
+                  s.got.defaultValue().with(a.i(), false),
+                  m -> s.got.at(m).with(a.i(), false),
+                  s.got.arguments()),
+              s.was_in,
+              s.was_out);
     };
-  }
-
-  private static States sends(GeocastAction.do_geocast a, States s) {
-    String m = a.m();
-    Fun<String, String> area = s.area.with(m, a.A());
-    States named = new States(s.now, s.pos, s.sent, s.t0, s.d, area, s.got, s.was_in, s.was_out);
-    Fun<RobotId, Boolean> inside = EMPTYSET;
-    Fun<RobotId, Boolean> outside = Fun.always(true);
-    for (RobotId i : named.those(s.pos, m)) {
-      inside = inside.with(i, true);
-      outside = outside.with(i, false);
-    }
-    return new States(
-        s.now,
-        s.pos,
-        s.sent.with(m, true),
-        s.t0.with(m, s.now),
-        s.d.with(m, a.bound()),
-        area,
-        s.got.with(m, EMPTYSET),
-        s.was_in.with(m, inside),
-        s.was_out.with(m, outside));
-  }
-
-  private static States moves(RobotId i, SortedSet<String> place, States s) {
-    States after = s.withPos(i, place);
-    Fun<String, Fun<RobotId, Boolean>> in = s.was_in;
-    Fun<String, Fun<RobotId, Boolean>> out = s.was_out;
-    for (String m : sent(s)) {
-      if (s.isOpen(m) && s.isIn(place, m)) {
-        in = in.with(m, in.at(m).with(i, true));
-      } else if (s.isOpen(m)) {
-        out = out.with(m, out.at(m).with(i, true));
-      }
-    }
-    return new States(after.now, after.pos, s.sent, s.t0, s.d, s.area, s.got, in, out);
-  }
-
-  private static States restarts(RobotId i, States s) {
-    Fun<String, Fun<RobotId, Boolean>> got = s.got;
-    for (String m : sent(s)) {
-      got = got.with(m, got.at(m).with(i, false));
-    }
-    return s.withGot(got);
-  }
-
-  private static SortedSet<String> sent(States s) {
-    SortedSet<String> sent = new TreeSet<>();
-    s.sent.forEach((m, isSent) -> sent.add(m));
-    return sent;
   }
 }

@@ -1,10 +1,10 @@
 package org.starl.primitives.geocast;
 
-import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
+import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Sets;
 import org.starl.trace.TraceEvent;
@@ -70,7 +70,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
           @Override
           public void over(CastRecord cast) {
-            instance(cast.source).reduce(s -> s.without(cast.id));
+            instance(cast.source).reduce(s -> without(cast.id, s));
           }
         });
     super.observe(event, report);
@@ -78,7 +78,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
   private void enter(TraceEvent event, CastRecord cast, RobotId robot, Report report) {
     Replay<States, GeocastAction> replay = instance(cast.source);
-    SortedSet<String> place = Sets.add(cast.id, replay.state().pos().at(robot));
+    Place place = replay.state().pos().at(robot).in(new Area(cast.id));
     step(event, new GeocastAction.move(robot, place), replay, report);
   }
 
@@ -91,7 +91,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
       case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> {
         String m = action.args().get(0);
         long bound = Long.parseLong(action.args().get(2));
-        step(action, new GeocastAction.do_geocast(m, m, bound), replay, report);
+        step(action, new GeocastAction.do_geocast(m, new Area(m), bound), replay, report);
       }
       case GeocastTrace.DELIVER -> {
         CastRecord cast = casts.of(action);
@@ -102,6 +102,29 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
       }
       default -> {}
     }
+  }
+
+  /** Without a message whose interval is over, as if it had never been sent. */
+  private static States without(String m, States s) {
+    Area area = s.area().at(m);
+    Fun<RobotId, Place> pos = s.pos();
+    for (RobotId i : s.pos().arguments()) {
+      pos = pos.with(i, s.pos().at(i).without(area));
+    }
+    return new States(
+        s.now(),
+        pos,
+        Sets.remove(m, s.sent()),
+        forgotten(m, s.t0()),
+        forgotten(m, s.d()),
+        forgotten(m, s.area()),
+        forgotten(m, s.got()),
+        forgotten(m, s.was_in()),
+        forgotten(m, s.was_out()));
+  }
+
+  private static <V> Fun<String, V> forgotten(String m, Fun<String, V> of) {
+    return of.with(m, of.defaultValue());
   }
 
   private static void step(

@@ -45,13 +45,13 @@ class GeocastAutomatonTest {
       for (RobotId i : PIDS) {
         boolean in = s.was_in().at(m).at(i);
         boolean out = s.was_out().at(m).at(i);
-        boolean isInside = s.pos().at(i).contains(s.area().at(m));
-        if (s.sent().at(m) && s.got().at(m).at(i) && !in) {
+        boolean isInside = s.area().at(m).contains(s.pos().at(i));
+        if (s.sent().contains(m) && s.got().at(m).at(i) && !in) {
           return "Exclusion of " + m + " and " + i;
         }
         boolean isRight =
             s.t0().at(m) <= s.now() && (in || out) && (!s.isOpen(m) || (isInside ? in : out));
-        if (s.sent().at(m) && !isRight) {
+        if (s.sent().contains(m) && !isRight) {
           return "Inv_geo of " + m + " and " + i;
         }
       }
@@ -64,9 +64,9 @@ class GeocastAutomatonTest {
     String m = MSGS.get(rng.nextInt(MSGS.size()));
     return switch (rng.nextInt(20)) {
       case 0 -> new GeocastAction.dt(rng.nextInt(3));
-      case 1 -> new GeocastAction.do_geocast(m, m, 5 + rng.nextInt(20));
+      case 1 -> new GeocastAction.do_geocast(m, new Area(m), 5 + rng.nextInt(20));
       case 2 -> new GeocastAction.restart(i);
-      case 3, 4, 5, 6 -> new GeocastAction.move(i, some(rng));
+      case 3, 4, 5, 6 -> new GeocastAction.move(i, new Place(some(rng)));
       default -> new GeocastAction.deliver(m, i);
     };
   }
