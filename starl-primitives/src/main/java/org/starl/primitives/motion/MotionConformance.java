@@ -4,7 +4,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
-import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
@@ -62,7 +61,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
         MotionControlAutomaton.MOTION_CONTROL_DECLS,
         "all motions",
         MotionTrace.SOURCE::equals,
-        source -> new Replay<>(new MotionControlAutomaton(), source, steps));
+        source -> new Replay<>(new MotionControlAutomaton(Place::isNear), source, steps));
     bodies = new MotionBodies(parameters);
   }
 
@@ -93,7 +92,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
 
   private void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     if (moved != null) {
-      Place inside = new Place(Sets.singleton(motion.number), Place.ELSEWHERE.near());
+      Place inside = Place.of(Sets.singleton(motion.number), Sets.emptyset());
       replay().step(moved, new MotionControlAction.move(motion.robot, inside), report);
     }
   }
@@ -106,8 +105,9 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
       case MotionTrace.MOAT_MOVE, MotionTrace.TURN_TO -> {
         if (motion != null) {
           boolean isFree = bodies.isOnFloor(i) && !motion.owesAvoids;
-          long avoid = isFree ? MotionControlAutomaton.EMPTYSET : motion.number;
-          replay().step(action, new MotionControlAction.do_move(i, motion.number, avoid), report);
+          Area avoid = isFree ? Area.NONE : new Area(motion.number);
+          Place target = Place.target(motion.number);
+          replay().step(action, new MotionControlAction.do_move(i, target, avoid), report);
         }
       }
       case MotionTrace.MOTION_STOP ->
@@ -128,7 +128,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
       case DONE -> {
         MotionRecord motion = bodies.of(i);
         if (motion != null && bodies.isNear(motion, variable.timeNs())) {
-          Place near = new Place(Place.ELSEWHERE.avoided(), Sets.singleton(motion.number));
+          Place near = Place.of(Sets.emptyset(), Sets.singleton(motion.number));
           replay.step(variable, new MotionControlAction.move(i, near), report);
         }
         replay.step(variable, new MotionControlAction.arrived(i), report);

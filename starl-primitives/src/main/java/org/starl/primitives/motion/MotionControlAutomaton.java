@@ -1,19 +1,26 @@
+// Generated from MotionControl_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.motion;
 
-import java.util.SortedSet;
+import java.util.function.BiPredicate;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
-import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code MotionControl_decls} as an executable automaton: bodies that move under
- * commands. {@code PIDS} are robots. A command's number represents the command, its target, and its
- * area to avoid. A place, of {@code Places}, is represented by the areas that a body there is in,
- * and the targets it is near: {@code avoid(i)(p)} is {@code p.avoided().contains(avoid(i))}, {@code
- * near(p, t)} is {@code p.near().contains(t)}. {@link MotionConformance} replays runs on it.
+ * The automaton MotionControl_decls, executable.
+ *
+ * <p>Motion control (paper, section 4.1): do_move(t, A) moves a body to t, round A.
+ *
+ * <p>Under a command the body is never in the command's A, whether it moves or has told how it
+ * went; motionflag becomes DONE only near the target. A body without a command (IDLE) may be
+ * anywhere. gotopoint(t) is do_move with nothing to avoid.
+ *
+ * <p>`near' is what counts as arrived. Assumed: whoever calls is not in A, and whoever pushes a
+ * body keeps it out of A (`move' is the body's movement, whatever its cause). Java:
+ * org.starl.primitives.motion.Motioncontrol over org.starl.motion; `pos' is the true position; this
+ * automaton: MotionControlAutomaton; monitors: MotionSpec, MotionConformance.
  */
 public final class MotionControlAutomaton
     implements Automaton<MotionControlAutomaton.States, MotionControlAction> {
@@ -21,45 +28,24 @@ public final class MotionControlAutomaton
   /** The theory's name. */
   public static final String MOTION_CONTROL_DECLS = "MotionControl_decls";
 
-  /** The empty set of places: no command has this number. */
-  public static final long EMPTYSET = 0;
+  private final BiPredicate<Place, Place> near;
 
-  /**
-   * A place.
-   *
-   * @param avoided the commands whose area to avoid contains it
-   * @param near the commands whose target it is near
-   */
-  public record Place(SortedSet<Long> avoided, SortedSet<Long> near) {
-
-    static final Place ELSEWHERE = new Place(Sets.emptyset(), Sets.emptyset());
-
-    @Override
-    public String toString() {
-      return "in " + avoided + ", near " + near;
-    }
+  /** Of the theory's parameters. */
+  public MotionControlAutomaton(BiPredicate<Place, Place> near) {
+    this.near = near;
   }
 
   /**
-   * The theory's states.
+   * The states.
    *
-   * @param pos the place of a body
-   * @param target the target of the last command
-   * @param avoid the area to avoid of the last command
-   * @param motionflag the status of the last command
-   * @param at the place of a body when {@code motionflag} became DONE
+   * @param at where it was when motionflag became DONE
    */
   public record States(
       Fun<RobotId, Place> pos,
-      Fun<RobotId, Long> target,
-      Fun<RobotId, Long> avoid,
+      Fun<RobotId, Place> target,
+      Fun<RobotId, Area> avoid,
       Fun<RobotId, MotionFlag> motionflag,
-      Fun<RobotId, Place> at) {
-
-    private States withFlag(RobotId i, MotionFlag flag) {
-      return new States(pos, target, avoid, motionflag.with(i, flag), at);
-    }
-  }
+      Fun<RobotId, Place> at) {}
 
   @Override
   public String theory() {
@@ -70,8 +56,8 @@ public final class MotionControlAutomaton
   public States start() {
     return new States(
         Fun.always(Place.ELSEWHERE),
-        Fun.always(EMPTYSET),
-        Fun.always(EMPTYSET),
+        Fun.always(Place.ELSEWHERE),
+        Fun.always(Area.NONE),
         Fun.always(MotionFlag.IDLE),
         Fun.always(Place.ELSEWHERE));
   }
@@ -79,39 +65,48 @@ public final class MotionControlAutomaton
   @Override
   public Enabled enabled(MotionControlAction action, States s) {
     return switch (action) {
-      case MotionControlAction.do_move a -> {
-        Place here = s.pos.at(a.i());
-        yield Enabled.when(
-            "NOT A(pos(i))", !here.avoided().contains(a.A()), () -> "pos(" + a.i() + ") = " + here);
-      }
-      case MotionControlAction.move a -> {
-        long avoid = s.avoid.at(a.i());
-        MotionFlag flag = s.motionflag.at(a.i());
-        yield Enabled.when(
-            "NOT motionflag(i) = IDLE IMPLIES NOT avoid(i)(p)",
-            flag == MotionFlag.IDLE || !a.p().avoided().contains(avoid),
-            () -> "motionflag(" + a.i() + ") = " + flag + ", avoid(" + a.i() + ") = " + avoid);
-      }
-      case MotionControlAction.arrived a -> {
-        long target = s.target.at(a.i());
-        Place here = s.pos.at(a.i());
-        yield enabledWhileMoving(a.i(), s)
-            .and(
-                "near(pos(i), target(i))",
-                here.near().contains(target),
-                () -> "pos(" + a.i() + ") = " + here + ", target(" + a.i() + ") = " + target);
-      }
-      case MotionControlAction.failed a -> enabledWhileMoving(a.i(), s);
+      case MotionControlAction.do_move a ->
+          Enabled.when(
+              "not pos(i) in A",
+              !a.A().contains(s.pos.at(a.i())),
+              () -> "pos(" + a.i() + ") = " + s.pos.at(a.i()));
+      case MotionControlAction.move a ->
+          Enabled.when(
+              "not motionflag(i) = IDLE => not p in avoid(i)",
+              s.motionflag.at(a.i()) == MotionFlag.IDLE || !s.avoid.at(a.i()).contains(a.p()),
+              () ->
+                  "motionflag("
+                      + a.i()
+                      + ") = "
+                      + s.motionflag.at(a.i())
+                      + ", avoid("
+                      + a.i()
+                      + ") = "
+                      + s.avoid.at(a.i()));
+      case MotionControlAction.arrived a ->
+          Enabled.when(
+                  "motionflag(i) = MOVING",
+                  s.motionflag.at(a.i()) == MotionFlag.MOVING,
+                  () -> "motionflag(" + a.i() + ") = " + s.motionflag.at(a.i()))
+              .and(
+                  "near(pos(i), target(i))",
+                  near.test(s.pos.at(a.i()), s.target.at(a.i())),
+                  () ->
+                      "pos("
+                          + a.i()
+                          + ") = "
+                          + s.pos.at(a.i())
+                          + ", target("
+                          + a.i()
+                          + ") = "
+                          + s.target.at(a.i()));
+      case MotionControlAction.failed a ->
+          Enabled.when(
+              "motionflag(i) = MOVING",
+              s.motionflag.at(a.i()) == MotionFlag.MOVING,
+              () -> "motionflag(" + a.i() + ") = " + s.motionflag.at(a.i()));
       case MotionControlAction.motion_stop a -> Enabled.TRUE;
     };
-  }
-
-  private static Enabled enabledWhileMoving(RobotId i, States s) {
-    MotionFlag flag = s.motionflag.at(i);
-    return Enabled.when(
-        "motionflag(i) = MOVING",
-        flag == MotionFlag.MOVING,
-        () -> "motionflag(" + i + ") = " + flag);
   }
 
   @Override
@@ -133,8 +128,10 @@ public final class MotionControlAutomaton
               s.avoid,
               s.motionflag.with(a.i(), MotionFlag.DONE),
               s.at.with(a.i(), s.pos.at(a.i())));
-      case MotionControlAction.failed a -> s.withFlag(a.i(), MotionFlag.FAIL);
-      case MotionControlAction.motion_stop a -> s.withFlag(a.i(), MotionFlag.IDLE);
+      case MotionControlAction.failed a ->
+          new States(s.pos, s.target, s.avoid, s.motionflag.with(a.i(), MotionFlag.FAIL), s.at);
+      case MotionControlAction.motion_stop a ->
+          new States(s.pos, s.target, s.avoid, s.motionflag.with(a.i(), MotionFlag.IDLE), s.at);
     };
   }
 }

@@ -124,8 +124,8 @@ class MotionConformanceTest {
     run.ends(2 * S);
     assertThat(run.details())
         .containsExactly(
-            "motion: move(bot0, in [1], near []) is not enabled: NOT motionflag(i) = IDLE IMPLIES"
-                + " NOT avoid(i)(p) is false: motionflag(bot0) = MOVING, avoid(bot0) = 1");
+            "motion: move(bot0, in [1], near []) is not enabled: not motionflag(i) = IDLE =>"
+                + " not p in avoid(i) is false: motionflag(bot0) = MOVING, avoid(bot0) = 1");
     // The body's border reaches the area after 635 mm.
     assertThat(run.report().violations().get(0).timeNs()).isBetween(1_270_000_000L, 1_272_000_000L);
   }

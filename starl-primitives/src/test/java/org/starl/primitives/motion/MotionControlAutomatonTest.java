@@ -9,7 +9,6 @@ import net.jqwik.api.Property;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.conformance.RandomRun;
-import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.random.Rng;
 
@@ -19,7 +18,7 @@ class MotionControlAutomatonTest {
   private static final List<RobotId> PIDS = List.of(new RobotId("i"), new RobotId("j"));
   private static final int COMMANDS = 4;
 
-  private final MotionControlAutomaton automaton = new MotionControlAutomaton();
+  private final MotionControlAutomaton automaton = new MotionControlAutomaton(Place::isNear);
 
   @Property(tries = 100)
   void randomRunsSatisfyTheProvedInvariants(@ForAll long seed) {
@@ -31,10 +30,10 @@ class MotionControlAutomatonTest {
   private static String broken(States s) {
     for (RobotId i : PIDS) {
       MotionFlag flag = s.motionflag().at(i);
-      if (flag != MotionFlag.IDLE && s.pos().at(i).avoided().contains(s.avoid().at(i))) {
+      if (flag != MotionFlag.IDLE && s.avoid().at(i).contains(s.pos().at(i))) {
         return "Avoids";
       }
-      if (flag == MotionFlag.DONE && !s.at().at(i).near().contains(s.target().at(i))) {
+      if (flag == MotionFlag.DONE && !s.at().at(i).isNear(s.target().at(i))) {
         return "Told";
       }
     }
@@ -48,14 +47,14 @@ class MotionControlAutomatonTest {
         long command = rng.nextLong(1, COMMANDS);
         boolean isGotopoint = rng.nextBoolean(0.2);
         yield new MotionControlAction.do_move(
-            i, command, isGotopoint ? MotionControlAutomaton.EMPTYSET : command);
+            i, Place.target(command), isGotopoint ? Area.NONE : new Area(command));
       }
       case 2, 3 -> new MotionControlAction.arrived(i);
       case 4 ->
           rng.nextBoolean(0.5)
               ? new MotionControlAction.failed(i)
               : new MotionControlAction.motion_stop(i);
-      default -> new MotionControlAction.move(i, new Place(some(rng), some(rng)));
+      default -> new MotionControlAction.move(i, Place.of(some(rng), some(rng)));
     };
   }
 
