@@ -21,6 +21,9 @@ final class Solver implements AutoCloseable {
     UNKNOWN
   }
 
+  private static final long LEAST_MS = 10_000;
+  private static final long STEPS_PER_MS = 100;
+
   private final long limit;
   private final String script;
   private final List<String> preferred = new ArrayList<>();
@@ -44,9 +47,13 @@ final class Solver implements AutoCloseable {
     eval(script);
   }
 
-  /** The lines before a script. */
+  /** The lines before a script. The time is for what Z3 does not count: a usual machine needs a tenth of it. */
   static String options(long limit) {
-    return "(set-option :rlimit " + limit + ")\n(set-option :smt.random_seed 1)\n";
+    return "(set-option :rlimit "
+        + limit
+        + ")\n(set-option :timeout "
+        + (LEAST_MS + limit / STEPS_PER_MS)
+        + ")\n(set-option :smt.random_seed 1)\n";
   }
 
   private static Context open() {
