@@ -24,6 +24,8 @@ import org.starl.lang.tree.Type.Num;
 /**
  * Expressions as SMT-LIB. Sets and maps are worked out as far as their values at arguments go, so that the solver
  * sees elements alone; they become arrays only inside other values. Functions are written out, recursive ones defined.
+ *
+ * <p>More than 500 lines: one short case for each kind of expression, which all share the symbols.
  */
 final class Translator {
 
