@@ -38,7 +38,7 @@ final class JavaText {
     return add(indent, layout.token(";").close());
   }
 
-  /** A head with parameters: {@code public States trans(A a, B b) {}. */
+  /** A head with parameters: {@code public States trans(A a, B b)} and its brace. */
   JavaText head(int indent, String head, List<String> parameters, List<String> after) {
     Layout layout = new Layout().token(head);
     layout.open(4).token("(");
@@ -93,7 +93,7 @@ final class JavaText {
   private void fill(int indent, String paragraph) {
     String continued = paragraph.startsWith("@") ? " *     " : " * ";
     StringBuilder line = new StringBuilder(" *");
-    for (String word : paragraph.split(" ")) {
+    for (String word : paragraph.split(" ", -1)) {
       if (indent + line.length() + 1 + word.length() > WIDTH) {
         line(indent, line.toString());
         line =
