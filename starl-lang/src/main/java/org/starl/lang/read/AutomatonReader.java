@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Supplier;
+import java.util.function.BooleanSupplier;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
@@ -162,16 +162,12 @@ final class AutomatonReader {
     }
   }
 
-  /** Goes on after an error that has been told. */
-  @SuppressWarnings({
-    "CheckReturnValue",
-    "ReturnValueIgnored"
-  }) // what is read is kept by the reading
-  private static void orTold(Supplier<Boolean> read) {
+  /** What {@code read} says; false, to go on after it, if it ends with an error, which stands in the problems. */
+  private static boolean orTold(BooleanSupplier read) {
     try {
-      read.get();
+      return read.getAsBoolean();
     } catch (Wrong told) {
-      // The error stands in the problems; the next part is read.
+      return false;
     }
   }
 

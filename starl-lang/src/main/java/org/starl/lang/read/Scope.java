@@ -47,6 +47,25 @@ final class Scope {
     }
   }
 
+  /** The types of an automaton that is known, and of those that it uses. */
+  Scope(Automaton known) {
+    this(known.name());
+    addTypes(known);
+  }
+
+  private void addTypes(Automaton known) {
+    known.typeParameters().forEach(name -> types.put(name, new Type.Opaque(name)));
+    known.types().forEach(each -> add(each.type()));
+    known.uses().values().forEach(this::addTypes);
+  }
+
+  private void add(Type type) {
+    types.putIfAbsent(type.toString(), type);
+    if (type instanceof Type.Sum sum) {
+      sum.constructors().forEach(c -> constructors.putIfAbsent(c.name(), new Known(sum, c)));
+    }
+  }
+
   /** What {@code name} is already; empty if it is free. */
   Optional<String> taken(String name) {
     if (Language.WORDS.contains(name)) {

@@ -14,11 +14,15 @@ import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Recognizer;
+import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlLexer;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
 
 /** Reads sources. */
 public final class SourceReader {
@@ -59,8 +63,13 @@ public final class SourceReader {
    */
   public Source look(String name, String text, @Nullable Path path) {
     Problems problems = new Problems(name);
-    List<Automaton> automata = automata(name, text, path, problems);
-    return new Source(automata, problems.inOrder(), problems.references());
+    List<Automaton> automata = new ArrayList<>();
+    try {
+      addAll(automata, name, text, path, problems);
+    } catch (StackOverflowError e) {
+      problems.add(new Pos(1, 1), "an expression nests too deeply; expected shorter expressions");
+    }
+    return new Source(List.copyOf(automata), problems.inOrder(), problems.references());
   }
 
   private List<Automaton> read(String name, String text, @Nullable Path path) throws SourceErrors {
@@ -71,30 +80,10 @@ public final class SourceReader {
     return source.automata();
   }
 
-  private List<Automaton> automata(
-      String name, String text, @Nullable Path path, Problems problems) {
-    StarlLexer lexer = new StarlLexer(CharStreams.fromString(text, name));
-    CommonTokenStream tokens = new CommonTokenStream(lexer);
-    StarlParser parser = new StarlParser(tokens);
-    BaseErrorListener listener =
-        new BaseErrorListener() {
-          @Override
-          public void syntaxError(
-              Recognizer<?, ?> recognizer,
-              @Nullable Object symbol,
-              int line,
-              int column,
-              String message,
-              @Nullable RecognitionException e) {
-            problems.add(new Pos(line, column + 1), SyntaxMessage.of(message));
-          }
-        };
-    lexer.removeErrorListeners();
-    lexer.addErrorListener(listener);
-    parser.removeErrorListeners();
-    parser.addErrorListener(listener);
-    StarlParser.FileContext file = parser.file();
-    List<Automaton> automata = new ArrayList<>();
+  private void addAll(
+      List<Automaton> automata, String name, String text, @Nullable Path path, Problems problems) {
+    CommonTokenStream tokens = tokens(name, text, problems);
+    StarlParser.FileContext file = parser(tokens, problems).file();
     if (problems.isEmpty()) {
       SourceText source = new SourceText(tokens);
       for (StarlParser.UnitContext unit : file.unit()) {
@@ -107,7 +96,65 @@ public final class SourceReader {
         problems.add(new Pos(1, 1), "no automaton here; expected 'automaton' and its name");
       }
     }
-    return List.copyOf(automata);
+  }
+
+  /**
+   * Reads an expression that is in no file.
+   *
+   * @param automaton whose types it may use
+   * @param variables other names that it may use
+   * @param name for errors
+   */
+  public static Expr readExpression(
+      Automaton automaton, List<Field> variables, Type wanted, String name, String text)
+      throws SourceErrors {
+    Problems problems = new Problems(name);
+    CommonTokenStream tokens = tokens(name, text, problems);
+    StarlParser.ExpressionContext tree = parser(tokens, problems).expression();
+    if (problems.isEmpty() && tokens.LA(1) != Token.EOF) {
+      Token found = tokens.LT(1);
+      problems.add(
+          Problems.pos(found), "found '" + found.getText() + "'; expected the end of the value");
+    }
+    if (problems.isEmpty()) {
+      Scope scope = new Scope(automaton);
+      scope.push(variables);
+      try {
+        return new ExpressionReader(scope, problems).read(tree, wanted);
+      } catch (Wrong told) {
+        throw new SourceErrors(problems.inOrder());
+      }
+    }
+    throw new SourceErrors(problems.inOrder());
+  }
+
+  private static CommonTokenStream tokens(String name, String text, Problems problems) {
+    StarlLexer lexer = new StarlLexer(CharStreams.fromString(text, name));
+    lexer.removeErrorListeners();
+    lexer.addErrorListener(listener(problems));
+    return new CommonTokenStream(lexer);
+  }
+
+  private static StarlParser parser(CommonTokenStream tokens, Problems problems) {
+    StarlParser parser = new StarlParser(tokens);
+    parser.removeErrorListeners();
+    parser.addErrorListener(listener(problems));
+    return parser;
+  }
+
+  private static BaseErrorListener listener(Problems problems) {
+    return new BaseErrorListener() {
+      @Override
+      public void syntaxError(
+          Recognizer<?, ?> recognizer,
+          @Nullable Object symbol,
+          int line,
+          int column,
+          String message,
+          @Nullable RecognitionException e) {
+        problems.add(new Pos(line, column + 1), SyntaxMessage.of(message));
+      }
+    };
   }
 
   private Optional<Automaton> find(

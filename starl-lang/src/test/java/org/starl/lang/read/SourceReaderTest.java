@@ -1,6 +1,7 @@
 package org.starl.lang.read;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.List;
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Type;
 
 class SourceReaderTest {
@@ -82,6 +84,28 @@ class SourceReaderTest {
         .extracting(SourceError::message)
         .containsExactly(
             "automaton 'Lamp' has no start; expected 'start' and a condition on its first states");
+  }
+
+  @Test
+  void expressionThatNestsTooDeeplyIsTold() {
+    String deep = "not (".repeat(50_000) + "free?" + ")".repeat(50_000);
+    assertThat(errors(LAMP.replace("pre free?", "pre " + deep)).getMessage())
+        .isEqualTo("lamp.starl:1:1: an expression nests too deeply; expected shorter expressions");
+  }
+
+  @Test
+  void expressionOutsideOfASourceIsReadWithTheTypesOfAnAutomaton() throws SourceErrors {
+    Automaton lamp = new SourceReader().read("lamp.starl", LAMP).getFirst();
+    Type color = lamp.types().getFirst().type();
+    List<Type.Field> names = List.of(new Type.Field("bot0", new Type.Opaque("PIDS")));
+    Expr red = SourceReader.readExpression(lamp, names, color, "--value", "red");
+    assertThat(red.type()).isEqualTo(color);
+    for (String wrong : List.of("blue", "bot0", "red green", "(red", "")) {
+      assertThatThrownBy(() -> SourceReader.readExpression(lamp, names, color, "--value", wrong))
+          .as(wrong)
+          .isInstanceOf(SourceErrors.class)
+          .hasMessageStartingWith("--value:1:");
+    }
   }
 
   private static SourceErrors errors(String text) {
