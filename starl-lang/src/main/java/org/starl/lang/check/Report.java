@@ -1,0 +1,107 @@
+package org.starl.lang.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import org.starl.lang.eval.Sizes;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Invariant;
+
+/** The result of a search in words. It has no times: equal searches have equal reports. */
+public final class Report {
+
+  private Report() {}
+
+  /**
+   * The lines; all but the first are indented.
+   *
+   * @param file the name of an automaton's file
+   */
+  public static List<String> lines(
+      Automaton automaton, Sizes sizes, Search.Result result, UnaryOperator<String> file) {
+    List<String> lines = new ArrayList<>();
+    String head = automaton.name() + sizes(sizes) + ": ";
+    String counts =
+        "%s, %s, at most %s from a start"
+            .formatted(
+                count(result.states(), "state"),
+                count(result.steps(), "step"),
+                count(result.depth(), "step"));
+    result
+        .finding()
+        .ifPresentOrElse(
+            finding -> {
+              String what = finding.invariant().isEmpty() ? "a step" : finding.invariant();
+              boolean isFalse =
+                  !finding.invariant().isEmpty() && finding.message().startsWith("false");
+              lines.add(
+                  head
+                      + "%s %s after %s"
+                          .formatted(
+                              what,
+                              isFalse ? "is false" : "is undefined",
+                              count(finding.steps(), "step")));
+              finding.story().forEach(line -> lines.add("  " + line));
+              lines.add(
+                  "  %s:%s: %s"
+                      .formatted(
+                          file.apply(finding.automaton()), finding.pos(), finding.message()));
+            },
+            () -> lines.add(head + counts + "; " + verdict(automaton, result)));
+    addNotes(lines, sizes, result);
+    return List.copyOf(lines);
+  }
+
+  private static void addNotes(List<String> lines, Sizes sizes, Search.Result result) {
+    if (!result.symmetric().isEmpty()) {
+      lines.add(
+          "  states that differ in the names of elements alone count once: "
+              + String.join(", ", result.symmetric()));
+    }
+    result
+        .open()
+        .forEach(part -> lines.add("  the start leaves open: " + part + ", each value is tried"));
+    result
+        .cut()
+        .forEach(part ->
+            lines.add("  the start leaves open: " + part + ", ONLY THE FIRST VALUE is tried"));
+    if (result.beyond() > 0) {
+      lines.add(
+          "  not taken: %s beyond --nat %d, --time %d"
+              .formatted(count(result.beyond(), "step"), sizes.nat(), sizes.time()));
+    }
+    result
+        .unevaluated()
+        .forEach((invariant, states) ->
+            lines.add(
+                "  not evaluated: %s in %s, which need values beyond --nat %d, --time %d"
+                    .formatted(invariant, count(states, "state"), sizes.nat(), sizes.time())));
+    result.never().forEach(action -> lines.add("  never happens: " + action));
+    result
+        .neverFalse()
+        .forEach((action, texts) ->
+            texts.forEach(text -> lines.add("  never false: '" + text + "' of " + action)));
+  }
+
+  private static String sizes(Sizes sizes) {
+    List<String> texts = new ArrayList<>();
+    sizes.opaque().forEach((type, size) -> texts.add(type + " " + size));
+    return texts.isEmpty() ? "" : " (" + String.join(", ", texts) + ")";
+  }
+
+  private static String verdict(Automaton automaton, Search.Result result) {
+    if (!result.isComplete()) {
+      return "THE SEARCH DID NOT END; nothing is wrong so far";
+    }
+    List<String> names = automaton.invariants().stream().map(Invariant::name).toList();
+    return switch (names.size()) {
+      case 0 -> "it has no invariant";
+      case 1 -> names.getFirst() + " holds";
+      default -> String.join(", ", names) + " hold";
+    };
+  }
+
+  private static String count(long number, String noun) {
+    return "%,d %s%s".formatted(number, noun, number == 1 ? "" : "s");
+  }
+}

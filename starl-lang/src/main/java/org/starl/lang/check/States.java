@@ -1,0 +1,85 @@
+package org.starl.lang.check;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** A set of states in the order in which they were added, each with the one it was reached from. */
+final class States {
+
+  private static final int BLOCK = 4096;
+  private static final int FIRST_SLOTS = 1 << 16;
+
+  private final int width;
+  private final List<int[]> blocks = new ArrayList<>();
+
+  /** Open addressing; a state's number plus 1, or 0. */
+  private int[] slots = new int[FIRST_SLOTS];
+
+  private int size;
+
+  /**
+   * @param width the numbers of a state
+   */
+  States(int width) {
+    this.width = width;
+  }
+
+  int size() {
+    return size;
+  }
+
+  /** Adds a state that is not there yet; returns whether it was not. */
+  boolean add(int[] state, int parent) {
+    int slot = slot(state);
+    if (slots[slot] != 0) {
+      return false;
+    }
+    if (size % BLOCK == 0) {
+      blocks.add(new int[BLOCK * (width + 1)]);
+    }
+    int at = at(size);
+    System.arraycopy(state, 0, blocks.getLast(), at, width);
+    blocks.getLast()[at + width] = parent;
+    slots[slot] = ++size;
+    if (size > slots.length / 2) {
+      grow();
+    }
+    return true;
+  }
+
+  int[] get(int number) {
+    return Arrays.copyOfRange(blocks.get(number / BLOCK), at(number), at(number) + width);
+  }
+
+  /** The state from which it was reached; below 0 for a start state. */
+  int parent(int number) {
+    return blocks.get(number / BLOCK)[at(number) + width];
+  }
+
+  private int at(int number) {
+    return number % BLOCK * (width + 1);
+  }
+
+  private int slot(int[] state) {
+    int mask = slots.length - 1;
+    int hash = Arrays.hashCode(state) * 0x9E3779B9;
+    int slot = (hash ^ hash >>> 15) & mask;
+    while (slots[slot] != 0 && !isAt(slots[slot] - 1, state)) {
+      slot = slot + 1 & mask;
+    }
+    return slot;
+  }
+
+  private boolean isAt(int number, int[] state) {
+    int from = at(number);
+    return Arrays.equals(blocks.get(number / BLOCK), from, from + width, state, 0, width);
+  }
+
+  private void grow() {
+    slots = new int[slots.length * 2];
+    for (int number = 0; number < size; number++) {
+      slots[slot(get(number))] = number + 1;
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.starl.lang.check;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import org.starl.lang.eval.EvalError;
+import org.starl.lang.eval.Machine;
+import org.starl.lang.eval.Row;
+
+/** Tells a run by its steps and what each of them changes. */
+final class Story {
+
+  /** A step from one state to the next. */
+  private record Step(String text, Row after) {}
+
+  private final Machine machine;
+  private final Symmetry symmetry;
+  private final Set<String> open;
+  private final List<String> lines = new ArrayList<>();
+  private Row state;
+  private int steps;
+
+  /**
+   * @param open the parts that differ among the start states
+   * @param path each of its states stands for all that differ from it in names alone; the run keeps
+   *     to one choice of names
+   */
+  Story(Machine machine, Symmetry symmetry, Set<String> open, List<int[]> path) {
+    this.machine = machine;
+    this.symmetry = symmetry;
+    this.open = open;
+    state = symmetry.state(path.getFirst());
+    String start = start(state);
+    if (!start.isEmpty()) {
+      lines.add("0. start   " + start);
+    }
+    for (int[] to : path.subList(1, path.size())) {
+      Step step = taken(state, to);
+      String changes = String.join(", ", changes(state, step.after));
+      lines.add(++steps + ". " + step.text + "   " + changes);
+      state = step.after;
+    }
+  }
+
+  List<String> lines() {
+    return List.copyOf(lines);
+  }
+
+  /** The state after the steps. */
+  Row end() {
+    return state;
+  }
+
+  /** Adds the first step that has no value. */
+  void addFailedStep() {
+    List<String> failed = new ArrayList<>();
+    machine.steps(
+        state,
+        new Machine.Steps() {
+          @Override
+          public void error(int action, Object[] arguments, EvalError error) {
+            failed.add(machine.text(action, arguments));
+          }
+        });
+    lines.add(steps + 1 + ". " + failed.getFirst());
+  }
+
+  private String start(Row state) {
+    List<String> texts = new ArrayList<>();
+    for (int i = 0; i < machine.parts().size(); i++) {
+      Machine.Part part = machine.parts().get(i);
+      if (i < machine.parameters().size() || open.contains(part.name())) {
+        texts.add(part.name() + " = " + part.domain().text(state.get(i)));
+      }
+    }
+    return String.join(", ", texts);
+  }
+
+  /** The first step to a state that is {@code to} but for names. */
+  private Step taken(Row from, int[] to) {
+    List<Step> steps = new ArrayList<>();
+    machine.steps(
+        from,
+        new Machine.Steps() {
+          @Override
+          public void step(int action, Object[] arguments, Row after) {
+            if (steps.isEmpty() && Arrays.equals(symmetry.representative(after), to)) {
+              steps.add(new Step(machine.text(action, arguments), after));
+            }
+          }
+        });
+    return steps.getFirst();
+  }
+
+  private List<String> changes(Row before, Row after) {
+    List<String> changes = new ArrayList<>();
+    for (int i = 0; i < machine.parts().size(); i++) {
+      Machine.Part part = machine.parts().get(i);
+      part.domain().tellChanges(part.name(), before.get(i), after.get(i), changes);
+    }
+    return changes.isEmpty() ? List.of("changes nothing") : changes;
+  }
+}

@@ -1,0 +1,8 @@
+package org.starl.lang.eval;
+
+/**
+ * A value of a sum.
+ *
+ * @param constructor its number from 0
+ */
+public record Form(int constructor, Row fields) {}

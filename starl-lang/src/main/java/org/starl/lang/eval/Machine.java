@@ -1,0 +1,231 @@
+package org.starl.lang.eval;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.starl.lang.eval.Code.Frame;
+import org.starl.lang.tree.Action.Conjunct;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * An automaton at small sizes. Its states are rows: the values of its value parameters, which never
+ * change, then of its components. Not thread-safe.
+ */
+public final class Machine {
+
+  /** Is told the steps of a state. */
+  public interface Steps {
+
+    /** A step that can be taken. */
+    default void step(int action, Object[] arguments, Row after) {}
+
+    /** A step whose evaluation or state is beyond the bounds, and so is left out. */
+    default void beyond(int action) {}
+
+    /** For some arguments this conjunct is the first one that is false. */
+    default void conjunctIsFalse(int action, int conjunct) {}
+
+    /**
+     * A step, or its condition, has no value.
+     *
+     * @param arguments those that were chosen; there may be fewer than parameters
+     */
+    default void error(int action, Object[] arguments, EvalError error) {}
+  }
+
+  /** A part of a state: a value parameter or a component. */
+  public record Part(String name, Domain domain) {}
+
+  private record Condition(Code code, int locals) {}
+
+  private final Automaton automaton;
+  private final Domains domains;
+  private final List<Field> parameters;
+  private final List<Part> parts = new ArrayList<>();
+  private final List<Act> acts = new ArrayList<>();
+  private final List<Condition> conditions = new ArrayList<>();
+
+  /**
+   * @throws TooLarge if a type has too many values at these sizes
+   * @throws EvalError if a number in the source is too long, or a variable has too many values
+   */
+  public Machine(Automaton automaton, Sizes sizes) {
+    this.automaton = automaton;
+    domains = new Domains(sizes, opaqueTypes(automaton));
+    Set<Field> all = new LinkedHashSet<>();
+    collect(automaton, all);
+    parameters = List.copyOf(all);
+    parameters.forEach(field -> parts.add(new Part(field.name(), domains.of(field.type()))));
+    automaton
+        .state()
+        .forEach(component -> parts.add(new Part(component.name(), domains.of(component.type()))));
+    Compiler compiler = new Compiler(automaton, domains, parameters, false);
+    automaton.actions().forEach(action -> acts.add(new Act(action, compiler)));
+    for (Invariant invariant : automaton.invariants()) {
+      Compiler.Scope scope = new Compiler.Scope();
+      Code code = compiler.code(invariant.condition(), scope);
+      conditions.add(new Condition(code, scope.most));
+    }
+  }
+
+  /** The opaque types of an automaton and of those that it uses, in order. */
+  public static List<String> opaqueTypes(Automaton automaton) {
+    Set<String> names = new LinkedHashSet<>(automaton.typeParameters());
+    automaton.uses().values().forEach(used -> names.addAll(opaqueTypes(used)));
+    return List.copyOf(names);
+  }
+
+  private static void collect(Automaton automaton, Set<Field> parameters) {
+    parameters.addAll(automaton.valueParameters());
+    automaton.uses().values().forEach(used -> collect(used, parameters));
+  }
+
+  /** Of which this is the meaning. */
+  public Automaton automaton() {
+    return automaton;
+  }
+
+  /** The value parameters, those of used automata included: the first parts of a state. */
+  public List<Field> parameters() {
+    return parameters;
+  }
+
+  /** The parts of a state. */
+  public List<Part> parts() {
+    return List.copyOf(parts);
+  }
+
+  Domains domains() {
+    return domains;
+  }
+
+  /**
+   * The start states.
+   *
+   * @param given the values of those value parameters that are given, by their names
+   * @throws TooLarge if there are too many, or values to try for one of their parts
+   * @throws EvalError if the condition has no value
+   */
+  public Starts starts(Map<String, Object> given) {
+    return new Starts(this, given);
+  }
+
+  /** The names of the elements of the opaque types: {@code bot0} and so on. */
+  public List<Field> elements() {
+    return domains.elements();
+  }
+
+  /**
+   * The value of an expression that reads neither state nor parameters.
+   *
+   * @param constant its variables are {@link #elements}
+   * @throws EvalError if it has no value
+   * @throws Beyond if it is beyond the bounds
+   */
+  public Object value(Expr constant) {
+    Compiler.Scope scope = new Compiler.Scope();
+    scope.push(elements());
+    Code code = new Compiler(automaton, domains, parameters, false).code(constant, scope);
+    Object[] variables = Arrays.copyOf(domains.elementValues().toArray(), scope.most);
+    Object value = code.of(new Frame(new Object[0], new Object[0], 0, variables, 0));
+    if (!domains.of(constant.type()).contains(value)) {
+      throw new Beyond();
+    }
+    return value;
+  }
+
+  private Frame frame(Row state, Object[] variables) {
+    return new Frame(state.items(), state.items(), parameters.size(), variables, 0);
+  }
+
+  /** Tells all steps of a state, in the order of the actions and of the values of their parameters. */
+  public void steps(Row state, Steps to) {
+    for (int i = 0; i < acts.size(); i++) {
+      Act act = acts.get(i);
+      steps(i, act, 0, 0, frame(state, act.locals()), to);
+    }
+  }
+
+  private static void steps(int number, Act act, int level, int first, Frame frame, Steps to) {
+    int conjunct = first;
+    try {
+      while (conjunct < act.levels.length && act.levels[conjunct] == level) {
+        if (!act.test(conjunct, frame)) {
+          to.conjunctIsFalse(number, conjunct);
+          return;
+        }
+        conjunct++;
+      }
+      if (level == act.parameters.size()) {
+        to.step(number, arguments(act, level, frame), act.after(frame));
+        return;
+      }
+    } catch (Beyond e) {
+      to.beyond(number);
+      return;
+    } catch (EvalError e) {
+      to.error(number, arguments(act, level, frame), e);
+      return;
+    }
+    for (Object value : act.parameters.get(level).values()) {
+      frame.locals[level] = value;
+      steps(number, act, level + 1, conjunct, frame, to);
+    }
+  }
+
+  private static Object[] arguments(Act act, int level, Frame frame) {
+    return Arrays.copyOf(frame.locals, Math.min(level, act.parameters.size()));
+  }
+
+  /** An action with its arguments, as in {@code release(bot0, {A})}. */
+  public String text(int action, Object[] arguments) {
+    return acts.get(action).text(arguments);
+  }
+
+  /**
+   * The first conjunct of an action's condition that is false; empty if the action is enabled.
+   *
+   * @throws EvalError if the condition has no value
+   * @throws Beyond if it needs a value beyond the bounds
+   */
+  public Optional<Conjunct> firstFalse(Row state, int action, List<?> arguments) {
+    Act act = acts.get(action);
+    int number = act.firstFalse(frame(state, act.locals(arguments)));
+    return number < 0 ? Optional.empty() : Optional.of(act.tree.pre().get(number));
+  }
+
+  /**
+   * The state after an action, which is enabled.
+   *
+   * @throws EvalError if it has no value
+   * @throws Beyond if it is beyond the bounds
+   */
+  public Row after(Row state, int action, List<?> arguments) {
+    Act act = acts.get(action);
+    return act.after(frame(state, act.locals(arguments)));
+  }
+
+  /**
+   * Whether an invariant is true.
+   *
+   * @throws EvalError if it has no value
+   * @throws Beyond if it needs a value beyond the bounds
+   */
+  public boolean holds(Invariant invariant, Row state) {
+    Condition condition = conditions.get(automaton.invariants().indexOf(invariant));
+    return condition.code.test(frame(state, new Object[condition.locals]));
+  }
+
+  /** The part of an invariant that is false, where it is. */
+  public Witness witness(Invariant invariant, Row state) {
+    Compiler compiler = new Compiler(automaton, domains, parameters, false);
+    return new Witness.Finder(compiler, state, parameters.size()).find(invariant.condition());
+  }
+}

@@ -1,0 +1,260 @@
+package org.starl.lang.eval;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.eval.Code.Frame;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * The start states of a machine. The condition is evaluated with states that are full of holes; where
+ * an evaluation meets a hole, each value of it is tried. This method is Korat's (Boyapati, Khurshid,
+ * Marinov, ISSTA 2002).
+ */
+public final class Starts {
+
+  /** So many start states are gone through, at most. */
+  public static final int MOST = 10_000;
+
+  /** A conjunct of the condition, for values of its variables. */
+  private record Goal(Code code, @Nullable Code place, @Nullable Code value, Frame frame) {}
+
+  private final Machine machine;
+  private final Object[] root;
+  private final List<Hole> holes = new ArrayList<>();
+  private final List<Goal> goals = new ArrayList<>();
+  private final Set<Row> states = new LinkedHashSet<>();
+  private final Set<String> open = new TreeSet<>();
+  private final Set<String> cut = new TreeSet<>();
+
+  Starts(Machine machine, Map<String, Object> given) {
+    this.machine = machine;
+    List<Machine.Part> parts = machine.parts();
+    root = new Object[parts.size()];
+    for (int i = 0; i < root.length; i++) {
+      Object value = given.get(parts.get(i).name());
+      root[i] = value == null ? hollow(parts.get(i).domain(), i) : value;
+    }
+    Compiler compiler =
+        new Compiler(machine.automaton(), machine.domains(), machine.parameters(), true);
+    Frame frame = new Frame(root, root, machine.parameters().size(), new Object[0], 0);
+    expand(machine.automaton(), compiler, frame);
+    solve(0);
+  }
+
+  /** The start states, each once. */
+  public List<Row> states() {
+    return List.copyOf(states);
+  }
+
+  /** The parts that the condition leaves open, and of which all values are among the states. */
+  public Set<String> open() {
+    return Collections.unmodifiableSet(open);
+  }
+
+  /** The parts that the condition leaves open, and of which only the first value is. */
+  public Set<String> cut() {
+    return Collections.unmodifiableSet(cut);
+  }
+
+  private Object hollow(Domain domain, int part) {
+    if (domain instanceof Domain.Maps map) {
+      return new Row(
+          IntStream.range(0, (int) map.arguments.size)
+              .mapToObj(i -> hollow(map.result, part))
+              .toArray());
+    }
+    if (domain instanceof Domain.Records rec) {
+      return new Row(rec.fields.parts.stream().map(field -> hollow(field, part)).toArray());
+    }
+    Hole hole = new Hole(domain, part);
+    holes.add(hole);
+    return hole;
+  }
+
+  private void expand(Automaton automaton, Compiler compiler, Frame frame) {
+    automaton
+        .start()
+        .forEach(start ->
+            expand(
+                start,
+                compiler,
+                frame,
+                new Compiler.Scope(),
+                Collections.singletonList(new Object[0])));
+  }
+
+  /** Adds the conjuncts of {@code expr} for each of the values of bound variables. */
+  private void expand(
+      Expr expr, Compiler compiler, Frame frame, Compiler.Scope scope, List<Object[]> bindings) {
+    if (expr instanceof Expr.Binary and && and.operator() == Expr.Operator.AND) {
+      expand(and.left(), compiler, frame, scope, bindings);
+      expand(and.right(), compiler, frame, scope, bindings);
+    } else if (expr instanceof Expr.Quantified all && all.forAll()) {
+      List<Object[]> more = bindings;
+      for (Domain domain : compiler.bind(all.variables(), scope, all.pos())) {
+        more = extended(more, domain);
+      }
+      expand(all.body(), compiler, frame, scope, more);
+      scope.pop(all.variables());
+    } else if (expr instanceof Expr.Started started) {
+      Frame inside = Compiler.inside(frame, compiler.component(started.used()), new Object[0]);
+      expand(started.automaton(), compiler.used(started.used()), inside);
+    } else {
+      add(expr, compiler, frame, scope, bindings);
+    }
+  }
+
+  private static List<Object[]> extended(List<Object[]> bindings, Domain domain) {
+    if (bindings.size() * domain.size() > Domain.MOST) {
+      throw new TooLarge(
+          "start: more than %,d instances of a 'forall' at these sizes; give smaller sizes (--robots, --size, --nat, --time)"
+              .formatted(Domain.MOST));
+    }
+    List<Object[]> more = new ArrayList<>();
+    for (Object[] binding : bindings) {
+      for (Object value : domain.values()) {
+        Object[] longer = Arrays.copyOf(binding, binding.length + 1);
+        longer[binding.length] = value;
+        more.add(longer);
+      }
+    }
+    return more;
+  }
+
+  private void add(
+      Expr expr, Compiler compiler, Frame frame, Compiler.Scope scope, List<Object[]> bindings) {
+    Code code = compiler.code(expr, scope);
+    Code place = null;
+    Code value = null;
+    if (expr instanceof Expr.Binary equal && equal.operator() == Expr.Operator.EQUAL) {
+      place = compiler.place(equal.left(), scope);
+      value = compiler.code(equal.right(), scope);
+    }
+    for (Object[] binding : bindings) {
+      Object[] locals = Arrays.copyOf(binding, scope.most);
+      goals.add(
+          new Goal(
+              code, place, value, new Frame(frame.root, frame.state, frame.offset, locals, 0)));
+    }
+  }
+
+  private void solve(int number) {
+    if (number == goals.size()) {
+      addStates();
+      return;
+    }
+    Goal goal = goals.get(number);
+    List<Hole> filled = new ArrayList<>();
+    try {
+      if (isTrue(goal, filled)) {
+        solve(number + 1);
+      }
+    } catch (Hole.Needed needed) {
+      tryAll(needed.hole, number);
+    } finally {
+      filled.forEach(hole -> hole.value = null);
+    }
+  }
+
+  private void tryAll(Hole hole, int number) {
+    machine.domains().requireFew(hole.domain, machine.parts().get(hole.part).name());
+    for (Object value : hole.domain.values()) {
+      hole.value = value;
+      solve(number);
+    }
+    hole.value = null;
+  }
+
+  /** What is beyond the bounds is not asked of a start state. */
+  private static boolean isTrue(Goal goal, List<Hole> filled) {
+    try {
+      if (goal.place != null && goal.value != null) {
+        return fill(goal.place.of(goal.frame), goal.value.of(goal.frame), filled);
+      }
+      return goal.code.test(goal.frame);
+    } catch (Beyond e) {
+      return true;
+    }
+  }
+
+  /** Whether {@code part} is equal to {@code value}, which becomes the value of its holes. */
+  private static boolean fill(Object part, Object value, List<Hole> filled) {
+    if (part instanceof Hole hole) {
+      if (hole.value == null && hole.domain.contains(value)) {
+        hole.value = value;
+        filled.add(hole);
+      }
+      return value.equals(hole.value);
+    }
+    if (part instanceof Row row && value instanceof Row values && row.size() == values.size()) {
+      return IntStream.range(0, row.size()).allMatch(i -> fill(row.get(i), values.get(i), filled));
+    }
+    return part.equals(value);
+  }
+
+  /** Adds the states of all values of the holes that are still open. */
+  private void addStates() {
+    Map<Integer, List<Hole>> free = new TreeMap<>();
+    holes.stream()
+        .filter(hole -> hole.value == null)
+        .forEach(hole -> free.computeIfAbsent(hole.part, at -> new ArrayList<>()).add(hole));
+    List<Hole> tried = new ArrayList<>();
+    long count = 1;
+    for (Map.Entry<Integer, List<Hole>> each : free.entrySet()) {
+      String name = machine.parts().get(each.getKey()).name();
+      long all =
+          each.getValue().stream()
+              .mapToLong(hole -> hole.domain.size())
+              .reduce(count, Domain::times);
+      if (all <= MOST && !cut.contains(name)) {
+        open.add(name);
+        tried.addAll(each.getValue());
+        count = all;
+      } else {
+        requireNoParameter(each.getKey());
+        cut.add(name);
+        open.remove(name);
+        each.getValue().forEach(hole -> hole.value = hole.domain.make(0));
+      }
+    }
+    addStates(tried, 0);
+    free.values().forEach(all -> all.forEach(hole -> hole.value = null));
+  }
+
+  private void requireNoParameter(int part) {
+    if (part < machine.parameters().size()) {
+      Field parameter = machine.parameters().get(part);
+      throw new TooLarge(
+          "value parameter '%s': more than %,d values at these sizes; give one: --value '%s=...', of type %s"
+              .formatted(parameter.name(), MOST, parameter.name(), parameter.type()));
+    }
+  }
+
+  private void addStates(List<Hole> tried, int number) {
+    if (number < tried.size()) {
+      Hole hole = tried.get(number);
+      for (Object value : hole.domain.values()) {
+        hole.value = value;
+        addStates(tried, number + 1);
+      }
+    } else {
+      states.add((Row) Compiler.filled(new Row(root.clone())));
+      if (states.size() > MOST) {
+        throw new TooLarge(
+            "start: more than %,d start states at these sizes; expected a start that leaves less open, or smaller sizes (--robots, --size, --nat, --time)"
+                .formatted(MOST));
+      }
+    }
+  }
+}

@@ -1,0 +1,77 @@
+package org.starl.lang.eval;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Type.Field;
+
+/**
+ * The part of a false condition that is false.
+ *
+ * @param variables the values for which it is, as {@code i = bot0}; empty if it has no variables
+ */
+public record Witness(Pos pos, String variables) {
+
+  /** Looks for the part. */
+  static final class Finder {
+
+    private final Compiler compiler;
+    private final Row state;
+    private final int parameters;
+    private final Compiler.Scope scope = new Compiler.Scope();
+    private final List<Object> values = new ArrayList<>();
+    private final List<String> texts = new ArrayList<>();
+
+    Finder(Compiler compiler, Row state, int parameters) {
+      this.compiler = compiler;
+      this.state = state;
+      this.parameters = parameters;
+    }
+
+    Witness find(Expr isFalse) {
+      Pos pos =
+          switch (isFalse) {
+            case Expr.Binary and when and.operator() == Expr.Operator.AND ->
+                find(isTrue(and.left()) ? and.right() : and.left()).pos();
+            case Expr.Binary implies when implies.operator() == Expr.Operator.IMPLIES ->
+                find(implies.right()).pos();
+            case Expr.Quantified all when all.forAll() && choose(all, 0) -> find(all.body()).pos();
+            default -> isFalse.pos();
+          };
+      return new Witness(pos, String.join(", ", texts));
+    }
+
+    /** Chooses values of the variables for which the body is false. */
+    private boolean choose(Expr.Quantified all, int variable) {
+      if (variable == all.variables().size()) {
+        return !isTrue(all.body());
+      }
+      Field field = all.variables().get(variable);
+      Domain domain = compiler.domains().of(field.type());
+      scope.push(List.of(field));
+      for (Object value : domain.values()) {
+        values.add(value);
+        texts.add(field.name() + " = " + domain.text(value));
+        if (choose(all, variable + 1)) {
+          return true;
+        }
+        values.removeLast();
+        texts.removeLast();
+      }
+      scope.pop(List.of(field));
+      return false;
+    }
+
+    private boolean isTrue(Expr condition) {
+      Code code = compiler.code(condition, scope);
+      Object[] locals = Arrays.copyOf(values.toArray(), scope.most);
+      try {
+        return code.test(new Code.Frame(state.items(), state.items(), parameters, locals, 0));
+      } catch (Beyond e) {
+        return true; // undecided: what is false is elsewhere
+      }
+    }
+  }
+}

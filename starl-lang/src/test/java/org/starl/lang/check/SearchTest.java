@@ -1,0 +1,241 @@
+package org.starl.lang.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.lang.eval.Machine;
+import org.starl.lang.eval.Sizes;
+import org.starl.lang.eval.TooLarge;
+import org.starl.lang.read.SourceErrors;
+import org.starl.lang.read.SourceReader;
+import org.starl.lang.tree.Automaton;
+
+class SearchTest {
+
+  private static final String MUTEX =
+      """
+      automaton Mutex[PIDS, Zones]
+      state
+        crit_set: [PIDS -> set[Zones]]
+        req_set: [PIDS -> set[Zones]]
+      start forall i: PIDS :: crit_set(i) = {} and req_set(i) = {}
+      fun free_for?(i: PIDS, RS: set[Zones]): bool =
+        forall j: PIDS :: not i = j => RS disjoint crit_set(j)
+      action do_mutex(i: PIDS, RS: set[Zones])
+        pre RS != {}, req_set(i) = {}, crit_set(i) = {}
+        eff req_set(i) := RS
+      action od_mutex(i: PIDS, RS: set[Zones])
+        pre RS != {}, RS = req_set(i), free_for?(i, RS)
+        eff crit_set(i) := RS, req_set(i) := {}
+      action release(i: PIDS, RS: set[Zones])
+        pre RS subset crit_set(i)
+        eff crit_set(i) := crit_set(i) minus RS
+      invariant Exclusive:
+        forall i, j: PIDS :: not i = j => crit_set(i) disjoint crit_set(j)
+      """;
+
+  private static final String GROUP =
+      MUTEX
+          + """
+          automaton Group[PIDS, Zones]
+          state peers: [PIDS -> set[PIDS]]
+          uses mux: Mutex[PIDS, Zones]
+          start mux.start?, forall i: PIDS :: peers(i) = {}
+          action do_mutex(i: PIDS, RS: set[Zones])
+            pre mux.do_mutex(i, RS)
+            eff mux.do_mutex(i, RS), peers(i) := {j: PIDS | not j = i}
+          action od_mutex(i: PIDS)
+            pre mux.req_set(i) != {},
+              forall j: PIDS :: j in peers(i) => mux.req_set(i) disjoint mux.crit_set(j)
+            eff mux.od_mutex(i, mux.req_set(i))
+          """;
+
+  private static final String CLOCK =
+      """
+      automaton Clock[PIDS]
+      type Light = dark | lit(by: PIDS)
+      state
+        n: nat
+        light: Light
+        last: list[PIDS]
+        who: option[PIDS]
+        t: time
+        m: [PIDS -> nat]
+      start n = 0, light = dark, last = [], who = none, t = 0, forall i: PIDS :: m(i) = 0
+      action tick eff n := n + 1
+      action see(i: PIDS) pre n > 0 eff who := some(i)
+      """;
+
+  @Test
+  void mutexIsExclusiveInEveryState() throws SourceErrors {
+    Search.Result result = result(MUTEX, 3, true);
+    assertThat(result.finding()).isEmpty();
+    assertThat(result.isComplete()).isTrue();
+    assertThat(result.symmetric()).containsExactly("PIDS", "Zones");
+    assertThat(result.never()).isEmpty();
+    assertThat(result.beyond()).isZero();
+  }
+
+  @Test
+  void grantWithoutConditionIsToldByAShortestRun() throws SourceErrors {
+    String broken = MUTEX.replace(", free_for?(i, RS)", "");
+    for (boolean isSymmetric : new boolean[] {true, false}) {
+      Finding finding = result(broken, 3, isSymmetric).finding().orElseThrow();
+      assertThat(finding.invariant()).isEqualTo("Exclusive");
+      assertThat(finding.steps()).isEqualTo(4);
+      assertThat(finding.pos()).hasToString("18:37");
+    }
+    assertThat(lines(broken, 3))
+        .startsWith(
+            "Mutex (PIDS 3, Zones 2): Exclusive is false after 4 steps",
+            "  1. do_mutex(bot0, {A})   req_set(bot0): {} -> {A}",
+            "  2. do_mutex(bot1, {A})   req_set(bot1): {} -> {A}",
+            "  3. od_mutex(bot0, {A})   crit_set(bot0): {} -> {A}, req_set(bot0): {A} -> {}",
+            "  4. od_mutex(bot1, {A})   crit_set(bot1): {} -> {A}, req_set(bot1): {A} -> {}",
+            "  file of Mutex:18:37: false for i = bot0, j = bot1");
+  }
+
+  @Test
+  void stepOfAUsedAutomatonMustBeEnabledThere() throws SourceErrors {
+    assertThat(result(GROUP, 2, true).finding()).isEmpty();
+    String broken = GROUP.replace("{j: PIDS | not j = i}", "{}");
+    assertThat(lines(broken, 2))
+        .containsSubsequence(
+            "Group (PIDS 2, Zones 2): a step is undefined after 3 steps",
+            "  3. od_mutex(bot0)   mux.crit_set(bot0): {} -> {A}, mux.req_set(bot0): {A} -> {}",
+            "  4. od_mutex(bot1)",
+            "  file of Group:29:7: mux.od_mutex(bot1, {A}) is not enabled: 'free_for?(i, RS)' is false");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          who := some(the(who)) | 13:59: the(none) has no value
+          who := some(head(last)) | 13:59: head([]) has no value
+          last := tail(last) | 13:55: tail([]) has no value
+          n := 1 - n | 13:52: 1 - 2 is below 0; expected a value of nat
+          t := 1 / (n - 1) | 13:52: a division by 0
+          who := some(light.by) | 13:59: 'by' of dark, which has no such field
+          n := loop(n) | 14:25: calls of 'loop' nest deeper than 1,000; expected a measure that becomes smaller
+          m(i) := 1, m(j) := 2 | 13:58: 'bad' changes one place twice; expected one effect on it
+          """)
+  void operationWithoutValueIsToldWithItsPlace(String effect, String told) throws SourceErrors {
+    String more =
+        "action bad(i, j: PIDS) pre n = 1 or n = 2 eff "
+            + effect
+            + "\nfun loop(k: nat): nat = loop(k) measure k\n";
+    assertThat(lines(CLOCK + more, 2)).contains("  file of Clock:" + told);
+  }
+
+  @Test
+  void numberBeyondTheBoundIsNotTaken() throws SourceErrors {
+    Search.Result result = result(CLOCK, 2, false);
+    assertThat(result.states()).isEqualTo(7); // n is 0, or 1 or 2 with one of three whos
+    assertThat(result.beyond()).isEqualTo(3);
+  }
+
+  @Test
+  void invariantThatNeedsMoreThanTheBoundIsToldUnlessItIsFalse() throws SourceErrors {
+    String invariant =
+        """
+        invariant Later: forall i: PIDS :: n + 1 in {0, 1, 2}
+        invariant Never: forall i: PIDS :: if who = some(i) then n != 2 else n + 1 in {0, 1, 2}
+        """;
+    Search.Result result = result(CLOCK + invariant, 2, true);
+    assertThat(result.unevaluated()).containsKey("Later");
+    assertThat(result.finding().orElseThrow().invariant()).isEqualTo("Never");
+  }
+
+  @Test
+  void actionsThatNeverHappenAndConjunctsThatAreNeverFalseAreTold() throws SourceErrors {
+    String more = "action idle pre n > 2\naction on pre n >= 0, n > 1 eff n := 0\n";
+    assertThat(lines(CLOCK + more, 2))
+        .contains("  never happens: idle", "  never false: 'n >= 0' of on")
+        .noneMatch(line -> line.contains("'n > 1'"));
+  }
+
+  @Test
+  void partsThatTheStartLeavesOpenAreTried() throws SourceErrors {
+    Search.Result result = result(CLOCK.replace(", who = none", ""), 3, false);
+    assertThat(result.open()).containsExactly("who");
+    assertThat(result.states()).isEqualTo(12);
+    String large = CLOCK.replace(", who = none", "").replace("option[PIDS]", "[set[PIDS] -> nat]");
+    Search.Result first = result(large.replace("some(i)", "[S: set[PIDS] -> 0]"), 5, false);
+    assertThat(first.cut()).containsExactly("who");
+    assertThat(first.open()).isEmpty();
+  }
+
+  @Test
+  void valueParametersAreTriedOrGiven() throws SourceErrors {
+    String source = CLOCK.replace("Clock[PIDS]", "Clock[PIDS, some_of: set[PIDS]]");
+    String bad = source + "invariant Few: not (n = 1 and forall i: PIDS :: i in some_of)\n";
+    Finding finding = result(bad, 2, true).finding().orElseThrow();
+    assertThat(finding.story())
+        .containsExactly("0. start   some_of = {bot0, bot1}", "1. tick()   n: 0 -> 1");
+    String large = source.replace("set[PIDS]]", "[set[PIDS] -> bool]]");
+    assertThatThrownBy(() -> result(large, 4, true))
+        .isInstanceOf(TooLarge.class)
+        .hasMessageContaining("value parameter 'some_of': more than 10,000 values")
+        .hasMessageContaining("--value 'some_of=...', of type [set[PIDS] -> bool]");
+  }
+
+  @Test
+  void valueThatIsGivenIsTheOnlyOne() throws SourceErrors {
+    String source = CLOCK.replace("Clock[PIDS]", "Clock[PIDS, some_of: set[PIDS]]");
+    Automaton automaton = new SourceReader().read("x", source).getFirst();
+    Sizes sizes = new Sizes(Map.of("PIDS", 2), 2, 2);
+    Machine machine = new Machine(automaton, sizes);
+    Object value =
+        machine.value(
+            SourceReader.readExpression(
+                automaton,
+                machine.elements(),
+                automaton.valueParameters().getFirst().type(),
+                "--value",
+                "{bot1}"));
+    Search search = new Search(machine, sizes, Map.of("some_of", value), false, 1000);
+    assertThat(search.run().states()).isEqualTo(7);
+    assertThat(search.visited()).allMatch(state -> state.get(0).equals(value));
+  }
+
+  @Test
+  void searchThatDoesNotEndIsTold() throws SourceErrors {
+    Automaton automaton = new SourceReader().read("x", MUTEX).getFirst();
+    Sizes sizes = sizes(automaton, 3);
+    Machine machine = new Machine(automaton, sizes);
+    Search.Result result = new Search(machine, sizes, Map.of(), true, 5).run();
+    assertThat(result.isComplete()).isFalse();
+    assertThat(result.states()).isEqualTo(5);
+    assertThat(Report.lines(automaton, sizes, result, name -> name).getFirst())
+        .endsWith("THE SEARCH DID NOT END; nothing is wrong so far");
+  }
+
+  private static Sizes sizes(Automaton automaton, int robots) {
+    Map<String, Integer> opaque = new LinkedHashMap<>();
+    Machine.opaqueTypes(automaton).forEach(type -> opaque.put(type, opaque.isEmpty() ? robots : 2));
+    return new Sizes(opaque, 2, 2);
+  }
+
+  private static Search.Result result(String text, int robots, boolean isSymmetric)
+      throws SourceErrors {
+    Automaton automaton = new SourceReader().read("x.starl", text).getLast();
+    Sizes sizes = sizes(automaton, robots);
+    return new Search(new Machine(automaton, sizes), sizes, Map.of(), isSymmetric, 100_000).run();
+  }
+
+  private static List<String> lines(String text, int robots) throws SourceErrors {
+    Automaton automaton = new SourceReader().read("x.starl", text).getLast();
+    Sizes sizes = sizes(automaton, robots);
+    Search.Result result =
+        new Search(new Machine(automaton, sizes), sizes, Map.of(), true, 100_000).run();
+    return Report.lines(automaton, sizes, result, name -> "file of " + name);
+  }
+}
