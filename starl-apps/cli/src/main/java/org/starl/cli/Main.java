@@ -38,6 +38,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       MergeCommand.class,
       SweepCommand.class,
       ExploreCommand.class,
+      CheckCommand.class,
       ProveCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,

@@ -65,6 +65,7 @@ final class Layers {
 
   private static final String PRIMITIVES = "org.starl.primitives..";
   private static final String SIM = "org.starl.sim..";
+  private static final String LANG = "org.starl.lang..";
   private static final String INPUT = "org.starl.input..";
   private static final String ROBOT = "org.starl.robot..";
   private static final String[] VIEW = {
@@ -138,6 +139,15 @@ final class Layers {
               "the real platform imports core",
               onlyOf(ROBOT, CORE.or(resideInAnyPackage(INPUT, ROBOT))),
               org.starl.robot.fixture.PlatformImportsSimulator.class),
+          new Law(
+              "the language imports no other part of StarL",
+              noClasses()
+                  .that()
+                  .resideInAPackage(LANG)
+                  .should()
+                  .dependOnClassesThat(
+                      resideInAPackage("org.starl..").and(resideOutsideOfPackages(LANG))),
+              org.starl.lang.fixture.LanguageImportsCore.class),
           new Law(
               "an app's logic imports core and primitives",
               classes()

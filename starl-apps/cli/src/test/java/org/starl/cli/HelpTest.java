@@ -27,6 +27,7 @@ class HelpTest {
         "campaign",
         "merge",
         "sweep",
+        "check",
         "prove",
         "verify-determinism",
         "record",

@@ -1,0 +1,214 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.starl.input.BadInput;
+import org.starl.input.TextFile;
+import org.starl.lang.check.Report;
+import org.starl.lang.check.Search;
+import org.starl.lang.eval.Beyond;
+import org.starl.lang.eval.EvalError;
+import org.starl.lang.eval.Machine;
+import org.starl.lang.eval.Sizes;
+import org.starl.lang.eval.TooLarge;
+import org.starl.lang.read.SourceErrors;
+import org.starl.lang.read.SourceReader;
+import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Type.Field;
+import org.starl.time.Time;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code starl check}. */
+@Command(
+    name = "check",
+    description =
+        "Visits all states of the automata in a source at small sizes, and checks the invariants in"
+            + " each. Prints a shortest run to the first state where one is false.",
+    footer = {
+      "",
+      "Example: starl check pvs/starl/Mutex_decls.starl --robots 3 --size Zones=2",
+      "         starl check pvs/starl/Barrier_decls.starl --nat 3 --value 'first={bot0, bot1}'"
+    })
+final class CheckCommand extends BaseCommand implements Callable<Integer> {
+
+  private static final String EXPECTED = "expected a source of automata (.starl)";
+  private static final int USUAL_SIZE = 2;
+  private static final int LARGEST = 62;
+  private static final int LARGEST_NUMBER = 1000;
+  private static final int MOST_STATES = 100_000_000;
+
+  @Parameters(paramLabel = "FILE.starl", description = "The source.")
+  private String name = "";
+
+  @Option(
+      names = "--robots",
+      paramLabel = "N",
+      description = "Elements of the first opaque type (default: ${DEFAULT-VALUE}).")
+  private String robots = "3";
+
+  @Option(
+      names = "--size",
+      paramLabel = "TYPE=N",
+      description = "Elements of another opaque type (default: 2). May be repeated.")
+  private List<String> sizes = new ArrayList<>();
+
+  @Option(
+      names = "--nat",
+      paramLabel = "N",
+      description =
+          "The largest natural number, and the largest length of a list (default:"
+              + " ${DEFAULT-VALUE}). Steps beyond it are not taken.")
+  private String nat = "2";
+
+  @Option(
+      names = "--time",
+      paramLabel = "N",
+      description =
+          "The largest time (default: ${DEFAULT-VALUE}). Where any time may be chosen, whole numbers"
+              + " are.")
+  private String time = "2";
+
+  @Option(
+      names = "--value",
+      paramLabel = "NAME=VALUE",
+      description =
+          "The value of a value parameter (default: each value is tried). Elements of the first"
+              + " opaque type are bot0, bot1 and so on; of the second A, B; of type T, T0, T1. May"
+              + " be repeated.")
+  private List<String> values = new ArrayList<>();
+
+  @Option(
+      names = "--no-symmetry",
+      description = "Visit also states that differ in the names of elements alone.")
+  private boolean hasNoSymmetry;
+
+  @Option(
+      names = "--most",
+      paramLabel = "N",
+      description = "The largest number of states (default: ${DEFAULT-VALUE}).")
+  private String most = "5000000";
+
+  @Override
+  public Integer call() throws IOException {
+    Path file = Path.of(name);
+    TextFile.read(file, EXPECTED); // tells what is no text
+    List<Automaton> automata;
+    try {
+      automata = new SourceReader().read(file);
+    } catch (SourceErrors e) {
+      e.errors().forEach(err()::println);
+      return ExitStatus.BAD_INPUT;
+    }
+    int status = ExitStatus.GOOD;
+    for (Automaton automaton : automata) {
+      status = Math.max(status, check(automaton, automata));
+    }
+    return status;
+  }
+
+  private int check(Automaton automaton, List<Automaton> automata) {
+    Sizes of = sizes(automaton, automata);
+    int limit = OptionValues.whole("--most", most, 1, MOST_STATES);
+    Search search;
+    try {
+      Machine machine = new Machine(automaton, of);
+      search = new Search(machine, of, values(machine), !hasNoSymmetry, limit);
+    } catch (TooLarge e) {
+      throw new BadInput(name + ": " + automaton.name() + ": " + e.getMessage());
+    } catch (EvalError e) {
+      throw new BadInput(file(e.automaton(), automata) + ":" + e.pos() + ": " + e.getMessage());
+    }
+    ProgressLine clock = new ProgressLine(err(), "states");
+    Search.Result result = search.run();
+    double seconds = Time.seconds(clock.elapsedNs());
+    Report.lines(automaton, of, result, at -> file(at, automata)).forEach(out()::println);
+    err().println("%.1f s, %,.0f states a second".formatted(seconds, result.states() / seconds));
+    return result.finding().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+  }
+
+  /** An automaton that is not in the file was found beside it. */
+  private String file(String automaton, List<Automaton> automata) {
+    return automata.stream().anyMatch(a -> a.name().equals(automaton))
+        ? name
+        : Path.of(name).resolveSibling(automaton + ".starl").toString();
+  }
+
+  private Sizes sizes(Automaton automaton, List<Automaton> automata) {
+    Map<String, Integer> opaque = new LinkedHashMap<>();
+    for (String type : Machine.opaqueTypes(automaton)) {
+      opaque.put(
+          type, opaque.isEmpty() ? OptionValues.whole("--robots", robots, 1, LARGEST) : USUAL_SIZE);
+    }
+    for (String size : sizes) {
+      String type = left("--size", size, "TYPE=N");
+      if (automata.stream().noneMatch(a -> Machine.opaqueTypes(a).contains(type))) {
+        throw new BadInput(
+            "--size: "
+                + BadInput.quote(type)
+                + " is no opaque type here; expected one of "
+                + String.join(", ", opaque.keySet()));
+      }
+      int number = OptionValues.whole("--size", size.substring(type.length() + 1), 1, LARGEST);
+      opaque.computeIfPresent(type, (key, usual) -> number);
+    }
+    return new Sizes(
+        opaque,
+        OptionValues.whole("--nat", nat, 0, LARGEST_NUMBER),
+        OptionValues.whole("--time", time, 0, LARGEST_NUMBER));
+  }
+
+  private static String left(String option, String text, String form) {
+    int equals = text.indexOf('=');
+    if (equals < 1) {
+      throw new BadInput(option + ": " + BadInput.quote(text) + ": expected " + form);
+    }
+    return text.substring(0, equals).strip();
+  }
+
+  private Map<String, Object> values(Machine machine) {
+    Map<String, Object> given = new LinkedHashMap<>();
+    for (String each : values) {
+      String parameter = left("--value", each, "NAME=VALUE");
+      Field field =
+          machine.parameters().stream()
+              .filter(p -> p.name().equals(parameter))
+              .findFirst()
+              .orElseThrow(() ->
+                  new BadInput(
+                      "--value: "
+                          + BadInput.quote(parameter)
+                          + " is no value parameter of "
+                          + machine.automaton().name()
+                          + "; expected one of "
+                          + machine.parameters().stream().map(Field::name).toList()));
+      String text = each.substring(each.indexOf('=') + 1);
+      try {
+        Expr expr =
+            SourceReader.readExpression(
+                machine.automaton(),
+                machine.elements(),
+                field.type(),
+                "--value " + parameter,
+                text);
+        given.put(parameter, machine.value(expr));
+      } catch (SourceErrors e) {
+        throw new BadInput(e.errors().getFirst().toString());
+      } catch (EvalError e) {
+        throw new BadInput("--value " + parameter + ":" + e.pos() + ": " + e.getMessage());
+      } catch (Beyond e) {
+        throw new BadInput(
+            "--value %s: %s is beyond the bounds; expected larger --nat or --time"
+                .formatted(parameter, BadInput.quote(text)));
+      }
+    }
+    return given;
+  }
+}

@@ -1,0 +1,138 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code starl check}. */
+class CheckTest {
+
+  private static final String LAMPS =
+      """
+      automaton Lamps[PIDS, Rooms, first: set[PIDS]]
+      state
+        by: [Rooms -> option[PIDS]]
+        n: nat
+      start n = 0, forall r: Rooms :: by(r) = none
+      action take(i: PIDS, r: Rooms)
+        pre by(r) = none, i in first
+        eff by(r) := some(i), n := n + 1
+      action drop(r: Rooms)
+        pre by(r) != none
+        eff by(r) := none, n := n - 1
+      invariant Counted: n = 0 <=> (forall r: Rooms :: by(r) = none)
+      """;
+
+  @TempDir private Path folder;
+
+  private Cli check(String text, String... options) throws IOException {
+    Path file = Files.writeString(folder.resolve("lamps.starl"), text);
+    String[] args = new String[options.length + 2];
+    args[0] = "check";
+    args[1] = file.toString();
+    System.arraycopy(options, 0, args, 2, options.length);
+    return Cli.run(args);
+  }
+
+  @Test
+  void everyStateIsVisited() throws IOException {
+    Cli cli = check(LAMPS, "--robots", "2", "--no-symmetry", "--value", "first={bot0, bot1}");
+    assertThat(cli.status()).as("%s", cli).isZero();
+    // Each of two rooms has nobody, or one of two.
+    assertThat(cli.out())
+        .containsExactly(
+            "Lamps (PIDS 2, Rooms 2): 9 states, 24 steps, at most 2 steps from a start; Counted holds",
+            "  never false: 'i in first' of take");
+    assertThat(cli.err()).singleElement().asString().endsWith("states a second");
+    Cli symmetric = check(LAMPS, "--robots", "2", "--value", "first={bot0, bot1}");
+    assertThat(symmetric.out())
+        .containsExactly(
+            "Lamps (PIDS 2, Rooms 2): 4 states, 11 steps, at most 2 steps from a start; Counted holds",
+            "  states that differ in the names of elements alone count once: PIDS, Rooms",
+            "  never false: 'i in first' of take");
+  }
+
+  @Test
+  void parameterOfTooManyValuesIsToldWithItsOption() throws IOException {
+    Cli cli = check(LAMPS, "--robots", "30");
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err())
+        .singleElement()
+        .asString()
+        .endsWith(
+            "lamps.starl: Lamps: value parameter 'first': more than 10,000 values at these sizes;"
+                + " give one: --value 'first=...', of type set[PIDS]");
+  }
+
+  @Test
+  void violationIsToldAsARun() throws IOException {
+    Cli cli = check(LAMPS.replace("n := n + 1", "n := 1"), "--robots", "2");
+    assertThat(cli.status()).isOne();
+    assertThat(cli.out())
+        .startsWith(
+            "Lamps (PIDS 2, Rooms 2): Counted is false after 3 steps",
+            "  0. start   first = {bot0}",
+            "  1. take(bot0, A)   by(A): none -> some(bot0), n: 0 -> 1",
+            "  2. take(bot0, B)   by(B): none -> some(bot0)",
+            "  3. drop(A)   by(A): some(bot0) -> none, n: 1 -> 0",
+            "  " + folder.resolve("lamps.starl") + ":12:20: false");
+  }
+
+  @Test
+  void errorsOfTheSourceAreLines() throws IOException {
+    Cli cli = check(LAMPS.replace("some(i)", "some(j)").replace("n - 1", "m - 1"));
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.out()).isEmpty();
+    assertThat(cli.err()).hasSize(2).allMatch(line -> line.contains("lamps.starl:"));
+  }
+
+  @Test
+  void searchThatDoesNotEndIsNotWrong() throws IOException {
+    Cli cli = check(LAMPS, "--most", "3");
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out().getFirst()).endsWith("THE SEARCH DID NOT END; nothing is wrong so far");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          --robots=0 | --robots: '0': expected a whole number from 1 to 62
+          --size=Room=2 | --size: 'Room' is no opaque type here; expected one of PIDS, Rooms
+          --size=Rooms | --size: 'Rooms': expected TYPE=N
+          --size=Rooms=none | --size: 'none': expected a whole number from 1 to 62
+          --nat=-1 | --nat: '-1': expected a whole number from 0 to 1000
+          --value=last={} | --value: 'last' is no value parameter of Lamps; expected one of [first]
+          --value=first={A} | --value first:1:2: 'A' is of type Rooms; expected PIDS
+          """)
+  void badOptionIsRefused(String option, String told) throws IOException {
+    Cli cli = check(LAMPS, option);
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err()).singleElement().asString().isEqualTo("starl: " + told);
+  }
+
+  @Test
+  void whatIsNoSourceIsRefused() throws IOException {
+    Path binary = Files.write(folder.resolve("binary.starl"), new byte[] {0, 1, (byte) 0xff});
+    for (Path file : new Path[] {folder, folder.resolve("none.starl"), binary}) {
+      Cli cli = Cli.run("check", file.toString());
+      assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+      assertThat(cli.err())
+          .singleElement()
+          .asString()
+          .startsWith("starl: " + file)
+          .endsWith("; expected a source of automata (.starl)");
+    }
+    assertThat(check("").err())
+        .singleElement()
+        .asString()
+        .contains("lamps.starl:1:1: no automaton");
+  }
+}
