@@ -147,7 +147,7 @@ class SearchTest {
     String invariant =
         """
         invariant Later: forall i: PIDS :: n + 1 in {0, 1, 2}
-        invariant Never: forall i: PIDS :: if who = some(i) then n != 2 else n + 1 in {0, 1, 2}
+        invariant Never: forall k: nat :: if k = 2 then n != 2 else n + 1 in {0, 1, 2}
         """;
     Search.Result result = result(CLOCK + invariant, 2, true);
     assertThat(result.unevaluated()).containsKey("Later");
