@@ -239,7 +239,7 @@ final class AutomatonWriter {
     cases(action -> {
       Code guard = Code.name(enabled).field("TRUE");
       ExpressionWriter writer = writer(action);
-      Code before = Code.TRUE;
+      Code before = Code.Text.TRUE;
       for (int i = 0; i < action.pre().size(); i++) {
         Conjunct each = action.pre().get(i);
         Code condition = writer.of(each.condition());

@@ -32,7 +32,7 @@ final class Choices {
       boolean hasVariable = !isLast && !each.variables().isEmpty();
       Code cast =
           hasVariable
-              ? Code.name(constructor)
+              ? Code.name(constructor + "_")
               : new Code.Prefix("(" + type + "." + constructor + ") ", of);
       for (int i = 0; i < each.variables().size(); i++) {
         String field = each.constructor().fields().get(i).name();
@@ -44,7 +44,7 @@ final class Choices {
       } else {
         Code condition =
             hasVariable
-                ? new Code.InstanceOf(of, type + "." + constructor + " " + constructor)
+                ? new Code.InstanceOf(of, type + "." + constructor + " " + constructor + "_")
                 : writer.is(of, sum, each.constructor(), at.pos());
         whole = Code.choice(condition, then, whole);
       }

@@ -19,11 +19,11 @@ sealed interface Code {
   int PRIMARY = 20;
   int UNARY = 15;
 
-  Code TRUE = new Text("true");
-  Code FALSE = new Text("false");
-
   /** A name or literal. */
   record Text(String text) implements Code {
+    static final Code TRUE = new Text("true");
+    static final Code FALSE = new Text("false");
+
     @Override
     public void write(Layout out) {
       out.token(text);
@@ -313,22 +313,22 @@ sealed interface Code {
   }
 
   static Code and(Code a, Code b) {
-    if (a.equals(FALSE) || b.equals(FALSE)) {
-      return FALSE;
+    if (a.equals(Text.FALSE) || b.equals(Text.FALSE)) {
+      return Text.FALSE;
     }
-    return a.equals(TRUE) ? b : b.equals(TRUE) ? a : infix("&&", a, b);
+    return a.equals(Text.TRUE) ? b : b.equals(Text.TRUE) ? a : infix("&&", a, b);
   }
 
   static Code or(Code a, Code b) {
-    if (a.equals(TRUE) || b.equals(TRUE)) {
-      return TRUE;
+    if (a.equals(Text.TRUE) || b.equals(Text.TRUE)) {
+      return Text.TRUE;
     }
-    return a.equals(FALSE) ? b : b.equals(FALSE) ? a : infix("||", a, b);
+    return a.equals(Text.FALSE) ? b : b.equals(Text.FALSE) ? a : infix("||", a, b);
   }
 
   static Code not(Code a) {
-    if (a.equals(TRUE) || a.equals(FALSE)) {
-      return a.equals(TRUE) ? FALSE : TRUE;
+    if (a.equals(Text.TRUE) || a.equals(Text.FALSE)) {
+      return a.equals(Text.TRUE) ? Text.FALSE : Text.TRUE;
     }
     if (a instanceof Prefix no && no.prefix.equals("!")) {
       return no.of instanceof Parentheses inner ? inner.of : no.of;
@@ -348,10 +348,10 @@ sealed interface Code {
   }
 
   static Code choice(Code condition, Code then, Code otherwise) {
-    if (condition.equals(TRUE) || then.equals(otherwise)) {
+    if (condition.equals(Text.TRUE) || then.equals(otherwise)) {
       return then;
     }
-    return condition.equals(FALSE)
+    return condition.equals(Text.FALSE)
         ? otherwise
         : new Choice(strong(condition, 1), strong(then, 1), otherwise);
   }

@@ -96,7 +96,7 @@ final class ExpressionWriter {
 
   Code of(Expr at) {
     return switch (at) {
-      case Expr.Bool e -> e.value() ? Code.TRUE : Code.FALSE;
+      case Expr.Bool e -> e.value() ? Code.Text.TRUE : Code.Text.FALSE;
       case Expr.Numeral e -> Code.name(e.value().toPlainString() + (isNatural(e) ? "L" : ""));
       case Expr.Variable e -> variable(e);
       case Expr.Parameter e -> Code.name(JavaTypes.name(e.name()));
@@ -231,7 +231,7 @@ final class ExpressionWriter {
           at.pos(), "a " + at.type() + " has a Java type of its own; expected no elements here");
     }
     if (form == JavaTypes.Sets.FUN) {
-      return at.elements().isEmpty() ? types.always(Code.FALSE) : finite.set(asCondition(at));
+      return at.elements().isEmpty() ? types.always(Code.Text.FALSE) : finite.set(asCondition(at));
     }
     String sets = types.use("org.starl.spec.automaton.Sets");
     if (at.elements().isEmpty()) {
@@ -290,7 +290,7 @@ final class ExpressionWriter {
       return sameElsewhere((Expr.Variable) left, (Expr.Variable) right);
     }
     if (isElsewhere(left) || isElsewhere(right)) {
-      return Code.FALSE;
+      return Code.Text.FALSE;
     }
     if (isEmpty(left) || isEmpty(right)) {
       Expr other = isEmpty(left) ? right : left;
@@ -322,7 +322,7 @@ final class ExpressionWriter {
 
   private Code sameElsewhere(Expr.Variable left, Expr.Variable right) {
     if (left.name().equals(right.name())) {
-      return Code.TRUE;
+      return Code.Text.TRUE;
     }
     throw new NotExecutable(
         left.pos(),
@@ -350,13 +350,13 @@ final class ExpressionWriter {
   private Code in(Expr element, Expr set) {
     if (isElsewhere(element)) {
       return switch (types.form(set.type())) {
-        case FINITE -> Code.FALSE;
+        case FINITE -> Code.Text.FALSE;
         case FUN -> of(set).then("defaultValue");
         case OWN -> variable((Expr.Variable) element);
       };
     }
     if (set instanceof Expr.SetOf literal) {
-      Code any = Code.FALSE;
+      Code any = Code.Text.FALSE;
       for (Expr each : literal.elements()) {
         any = Code.or(any, equal(element, each));
       }
@@ -401,7 +401,7 @@ final class ExpressionWriter {
     if (isOne && (at.operator() == Operator.UNION || at.operator() == Operator.MINUS)) {
       Expr element = ((Expr.SetOf) at.right()).elements().getFirst();
       boolean isIn = at.operator() == Operator.UNION;
-      return of(at.left()).then("with", of(element), isIn ? Code.TRUE : Code.FALSE);
+      return of(at.left()).then("with", of(element), isIn ? Code.Text.TRUE : Code.Text.FALSE);
     }
     return switch (at.operator()) {
       case SUBSET, DISJOINT ->

@@ -34,7 +34,7 @@ final class Finite {
     Code here = writer.under(variable, () -> writer.of(body));
     Code values = null;
     if (where.sets.isEmpty()) {
-      values = at.forAll() ? Code.TRUE : Code.FALSE;
+      values = at.forAll() ? Code.Text.TRUE : Code.Text.FALSE;
     } else {
       String function = quantifiers() + (at.forAll() ? ".forAll" : ".exists");
       values = Code.call(function, where.with(lambda(variable, here)));
@@ -76,7 +76,7 @@ final class Finite {
           : Code.call(
               quantifiers() + ".map", where.after(where.elsewhere, lambda(at.variable(), here)));
     }
-    if (!where.elsewhere.equals(Code.FALSE)) {
+    if (!where.elsewhere.equals(Code.Text.FALSE)) {
       throw new NotExecutable(
           at.pos(),
           "this set may be infinite; expected a condition on finitely many values, or a line: java "
@@ -141,7 +141,7 @@ final class Finite {
   private Where where(Field variable, Expr body, boolean wanted) {
     List<Code> bounds = bounds(variable.name(), body, wanted);
     if (bounds != null) {
-      return new Where(bounds, wanted ? Code.FALSE : Code.TRUE);
+      return new Where(bounds, wanted ? Code.Text.FALSE : Code.Text.TRUE);
     }
     return new Where(sets(variable, body), writer.elsewhere(variable, () -> writer.of(body)));
   }

@@ -194,9 +194,9 @@ final class JavaTypes {
       return Code.name(use(own.get().name())).field(own.get().start());
     }
     return switch (type.base()) {
-      case Type.Bool bool -> Code.FALSE;
+      case Type.Bool bool -> Code.Text.FALSE;
       case Type.Num number -> zero(number, pos);
-      case Type.SetOf set when form(set) == Sets.FUN -> always(Code.FALSE);
+      case Type.SetOf set when form(set) == Sets.FUN -> always(Code.Text.FALSE);
       case Type.SetOf set when form(set) == Sets.FINITE -> emptyset();
       case Type.ListOf list -> Code.call(use("java.util.List") + ".of");
       case Type.OptionOf option -> bottom();

@@ -109,8 +109,8 @@ final class StartState {
                   .make(
                       (Type.Sum) e.of().type().base(), e.constructor().name(), List.of(), e.pos()),
               e.pos());
-      case Expr.Not e -> set(place(e.of(), variables), Code.FALSE, e.pos());
-      default -> set(place(condition, variables), Code.TRUE, condition.pos());
+      case Expr.Not e -> set(place(e.of(), variables), Code.Text.FALSE, e.pos());
+      default -> set(place(condition, variables), Code.Text.TRUE, condition.pos());
     }
   }
 

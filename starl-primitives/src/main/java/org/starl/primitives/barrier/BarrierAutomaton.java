@@ -122,8 +122,8 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
         && (g == 1 || !(s.outcome.at(g - 1) instanceof Outcome.open))
         && (o instanceof Outcome.open
             ? false
-            : o instanceof Outcome.failed failed
-                ? !failed.missing().isEmpty() && members(g, s).containsAll(failed.missing())
+            : o instanceof Outcome.failed failed_
+                ? !failed_.missing().isEmpty() && members(g, s).containsAll(failed_.missing())
                 : s.arrived.at(g).containsAll(members(g, s)));
   }
 
@@ -147,9 +147,9 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
                               : "outcome(" + (a.g() - 1) + ") = " + s.outcome.at(a.g() - 1))
                           : a.o() instanceof Outcome.open
                               ? "o = " + a.o()
-                              : a.o() instanceof Outcome.failed failed
-                                  ? (failed.missing().isEmpty()
-                                      ? "M = " + failed.missing()
+                              : a.o() instanceof Outcome.failed failed_
+                                  ? (failed_.missing().isEmpty()
+                                      ? "M = " + failed_.missing()
                                       : "members(" + a.g() + ") = " + members(a.g(), s))
                                   : "members("
                                       + a.g()
