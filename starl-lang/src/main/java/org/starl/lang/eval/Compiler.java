@@ -1,3 +1,4 @@
+// Longer than 500 lines because it has a case for each kind of expression.
 package org.starl.lang.eval;
 
 import java.math.BigInteger;

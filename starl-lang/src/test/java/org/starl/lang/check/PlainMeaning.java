@@ -108,7 +108,7 @@ final class PlainMeaning {
     };
   }
 
-  @SuppressWarnings("unchecked")
+  @SuppressWarnings("unchecked") // sources are checked: sets are sets
   private static Object strict(Expr.Binary at, Object left, Object right) {
     return switch (at.operator()) {
       case EQUAL -> left.equals(right);
