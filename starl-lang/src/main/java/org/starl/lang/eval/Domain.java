@@ -1,4 +1,5 @@
-// Longer than 500 lines because the subclasses of a sealed class are in one file, one for each kind of type.
+// Longer than 500 lines because the subclasses of a sealed class are in one file, one for each kind
+// of type.
 package org.starl.lang.eval;
 
 import java.math.BigInteger;
