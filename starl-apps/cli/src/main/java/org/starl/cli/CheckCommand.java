@@ -1,14 +1,11 @@
 package org.starl.cli;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.starl.input.BadInput;
-import org.starl.input.TextFile;
 import org.starl.lang.check.Report;
 import org.starl.lang.check.Search;
 import org.starl.lang.eval.Beyond;
@@ -24,7 +21,6 @@ import org.starl.lang.tree.Type.Field;
 import org.starl.time.Time;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** {@code starl check}. */
 @Command(
@@ -37,16 +33,12 @@ import picocli.CommandLine.Parameters;
       "Example: starl check pvs/starl/Mutex_decls.starl --robots 3 --size Zones=2",
       "         starl check pvs/starl/Barrier_decls.starl --nat 3 --value 'first={bot0, bot1}'"
     })
-final class CheckCommand extends BaseCommand implements Callable<Integer> {
+final class CheckCommand extends SourceCommand {
 
-  private static final String EXPECTED = "expected a source of automata (.starl)";
   private static final int USUAL_SIZE = 2;
   private static final int LARGEST = 62;
   private static final int LARGEST_NUMBER = 1000;
   private static final int MOST_STATES = 100_000_000;
-
-  @Parameters(paramLabel = "FILE.starl", description = "The source.")
-  private String name = "";
 
   @Option(
       names = "--robots",
@@ -97,16 +89,7 @@ final class CheckCommand extends BaseCommand implements Callable<Integer> {
   private String most = "5000000";
 
   @Override
-  public Integer call() throws IOException {
-    Path file = Path.of(name);
-    TextFile.read(file, EXPECTED); // tells what is no text
-    List<Automaton> automata;
-    try {
-      automata = new SourceReader().read(file);
-    } catch (SourceErrors e) {
-      e.errors().forEach(err()::println);
-      return ExitStatus.BAD_INPUT;
-    }
+  int run(List<Automaton> automata) {
     int status = ExitStatus.GOOD;
     for (Automaton automaton : automata) {
       status = Math.max(status, check(automaton, automata));
@@ -122,7 +105,7 @@ final class CheckCommand extends BaseCommand implements Callable<Integer> {
       Machine machine = new Machine(automaton, of);
       search = new Search(machine, of, values(machine), !hasNoSymmetry, limit);
     } catch (TooLarge e) {
-      throw new BadInput(name + ": " + automaton.name() + ": " + e.getMessage());
+      throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
     } catch (EvalError e) {
       throw new BadInput(file(e.automaton(), automata) + ":" + e.pos() + ": " + e.getMessage());
     }
@@ -137,8 +120,8 @@ final class CheckCommand extends BaseCommand implements Callable<Integer> {
   /** An automaton that is not in the file was found beside it. */
   private String file(String automaton, List<Automaton> automata) {
     return automata.stream().anyMatch(a -> a.name().equals(automaton))
-        ? name
-        : Path.of(name).resolveSibling(automaton + ".starl").toString();
+        ? file()
+        : Path.of(file()).resolveSibling(automaton + ".starl").toString();
   }
 
   private Sizes sizes(Automaton automaton, List<Automaton> automata) {

@@ -2,38 +2,33 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.lang.java.JavaSources;
+import org.starl.lang.pvs.PvsTheory;
 import org.starl.lang.read.SourceErrors;
-import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** {@code starl compile}. */
 @Command(
     name = "compile",
     description = {
-      "Checks the automata of a .starl file, and makes Java of them.",
+      "Checks the automata of a .starl file, and makes Java and PVS of them.",
       "Errors are printed one a line, as FILE:LINE:COLUMN: what was found; what was expected. Then no"
           + " file is written."
     },
     footer = {
       "",
-      "Example: starl compile pvs/starl/Mutex_decls.starl --java starl-primitives/src/main/java"
+      "Examples: starl compile pvs/starl/Mutex_decls.starl --java starl-primitives/src/main/java",
+      "          starl compile pvs/starl/Mutex_decls.starl --pvs pvs"
     })
-final class CompileCommand extends BaseCommand implements Callable<Integer> {
-
-  @Parameters(index = "0", paramLabel = "FILE", description = "The source.")
-  private String file = "";
+final class CompileCommand extends SourceCommand {
 
   @Option(
       names = "--java",
@@ -43,39 +38,46 @@ final class CompileCommand extends BaseCommand implements Callable<Integer> {
               + " that the source names, and its actions.")
   private @Nullable String java;
 
+  @Option(
+      names = "--pvs",
+      paramLabel = "FOLDER",
+      description = "Write the theory of each automaton, NAME.pvs, into this folder.")
+  private @Nullable String pvs;
+
   @Override
-  public Integer call() throws IOException {
-    Map<String, String> files = new TreeMap<>();
+  int run(List<Automaton> automata) throws IOException {
+    Map<String, String> classes = new TreeMap<>();
+    Map<String, String> theories = new TreeMap<>();
     try {
-      for (Automaton automaton : automata()) {
+      for (Automaton automaton : automata) {
         if (java != null) {
-          files.putAll(JavaSources.of(automaton, file));
+          classes.putAll(JavaSources.of(automaton, file()));
         }
-        out().println(automaton.name() + ": " + automaton.actions().size() + " actions");
+        if (pvs != null) {
+          theories.put(automaton.name() + ".pvs", PvsTheory.of(automaton));
+        }
       }
     } catch (SourceErrors e) {
       e.errors().forEach(err()::println);
       return ExitStatus.BAD_INPUT;
+    } catch (IllegalArgumentException e) {
+      throw new BadInput(file() + ": " + e.getMessage());
     }
-    for (Map.Entry<String, String> each : files.entrySet()) {
-      write("--java", Path.of(String.valueOf(java)).resolve(each.getKey()), each.getValue());
-    }
+    automata.forEach(
+        each -> out().println(each.name() + ": " + each.actions().size() + " actions"));
+    write("--java", java, classes);
+    write("--pvs", pvs, theories);
     return ExitStatus.GOOD;
   }
 
-  private List<Automaton> automata() throws SourceErrors {
-    try {
-      return new SourceReader().read(Path.of(file));
-    } catch (IOException | InvalidPathException e) {
-      throw new BadInput(
-          BadInput.quote(file) + ": cannot be read (" + e + "); expected a .starl file");
+  private void write(String option, @Nullable String folder, Map<String, String> files)
+      throws IOException {
+    for (Map.Entry<String, String> each : files.entrySet()) {
+      Path path = Path.of(String.valueOf(folder)).resolve(each.getKey());
+      try (OutputFile output = new OutputFile(option, path.toString())) {
+        output.stream().write(each.getValue().getBytes(StandardCharsets.UTF_8));
+      }
+      out().println(path);
     }
-  }
-
-  private void write(String option, Path path, String text) throws IOException {
-    try (OutputFile output = new OutputFile(option, path.toString())) {
-      output.stream().write(text.getBytes(StandardCharsets.UTF_8));
-    }
-    out().println(path);
   }
 }

@@ -45,6 +45,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ReplayCommand.class,
       SchemaCommand.class,
       CompileCommand.class,
+      LanguageServerCommand.class,
       NewCommand.class,
       BenchCommand.class,
       DeployCommand.class,

@@ -5,20 +5,15 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
-import org.starl.input.TextFile;
 import org.starl.lang.prove.NoSolver;
 import org.starl.lang.prove.Prover;
 import org.starl.lang.prove.Report;
 import org.starl.lang.prove.Unprovable;
-import org.starl.lang.read.SourceErrors;
-import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** {@code starl prove FILE.starl}. */
 @Command(
@@ -30,13 +25,10 @@ import picocli.CommandLine.Parameters;
       "Without a file, or with FILE.pvs, 'starl prove' checks proofs with an installed PVS."
     },
     footer = {"", "Example: starl prove pvs/starl/Mutex_decls.starl"})
-final class ProveCommand extends BaseCommand implements Callable<Integer> {
+final class ProveCommand extends SourceCommand {
 
   private static final int MOST_MILLIONS = 4000;
   private static final long MILLION = 1_000_000;
-
-  @Parameters(paramLabel = "FILE.starl", description = "The source.")
-  private String name = "";
 
   @Option(
       names = "--limit",
@@ -54,17 +46,8 @@ final class ProveCommand extends BaseCommand implements Callable<Integer> {
   private @Nullable String folder;
 
   @Override
-  public Integer call() throws IOException {
+  int run(List<Automaton> automata) throws IOException {
     long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
-    Path file = Path.of(name);
-    TextFile.read(file, "expected a source of automata (.starl)"); // tells what is no text
-    List<Automaton> automata;
-    try {
-      automata = new SourceReader().read(file);
-    } catch (SourceErrors e) {
-      e.errors().forEach(err()::println);
-      return ExitStatus.BAD_INPUT;
-    }
     boolean isProved = true;
     for (Automaton automaton : automata) {
       Report report = prove(automaton, steps);
@@ -79,9 +62,9 @@ final class ProveCommand extends BaseCommand implements Callable<Integer> {
       Path of = folder == null ? null : Files.createDirectories(Path.of(folder, automaton.name()));
       return new Prover(automaton, steps, (title, text) -> keep(of, title, text)).prove();
     } catch (NoSolver e) {
-      throw new MissingDependencyException(e.getMessage());
+      throw new MissingDependencyException(String.valueOf(e.getMessage()));
     } catch (Unprovable e) {
-      throw new BadInput(name + ": " + automaton.name() + ": " + e.getMessage());
+      throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }

@@ -124,6 +124,9 @@ final class GradleBuild {
         continue;
       }
       Matcher dependency = match(DEPENDENCY, line);
+      if (dependency.group(1).equals("antlr")) {
+        continue; // a tool of the build; Maven has it as a plugin
+      }
       String scope = scope(dependency.group(1));
       if (dependency.group(2) != null) {
         String needed = own.get("group") + ":" + dependency.group(2);

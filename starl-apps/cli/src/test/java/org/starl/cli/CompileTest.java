@@ -46,6 +46,15 @@ class CompileTest {
   }
 
   @Test
+  void theoryIsWrittenIntoTheFolder() throws IOException {
+    Cli cli = Cli.run("compile", source.toString(), "--pvs", folder.toString());
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out()).containsExactly("Lamp: 1 actions", folder.resolve("Lamp.pvs").toString());
+    assertThat(Files.readString(folder.resolve("Lamp.pvs")))
+        .contains("Lamp: THEORY", "switch_on: NOT s`on", "END Lamp");
+  }
+
+  @Test
   void withoutOptionsASourceIsChecked() {
     Cli cli = Cli.run("compile", source.toString());
     assertThat(cli.status()).isZero();

@@ -34,6 +34,7 @@ class HelpTest {
         "replay",
         "schema",
         "compile",
+        "language-server",
         "new",
         "bench"
       })

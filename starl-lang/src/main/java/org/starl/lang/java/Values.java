@@ -49,7 +49,7 @@ final class Values {
     return switch (at) {
       case Expr.Not not -> why(not.of(), !is);
       case Expr.Binary e
-          when e.operator() == Operator.AND && !is || e.operator() == Operator.OR && is ->
+          when (e.operator() == Operator.AND && !is) || (e.operator() == Operator.OR && is) ->
           either(e.left(), e.right(), is);
       case Expr.Binary e when e.operator() == Operator.AND || e.operator() == Operator.OR -> {
         List<Value> both = new ArrayList<>(why(e.left(), is));
@@ -166,7 +166,7 @@ final class Values {
     if (at instanceof Expr.Numeral number) {
       return Code.string(number.value().toPlainString());
     }
-    return at.type().base() instanceof Type.Bool bool
+    return at.type().base() == Type.Bool.BOOL
         ? Code.strong(writer.of(at), Code.PRIMARY)
         : writer.of(at);
   }

@@ -162,17 +162,21 @@ final class AutomatonReader {
     }
   }
 
-  /** What {@code read} says; false, to go on after it, if it ends with an error, which stands in the problems. */
-  private static boolean orTold(BooleanSupplier read) {
+  /** Reads a part, and goes on after an error in it. */
+  @SuppressWarnings("CheckReturnValue") // what is read is kept by the reading
+  private void orTold(BooleanSupplier read) {
     try {
-      return read.getAsBoolean();
+      read.getAsBoolean();
     } catch (Wrong told) {
-      return false;
+      if (problems.isEmpty()) {
+        throw new IllegalStateException("an error that was not told", told);
+      }
     }
   }
 
   private String newName(StarlParser.IdContext at) {
     String name = at.getText();
+    scope.places.put(name, pos(at));
     scope
         .taken(name)
         .ifPresent(what ->

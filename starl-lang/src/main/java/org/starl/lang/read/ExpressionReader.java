@@ -24,7 +24,12 @@ import org.starl.lang.tree.Type.Constructor;
 import org.starl.lang.tree.Type.Field;
 import org.starl.lang.tree.Type.Num;
 
-/** Reads expressions: resolves their names, and checks their types. An error is told, and then thrown. */
+/**
+ * Reads expressions: resolves their names, and checks their types. An error is told, and then thrown.
+ *
+ * <p>Why in one file: each kind of expression of the grammar has one method here, and they call each
+ * other.
+ */
 final class ExpressionReader {
 
   private final Scope scope;

@@ -117,7 +117,7 @@ class PrimitivesProofTest {
             of.start(),
             actions,
             of.invariants(),
-            of.javaPackage(),
+            of.javaClass(),
             of.javaTypes(),
             of.comment(),
             of.pos());
