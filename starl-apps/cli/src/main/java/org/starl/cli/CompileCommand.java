@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -25,8 +26,8 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "",
-      "Examples: starl compile pvs/starl/Mutex_decls.starl --java starl-primitives/src/main/java",
-      "          starl compile pvs/starl/Mutex_decls.starl --pvs pvs"
+      "Example: starl compile pvs/starl/Mutex_decls.starl --java starl-primitives/src/main/java",
+      "         starl compile pvs/starl/Mutex_decls.starl --pvs pvs"
     })
 final class CompileCommand extends SourceCommand {
 
@@ -54,7 +55,9 @@ final class CompileCommand extends SourceCommand {
           classes.putAll(JavaSources.of(automaton, file()));
         }
         if (pvs != null) {
-          theories.put(automaton.name() + ".pvs", PvsTheory.of(automaton));
+          Path source = Path.of(pvs).toAbsolutePath().relativize(Path.of(file()).toAbsolutePath());
+          String shown = source.toString().replace(File.separatorChar, '/');
+          theories.put(automaton.name() + ".pvs", PvsTheory.of(automaton, shown));
         }
       }
     } catch (SourceErrors e) {

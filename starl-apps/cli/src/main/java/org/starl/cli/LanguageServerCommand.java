@@ -13,7 +13,8 @@ import picocli.CommandLine.Command;
       "Serves an editor that speaks the Language Server Protocol on its input and output: errors of"
           + " .starl files while they are written, types, and the way to declarations.",
       "An editor starts it; docs/language.md says how to set one up."
-    })
+    },
+    footer = {"", "Example: starl language-server"})
 final class LanguageServerCommand extends BaseCommand implements Callable<Integer> {
 
   @Override

@@ -47,6 +47,10 @@ record Allowance(String rule, String path, String reason) {
             "a spare object for all robots of a process, whose strands may run at once"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-lang" + MAIN + "lang/server/",
+            "an editor is answered in futures, as the protocol's library has it"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             VIEW + "Window.java",
             "who opens it waits, off Swing's thread, until it is closed"),
         new Allowance(

@@ -2,6 +2,7 @@ package org.starl.build;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,8 +27,8 @@ class GeneratedJavaTest {
 
   @ParameterizedTest
   @MethodSource("sources")
-  void generatedFilesAreThoseOfTheirSource(String file) throws SourceErrors {
-    for (Automaton automaton : new SourceReader().read(file, repository.text(file))) {
+  void generatedFilesAreThoseOfTheirSource(String file) throws IOException, SourceErrors {
+    for (Automaton automaton : new SourceReader().read(repository.file(file))) {
       if (automaton.javaClass().isEmpty()) {
         continue;
       }

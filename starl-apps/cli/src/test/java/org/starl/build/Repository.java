@@ -65,6 +65,11 @@ final class Repository {
     }
   }
 
+  /** The file at {@code path}. */
+  Path file(String path) {
+    return root.resolve(path);
+  }
+
   boolean exists(String path) {
     return Files.exists(root.resolve(path));
   }

@@ -273,8 +273,8 @@ class ReportTest {
     assertThat(rows(page, "Bad runs").get(0)).startsWith("all 0 2 ").endsWith("7.8e-01");
     assertThat(rows(page, "Bad runs").get(1)).startsWith("loss 0 2 ");
     assertThat(rows(page, "Mutex_decls"))
-        .anyMatch(row -> row.matches("do_mutex empty\\?\\(crit_set\\(i, s\\)\\) \\d+ \\d+ .*"))
-        .anyMatch(row -> row.matches("nonempty\\?\\(RS\\) \\d+ never"))
+        .anyMatch(row -> row.matches("crit_set\\(i\\) = \\{} \\d+ \\d+"))
+        .anyMatch(row -> row.matches("do_mutex RS != \\{} \\d+ \\d+ never"))
         .anyMatch(row -> row.matches("stands_in  never  "));
     assertThat(rows(page, "mutex"))
         .hasSize(3)

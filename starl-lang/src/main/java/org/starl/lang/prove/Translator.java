@@ -1,3 +1,5 @@
+// Longer than 500 lines because each kind of expression has one method here, and these call each
+// other.
 package org.starl.lang.prove;
 
 import static org.starl.lang.prove.Val.smt;

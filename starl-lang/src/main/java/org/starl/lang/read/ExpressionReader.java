@@ -1,3 +1,5 @@
+// Longer than 500 lines because each kind of expression has one method here, and these call each
+// other.
 package org.starl.lang.read;
 
 import static org.starl.lang.read.Problems.pos;
@@ -26,9 +28,6 @@ import org.starl.lang.tree.Type.Num;
 
 /**
  * Reads expressions: resolves their names, and checks their types. An error is told, and then thrown.
- *
- * <p>Why in one file: each kind of expression of the grammar has one method here, and they call each
- * other.
  */
 final class ExpressionReader {
 

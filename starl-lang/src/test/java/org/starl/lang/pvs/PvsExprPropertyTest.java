@@ -91,7 +91,7 @@ class PvsExprPropertyTest {
 
   /** The condition as it stands in the theory. */
   private static String print(String condition) throws SourceErrors {
-    String theory = PvsTheory.of(automaton(condition));
+    String theory = PvsTheory.of(automaton(condition), "x.starl");
     return theory.substring(
         theory.indexOf("I(s): bool =") + "I(s): bool =".length(), theory.lastIndexOf("END A"));
   }

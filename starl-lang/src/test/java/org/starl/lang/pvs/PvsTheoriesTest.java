@@ -39,7 +39,7 @@ class PvsTheoriesTest {
     String name = automaton.name() + ".pvs";
     assertThat(source).hasFileName(automaton.name() + ".starl");
     Path made = Files.createDirectories(Path.of("target/pvs")).resolve(name);
-    String theory = PvsTheory.of(automaton);
+    String theory = PvsTheory.of(automaton, "starl/" + source.getFileName());
     Files.writeString(made, theory);
     assertThat(Files.readString(PVS.resolve(name)))
         .as("pvs/%s: the source makes another one: %s", name, made)

@@ -182,6 +182,7 @@ class PvsTheoryTest {
   }
 
   private static String theory(String source) throws SourceErrors {
-    return PvsTheory.of(new SourceReader().read("doors.starl", source).getLast());
+    return PvsTheory.of(
+        new SourceReader().read("doors.starl", source).getLast(), "starl/Doors.starl");
   }
 }

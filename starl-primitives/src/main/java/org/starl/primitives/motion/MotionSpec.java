@@ -83,8 +83,7 @@ public final class MotionSpec extends LemmaMonitor {
     lemma(ARRIVES, "A move without an obstacle succeeds.");
     lemma(
         TOLD,
-        "A robot that reports done is at its goal; every move reports done or failed in time; a robot"
-            + " that has failed or stopped stands.");
+        "A move ends in time, at its goal or failed; after a failure or a stop the robot stands.");
   }
 
   /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
