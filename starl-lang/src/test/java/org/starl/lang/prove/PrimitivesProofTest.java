@@ -59,8 +59,7 @@ class PrimitivesProofTest {
   }
 
   @Test
-  void mutexThatMayBreakAnInvariantIsNotProved()
-      throws IOException, SourceErrors {
+  void mutexThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
     assertThat(caught(read("Mutex_decls", WAITS)))
         .containsExactly(
             "do_mutex without crit_set(i) = {}",
@@ -71,8 +70,7 @@ class PrimitivesProofTest {
   }
 
   @Test
-  void registrationThatMayBreakAnInvariantIsNotProved()
-      throws IOException, SourceErrors {
+  void registrationThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
     assertThat(caught(read("Registration_decls", "")))
         .contains(
             "unregister without i in asked",
@@ -149,6 +147,8 @@ class PrimitivesProofTest {
     if (more.isEmpty()) {
       return new SourceReader().read(file).getFirst();
     }
-    return new SourceReader().read(file.toString(), Files.readString(file) + "\n" + more).getFirst();
+    return new SourceReader()
+        .read(file.toString(), Files.readString(file) + "\n" + more)
+        .getFirst();
   }
 }
