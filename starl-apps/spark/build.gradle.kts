@@ -45,7 +45,8 @@ val oneJar = tasks.register<Jar>("oneJar") {
     manifest { attributes(mapOf("Main-Class" to "org.starl.cli.Main")) }
     from(sourceSets.main.get().output)
     from(configurations.runtimeClasspath.map { files -> (files - spark).map { zipTree(it) } })
-    exclude("META-INF/MANIFEST.MF", "**/module-info.class")
+    // A signature of one library says nothing of the whole jar.
+    exclude("META-INF/MANIFEST.MF", "META-INF/*.SF", "META-INF/*.RSA", "META-INF/*.DSA", "**/module-info.class")
 }
 tasks.register<Copy>("starlSpark") {
     dependsOn(oneJar)
