@@ -14,6 +14,7 @@ configurations.api {
 dependencies {
     antlr(libs.antlr.tool)
     api(libs.jspecify)
+    implementation(project(":starl-core-input"))
     implementation(libs.antlr.runtime)
     implementation(libs.lsp4j)
     implementation(libs.z3)

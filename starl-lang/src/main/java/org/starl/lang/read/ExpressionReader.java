@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.NearMatches;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.ExpressionContext;
 import org.starl.lang.tree.Action;
@@ -632,7 +633,7 @@ final class ExpressionReader {
     if (scope.wrong.contains(name)) {
       return new Wrong();
     }
-    String near = Language.nearest(name, known);
+    List<String> near = NearMatches.of(name, known);
     return wrong(
         at,
         "'"
@@ -640,7 +641,7 @@ final class ExpressionReader {
             + "' is not known here; expected "
             + (near.isEmpty()
                 ? "one of " + String.join(", ", known)
-                : near + ", or another of " + known.size() + " names"));
+                : near.getFirst() + ", or another of " + known.size() + " names"));
   }
 
   Wrong wrong(ParserRuleContext at, String message) {

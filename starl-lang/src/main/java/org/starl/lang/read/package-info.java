@@ -3,7 +3,7 @@
  * org.starl.lang.read.SourceErrors} with every error found: file, line, column, what was found, and what
  * was expected. The meaning of the language is in {@code docs/language.md}.
  *
- * <p>May import: {@code org.starl.lang.tree}, ANTLR's runtime.
+ * <p>May import: {@code org.starl.input}, {@code org.starl.lang.tree}, ANTLR's runtime.
  */
 @NullMarked
 package org.starl.lang.read;
