@@ -67,7 +67,9 @@ class GuardProcessTest {
       ends.drive();
       new ProcessBuilder("kill", "-STOP", Long.toString(ends.guard.pid())).start().waitFor();
 
-      // The port is closed by now, so the wheels cannot be stopped over it.
+      // So the wheels cannot be stopped over it.
+      ends.create.close();
+
       assertThatThrownBy(ends.program::close).isInstanceOf(IOException.class);
 
       assertThat(ends.guard.onExit().get(LIMIT_MS, TimeUnit.MILLISECONDS).isAlive()).isFalse();
@@ -129,21 +131,22 @@ class GuardProcessTest {
 
   /** A guard with the program at one end and the Create at the other. */
   private static final class Ends implements AutoCloseable {
+    // Open until the end: a slow machine may kill a slow guard, and then the wheels are stopped over it.
+    private final ServerSocket create;
     private final ByteLink program;
     private final ProcessHandle guard;
     private final Socket line;
 
     Ends() throws IOException {
-      try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-        HostPort address = new HostPort("127.0.0.1", create.getLocalPort());
-        Set<ProcessHandle> before = children();
-        program = GuardProcess.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
-        Set<ProcessHandle> now = children();
-        now.removeAll(before);
-        guard = now.iterator().next();
-        line = create.accept();
-        line.setSoTimeout(LIMIT_MS);
-      }
+      create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+      HostPort address = new HostPort("127.0.0.1", create.getLocalPort());
+      Set<ProcessHandle> before = children();
+      program = GuardProcess.links(new Wheels.Tcp(address), 115_200, LIMITS).open();
+      Set<ProcessHandle> now = children();
+      now.removeAll(before);
+      guard = now.iterator().next();
+      line = create.accept();
+      line.setSoTimeout(LIMIT_MS);
     }
 
     static Set<ProcessHandle> children() {
@@ -163,6 +166,7 @@ class GuardProcessTest {
     public void close() throws IOException {
       line.close();
       program.close();
+      create.close();
     }
   }
 }
