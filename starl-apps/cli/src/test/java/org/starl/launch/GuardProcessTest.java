@@ -131,7 +131,8 @@ class GuardProcessTest {
 
   /** A guard with the program at one end and the Create at the other. */
   private static final class Ends implements AutoCloseable {
-    // Open until the end: a slow machine may kill a slow guard, and then the wheels are stopped over it.
+    // Open until the end: a slow machine may kill a slow guard, and then the wheels are stopped
+    // over it.
     private final ServerSocket create;
     private final ByteLink program;
     private final ProcessHandle guard;
