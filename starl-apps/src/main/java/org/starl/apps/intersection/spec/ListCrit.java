@@ -21,7 +21,8 @@ import org.starl.trace.TraceEvent.Action;
  *
  * <p>It is an invariant of the states between atomic actions. One action writes several variables one
  * after the other, all at one time. So a car's state is checked when the next event is of another time
- * or another robot.
+ * or another robot. A copy that is lost on its way is an event of its receiver, but belongs to the
+ * sender's action, and is passed over.
  *
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
  * {@code od_mutex}. A program sees the grant, or the refusal, at its next step. Between the two it is
@@ -59,6 +60,9 @@ public final class ListCrit extends LemmaMonitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
+    if (event instanceof TraceEvent.Dropped) {
+      return;
+    }
     if (last != null && (last.timeNs() != event.timeNs() || !last.robot().equals(event.robot()))) {
       check(last, report);
     }

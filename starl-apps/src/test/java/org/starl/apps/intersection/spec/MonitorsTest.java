@@ -218,6 +218,20 @@ class MonitorsTest {
   }
 
   @Test
+  void aLostCopyDoesNotPartAReleaseFromTheRestOfItsAction() {
+    asksForAAndA1();
+    mutex(BOT0, "od_mutex", "A A1");
+    after(0.1);
+    app(BOT0, "location", "MOVE_WAIT");
+    after(5);
+    mutex(BOT0, "release", "A", "A1");
+    events.add(new TraceEvent.Dropped(nowNs, BOT1, "bot0", "loss"));
+    app(BOT0, "myseq", "[A1]");
+    after(5);
+    assertThat(report(listCrit()).holds()).isTrue();
+  }
+
+  @Test
   void aCarThatRequestsLessThanItsPathIsReported() {
     sets(BOT0, "[A, A1]");
     app(BOT0, "location", "S_0");
