@@ -18,6 +18,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
 import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.robot.IntersectionFactory;
 import org.starl.geometry.Obstacles;
@@ -128,7 +129,7 @@ public final class IntersectionDemo implements Demo {
     }
     int pieces = IntersectionFactory.debris(request);
     Obstacles floor = Floor.withDebris(obstacles, pieces, rng.fork("debris"));
-    IntersectionPlan plan = new IntersectionPlan(floor, settings);
+    IntersectionPlan plan = new IntersectionPlan(floor, settings, CarProgram.of(request));
     return isOpen
         ? plan.open(
             rateHz(request), request.robots().orElse(Integer.MAX_VALUE), rng.fork("arrivals"))

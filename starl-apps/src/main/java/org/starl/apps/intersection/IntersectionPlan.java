@@ -10,11 +10,11 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Plan;
 import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.RoadsideUnit;
 import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
@@ -36,7 +36,7 @@ import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
 
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
-record IntersectionPlan(Obstacles floor, SimSettings settings) {
+record IntersectionPlan(Obstacles floor, SimSettings settings, CarProgram program) {
 
   private static final String UNIT = "roadside";
 
@@ -120,7 +120,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
         gvh ->
             traffic.isOffFloor(car.id())
                 ? new TowedCar(gvh, XID, acceptors.apply(gvh), car.trip().approach().size())
-                : new IntersectionApp(gvh, XID, car.trip(), acceptors.apply(gvh)));
+                : program.of(gvh, car.trip(), acceptors.apply(gvh)));
   }
 
   /** A simulation without robots that checks all specifications. */

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.random.Rng;
@@ -31,7 +32,7 @@ class BuggyCarsTest {
     List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(seed).fork("cars"));
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
-        new IntersectionPlan(Floor.kerbs(), settings)
+        new IntersectionPlan(Floor.kerbs(), settings, CarProgram.APP)
             .simulation(new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
             .director(traffic)

@@ -11,6 +11,7 @@ import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -125,7 +126,7 @@ class ContactTest {
     List<Point> corners = Rectangle.around(debris, 60, 60).outline().vertices();
     Obstacles floor = Floor.kerbs().plus(new Obstacle(corners, true, true, 20_000));
     SimResult result =
-        new IntersectionPlan(floor, settings).closed(List.of(car)).simulation().build().run();
+        new IntersectionPlan(floor, settings, CarProgram.APP).closed(List.of(car)).simulation().build().run();
     assertThat(result.spec().violations()).isEmpty();
     assertThat(result.unfinished()).isEmpty();
     assertThat(result.endNs()).as("held up").isGreaterThan(20 * Time.NS_PER_S);

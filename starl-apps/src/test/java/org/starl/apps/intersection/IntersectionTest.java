@@ -1,6 +1,7 @@
 package org.starl.apps.intersection;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.util.Map;
 import java.util.OptionalInt;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.input.BadInput;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
@@ -78,6 +80,23 @@ class IntersectionTest {
     run(
         request(seed, 4, Map.of()),
         Map.of("messageLoss", "0.3", "messageDelay", "uniform(10ms,200ms)"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"7, none", "8, moving", "9, moving", "10, moving"})
+  void carsThatRunFigure3Cross(long seed, String chaos) {
+    run(
+        request(seed, 6, Map.of("car", "program")),
+        Map.of("messageLoss", "0.3", "chaos", chaos));
+  }
+
+  @Test
+  void anUnknownProgramOfCarsIsRefused() {
+    Request request = request(1, 2, Map.of("car", "lorry"));
+    SimSettings settings = new IntersectionDemo().defaultSettings(request).build();
+    assertThatExceptionOfType(BadInput.class)
+        .isThrownBy(() -> new IntersectionDemo().plan(request, settings))
+        .withMessage("car='lorry': expected app or program");
   }
 
   @Test

@@ -3,29 +3,32 @@ package org.starl.apps.intersection.logic;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
-import org.starl.gvh.GvhCell;
 
 /**
  * The car's progress on its trip: the stations ahead, and the zones behind that the body may still be
- * in. Writes Figure 4's variable {@code myseq} to the trace. Strand only.
+ * in. Strand only.
  */
 final class Course {
 
   private final GlobalVarHolder gvh;
   private final Trip trip;
-  private final GvhCell<List<String>> myseq;
+  private final Consumer<List<String>> onChange;
   private final ArrayDeque<ItemPosition> ahead;
   private final List<String> behind = new ArrayList<>();
 
-  Course(GlobalVarHolder gvh, Trip trip) {
+  /**
+   * @param onChange is told the zones ahead when they change
+   */
+  Course(GlobalVarHolder gvh, Trip trip, Consumer<List<String>> onChange) {
     this.gvh = gvh;
     this.trip = trip;
+    this.onChange = onChange;
     ahead = new ArrayDeque<>(trip.stations());
-    myseq = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
   }
 
   /** Whether only the exit lies ahead. */
@@ -46,7 +49,12 @@ final class Course {
   /** The car is at the next station and drives on: that zone is behind from now on. */
   void remove() {
     behind.add(ahead.remove().name());
-    myseq.set(zones());
+    onChange.accept(zones());
+  }
+
+  /** Whether {@code zone} is behind, and the whole body has left it for certain. */
+  boolean hasLeft(String zone) {
+    return behind.contains(zone) && Crossing.isClearOf(gvh, zone);
   }
 
   /** Removes and returns the zones behind that the whole body has left for certain. */
@@ -93,6 +101,6 @@ final class Course {
   /** Writes the rest of the trip to the trace. */
   void tell() {
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), zones());
-    myseq.set(zones());
+    onChange.accept(zones());
   }
 }

@@ -2,6 +2,7 @@ package org.starl.apps.intersection.logic;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.trace.TraceEvent;
@@ -23,6 +24,18 @@ public final class CrossingTrace {
   /** Variable: the zones that still lie ahead, as a list. */
   public static final String MYSEQ = "myseq";
 
+  // Where the names of IcpProgram, which are Figure 3's, differ from those of IntersectionApp.
+  private static final Map<String, Location> FIGURE_3 =
+      Map.of(
+          "S0",
+          Location.S_0,
+          "REG_WAIT",
+          Location.REGISTER_WAIT,
+          "S1",
+          Location.S_1,
+          "UNREG_WAIT",
+          Location.UNREGISTER_WAIT);
+
   private CrossingTrace() {}
 
   /** The action {@link #TRIP}. */
@@ -39,7 +52,8 @@ public final class CrossingTrace {
 
   /** The location that the event's robot has now, if the event changes it. */
   public static Optional<Location> location(TraceEvent event) {
-    return variable(event, LOCATION).map(Location::valueOf);
+    return variable(event, LOCATION)
+        .map(name -> FIGURE_3.containsKey(name) ? FIGURE_3.get(name) : Location.valueOf(name));
   }
 
   /** The new {@link #MYSEQ} of the event's robot, if the event changes it. */

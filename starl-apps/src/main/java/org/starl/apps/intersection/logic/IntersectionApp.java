@@ -83,7 +83,9 @@ public final class IntersectionApp extends LogicThread {
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
     location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));
-    myseq = new Course(gvh, trip);
+    GvhCell<List<String>> zonesAhead =
+        gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
+    myseq = new Course(gvh, trip, zonesAhead::set);
     rng = gvh.plat.entropy.fork(CrossingTrace.SOURCE);
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
     gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));

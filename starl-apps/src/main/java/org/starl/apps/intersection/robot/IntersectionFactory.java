@@ -6,7 +6,6 @@ import org.starl.apps.AppFactory;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
-import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.ListCrit;
 import org.starl.input.BadInput;
@@ -42,6 +41,13 @@ public final class IntersectionFactory implements AppFactory {
       new Parameter(
           "files", "", "folder of start.wpt, dest.wpt and obstacles.wpt, for scenario=legacy");
 
+  public static final Parameter CAR =
+      new Parameter(
+          "car",
+          "app",
+          "the cars' program: app, after the paper's Figure 4, or program, after Figure 3",
+          Form.choice(List.of("app", "program")));
+
   public static final String DRAWN = "drawn";
   public static final String FIGURE7 = "figure7";
 
@@ -54,7 +60,7 @@ public final class IntersectionFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, ARRIVALS, DEBRIS, FILES);
+    return List.of(SCENARIO, CAR, ARRIVALS, DEBRIS, FILES);
   }
 
   /** The pieces of debris, which exist on a simulated floor only. */
@@ -92,9 +98,9 @@ public final class IntersectionFactory implements AppFactory {
       throw new BadInput(
           "robots: " + robots + ": expected at most " + trips.size() + " for " + scenario);
     }
+    CarProgram car = CarProgram.of(request);
     return RobotProgram.of(gvh ->
-            new IntersectionApp(
-                gvh, XID, trips.get(RobotProgram.number(gvh)), gvh.id.participants()))
+            car.of(gvh, trips.get(RobotProgram.number(gvh)), gvh.id.participants()))
         .withMap(Floor.kerbs())
         .withMonitor(() -> new ListCrit(XID))
         .withMonitor(() -> new MutexSpec().only(XID))

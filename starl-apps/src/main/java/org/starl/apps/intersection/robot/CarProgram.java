@@ -1,0 +1,40 @@
+package org.starl.apps.intersection.robot;
+
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.apps.Request;
+import org.starl.apps.intersection.logic.IcpProgram;
+import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.Trip;
+import org.starl.id.Participants;
+import org.starl.input.BadInput;
+
+/** The programs that a car may run. Cars of different programs can meet at one intersection. */
+public enum CarProgram {
+  /** {@link IntersectionApp}, after Figure 4. */
+  APP,
+  /** {@link IcpProgram}, after Figure 3, made of {@code IcpProgram.starl}. */
+  PROGRAM;
+
+  /** The choice of the parameter {@code car}. */
+  public static CarProgram of(Request request) {
+    String name = request.parameter(IntersectionFactory.CAR.key());
+    return switch (name) {
+      case "app" -> APP;
+      case "program" -> PROGRAM;
+      default -> throw new BadInput("car=" + BadInput.quote(name) + ": expected app or program");
+    };
+  }
+
+  /**
+   * A car's program.
+   *
+   * @param acceptors of the registrations
+   */
+  public LogicThread of(GlobalVarHolder gvh, Trip trip, Participants acceptors) {
+    return switch (this) {
+      case APP -> new IntersectionApp(gvh, IntersectionFactory.XID, trip, acceptors);
+      case PROGRAM -> new IcpProgram(gvh, IntersectionFactory.XID, trip, acceptors);
+    };
+  }
+}
