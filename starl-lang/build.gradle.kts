@@ -28,3 +28,10 @@ dependencies {
 tasks.generateGrammarSource {
     arguments = listOf("-no-listener", "-package", "org.starl.lang.grammar")
 }
+
+tasks.processResources {
+    // StarL's own automata, which programs use.
+    from("../pvs/starl") {
+        into("org/starl/lang/library")
+    }
+}

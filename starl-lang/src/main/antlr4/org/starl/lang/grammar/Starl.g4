@@ -2,7 +2,7 @@
 // org.starl.lang.read.
 grammar Starl;
 
-file: unit* EOF;
+file: (unit | program | primitive)* EOF;
 
 unit: AUTOMATON name=id parameters? part*;
 
@@ -50,6 +50,45 @@ selector
     : '(' expression (',' expression)* ')'      # at
     | '.' name=id                               # field
     ;
+
+program: PROGRAM name=id parameters? programPart*;
+
+programPart
+    : GIVEN given (',' given)*                                      # givenPart
+    | USES name=id ':' of=id ('(' (expression (',' expression)*)? ')')?    # instancePart
+    | JAVA FUN name=id binders? ':' type '=' of=STRING              # javaFunPart
+    | STATE variable+                                               # variablesPart
+    | EVERY NUMBER unitOfTime=id                                    # everyPart
+    | LOCATION name=id branch*                                      # locationPart
+    | part                                                          # otherPart
+    ;
+
+given: name=id ':' type;
+
+variable: name=id ':' type (':=' expression)?;
+
+branch: (WHEN expression)? DO statement (';' statement)*;
+
+statement
+    : GOTO to=id                                                    # goto
+    | RESTART                                                       # restart
+    | used=id '.' name=id '(' (expression (',' expression)*)? ')'   # call
+    | name=id ':=' expression                                       # assign
+    ;
+
+// The face of a primitive to programs, and the automaton behind it.
+primitive: PRIMITIVE name=id binders? IS of=id face*;
+
+face
+    : JAVA of=STRING '=' made=STRING                        # javaFace
+    | ACTION name=id binders? pre? '=' usedStep JAVA of=STRING    # callFace
+    | FUN name=id ':' type '=' expression JAVA of=STRING    # valueFace
+    | WHEN name=id '=' usedStep JAVA of=STRING              # outcomeFace
+    | DO id (',' id)*                                       # stepsFace
+    | RESTART expression                                    # restFace
+    ;
+
+usedStep: action=id '(' (expression (',' expression)*)? ')';
 
 typeBody
     : RECORD '(' binderGroup (',' binderGroup)* ')'    # recordBody
@@ -99,9 +138,21 @@ matchCase: name=id ('(' id (',' id)* ')')? '->' expression;
 namedArgument: name=id ':=' expression;
 
 // Words that are names where they cannot be anything else.
-id: ID | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION;
+id
+    : ID | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
+    | GIVEN | EVERY | LOCATION | RESTART
+    ;
 
 AUTOMATON: 'automaton';
+PROGRAM: 'program';
+PRIMITIVE: 'primitive';
+GIVEN: 'given';
+EVERY: 'every';
+LOCATION: 'location';
+WHEN: 'when';
+DO: 'do';
+GOTO: 'goto';
+RESTART: 'restart';
 TYPE: 'type';
 STATE: 'state';
 USES: 'uses';

@@ -12,6 +12,7 @@ import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;

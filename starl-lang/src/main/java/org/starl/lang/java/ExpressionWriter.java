@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 

@@ -6,6 +6,7 @@ import java.util.TreeSet;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Function;
 
 /** Which functions an expression calls, and what they read. */

@@ -1,6 +1,7 @@
 package org.starl.lang.java;
 
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Type;
 

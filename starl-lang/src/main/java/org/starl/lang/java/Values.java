@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 

@@ -3,49 +3,30 @@ package org.starl.lang.read;
 import static org.starl.lang.read.Problems.pos;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.BooleanSupplier;
 import org.antlr.v4.runtime.ParserRuleContext;
-import org.antlr.v4.runtime.Token;
-import org.antlr.v4.runtime.tree.ParseTree;
 import org.starl.lang.grammar.StarlParser;
-import org.starl.lang.grammar.StarlParser.PartContext;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
-import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
-import org.starl.lang.tree.Automaton.JavaType;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
-import org.starl.lang.tree.Signature;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** Reads one automaton: first the names that it declares, then what they mean. */
-final class AutomatonReader {
+final class AutomatonReader extends PartsReader {
 
   private final StarlParser.UnitContext unit;
-  private final SourceText source;
-  private final Problems problems;
   private final java.util.function.Function<String, Optional<Automaton>> others;
-  private final Scope scope;
-  private final TypeReader types;
-  private final ExpressionReader expressions;
-
-  private final List<Declared> declared = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
-  private final Map<Type, JavaType> javaTypes = new LinkedHashMap<>();
-  private String javaClass = "";
 
   /**
    * @param others finds the automata that this one uses
@@ -55,13 +36,9 @@ final class AutomatonReader {
       SourceText source,
       Problems problems,
       java.util.function.Function<String, Optional<Automaton>> others) {
+    super(unit, unit.name.getText(), unit.part(), source, problems);
     this.unit = unit;
-    this.source = source;
-    this.problems = problems;
     this.others = others;
-    scope = new Scope(unit.name.getText());
-    types = new TypeReader(scope, problems);
-    expressions = new ExpressionReader(scope, problems);
   }
 
   /** Its result is complete only if no problem was told. */
@@ -78,9 +55,7 @@ final class AutomatonReader {
         }
       }
     }
-    each(
-        StarlParser.TypePartContext.class,
-        at -> declared.add(new Declared(types.declare(at), source.before(at))));
+    readTypes();
     List<Field> values = new ArrayList<>();
     for (StarlParser.ValueParameterContext at : valueParameters) {
       orTold(() -> {
@@ -91,18 +66,8 @@ final class AutomatonReader {
     }
     each(StarlParser.StatePartContext.class, at -> at.component().forEach(this::component));
     each(StarlParser.UsesPartContext.class, this::use);
-    each(
-        StarlParser.JavaClassPartContext.class,
-        at -> javaClass = unquoted(at.STRING().getSymbol()));
-    each(
-        StarlParser.JavaTypePartContext.class,
-        at ->
-            javaTypes.put(
-                types.type(at.type()),
-                new JavaType(unquoted(at.of), at.first == null ? "" : unquoted(at.first))));
-    List<StarlParser.FunPartContext> functionParts = signatures();
-    List<Function> functions = new ArrayList<>();
-    functionParts.forEach(at -> orTold(() -> functions.add(function(at))));
+    readJava();
+    List<Function> functions = functions();
     List<Expr> start = new ArrayList<>();
     each(
         StarlParser.StartPartContext.class,
@@ -111,18 +76,8 @@ final class AutomatonReader {
                 .forEach(conjunct -> orTold(() -> start.add(expressions.bool(conjunct)))));
     List<Action> actions = new ArrayList<>();
     each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
-    List<Invariant> invariants = new ArrayList<>();
-    each(
-        StarlParser.InvariantPartContext.class,
-        at ->
-            invariants.add(
-                new Invariant(
-                    newName(at.name),
-                    expressions.bool(at.expression()),
-                    source.before(at),
-                    pos(at))));
+    List<Invariant> invariants = invariants();
     requireUnique(actions.stream().map(Action::name).toList(), "action");
-    requireUnique(invariants.stream().map(Invariant::name).toList(), "invariant");
     if (start.isEmpty() && problems.isEmpty()) {
       problems.add(
           unit,
@@ -141,60 +96,14 @@ final class AutomatonReader {
         List.copyOf(declared),
         List.copyOf(state),
         java.util.Collections.unmodifiableMap(scope.uses),
-        List.copyOf(functions),
+        functions,
         List.copyOf(start),
         List.copyOf(actions),
-        List.copyOf(invariants),
+        invariants,
         javaClass,
         java.util.Collections.unmodifiableMap(javaTypes),
         source.before(unit),
         pos(unit));
-  }
-
-  private <P extends PartContext> void each(Class<P> kind, java.util.function.Consumer<P> read) {
-    for (PartContext part : unit.part()) {
-      if (kind.isInstance(part)) {
-        orTold(() -> {
-          read.accept(kind.cast(part));
-          return true;
-        });
-      }
-    }
-  }
-
-  /** Reads a part, and goes on after an error in it. */
-  @SuppressWarnings("CheckReturnValue") // what is read is kept by the reading
-  private void orTold(BooleanSupplier read) {
-    try {
-      read.getAsBoolean();
-    } catch (Wrong told) {
-      if (problems.isEmpty()) {
-        throw new IllegalStateException("an error that was not told", told);
-      }
-    }
-  }
-
-  private String newName(StarlParser.IdContext at) {
-    String name = at.getText();
-    scope.places.put(name, pos(at));
-    scope
-        .taken(name)
-        .ifPresent(what ->
-            problems.add(at, "'" + name + "' is " + what + " already; expected a new name"));
-    return name;
-  }
-
-  private void requireUnique(List<String> names, String kind) {
-    Set<String> seen = new TreeSet<>();
-    for (String name : names) {
-      if (!seen.add(name)) {
-        problems.add(unit, kind + " '" + name + "' is here twice; expected different names");
-      }
-    }
-  }
-
-  private static String unquoted(Token string) {
-    return string.getText().substring(1, string.getText().length() - 1);
   }
 
   private void component(StarlParser.ComponentContext at) {
@@ -247,72 +156,6 @@ final class AutomatonReader {
               + wanted);
     }
     return used;
-  }
-
-  /** Makes the functions known, so that they may call each other. */
-  private List<StarlParser.FunPartContext> signatures() {
-    List<StarlParser.FunPartContext> parts = new ArrayList<>();
-    each(StarlParser.FunPartContext.class, parts::add);
-    Set<String> reading = new TreeSet<>(scope.state.keySet());
-    boolean grows = true;
-    while (grows) {
-      grows = false;
-      for (StarlParser.FunPartContext at : parts) {
-        if (!reading.contains(at.name.getText()) && mentions(at.expression(), reading)) {
-          grows = reading.add(at.name.getText());
-        }
-      }
-    }
-    List<StarlParser.FunPartContext> good = new ArrayList<>();
-    for (StarlParser.FunPartContext at : parts) {
-      orTold(() -> {
-        String name = newName(at.name);
-        List<Field> parameters =
-            at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
-        Type result = types.type(at.type());
-        scope.functions.put(
-            name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));
-        return good.add(at);
-      });
-    }
-    return good;
-  }
-
-  private static boolean mentions(ParseTree tree, Set<String> names) {
-    if (tree instanceof StarlParser.NameContext name) {
-      return names.contains(name.getText());
-    }
-    for (int i = 0; i < tree.getChildCount(); i++) {
-      if (mentions(tree.getChild(i), names)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private Function function(StarlParser.FunPartContext at) {
-    Signature signature = Objects.requireNonNull(scope.functions.get(at.name.getText()));
-    if (at.binders() != null) {
-      types.placed(at.binders().binderGroup());
-    }
-    scope.push(signature.parameters());
-    try {
-      Optional<Expr> measure =
-          at.measure() == null
-              ? Optional.empty()
-              : Optional.of(expressions.read(at.measure().expression(), Type.Num.NAT));
-      Expr body = expressions.read(at.expression(), signature.result());
-      if (measure.isEmpty() && mentions(at.expression(), Set.of(signature.name()))) {
-        problems.add(
-            at,
-            "'"
-                + signature.name()
-                + "' calls itself; expected 'measure' and a natural number that becomes smaller with each call");
-      }
-      return new Function(signature, body, measure, source.before(at), pos(at));
-    } finally {
-      scope.pop(signature.parameters());
-    }
   }
 
   private Action action(StarlParser.ActionPartContext at) {

@@ -18,6 +18,10 @@ final class Problems {
     this.file = file;
   }
 
+  String file() {
+    return file;
+  }
+
   void add(Pos pos, String message) {
     add(new SourceError(file, pos, message));
   }

@@ -53,6 +53,15 @@ final class Scope {
     addTypes(known);
   }
 
+  /** Makes all names of an automaton known, as in its own source. */
+  void enter(Automaton known) {
+    addTypes(known);
+    known.valueParameters().forEach(field -> values.put(field.name(), field.type()));
+    known.state().forEach(component -> state.put(component.name(), component.type()));
+    uses.putAll(known.uses());
+    known.functions().forEach(f -> functions.put(f.signature().name(), f.signature()));
+  }
+
   private void addTypes(Automaton known) {
     known.typeParameters().forEach(name -> types.put(name, new Type.Opaque(name)));
     known.types().forEach(each -> add(each.type()));

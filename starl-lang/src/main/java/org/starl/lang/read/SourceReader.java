@@ -15,36 +15,60 @@ import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Recognizer;
 import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ParseTree;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlLexer;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Primitive;
+import org.starl.lang.tree.Program;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** Reads sources. */
 public final class SourceReader {
 
-  private final Map<Path, List<Automaton>> read = new LinkedHashMap<>();
+  private final Map<Path, Source> read = new LinkedHashMap<>();
+  private final Library library;
+
+  /** Knows StarL's own automata and primitives. */
+  public SourceReader() {
+    this(new Library());
+  }
+
+  SourceReader(Library library) {
+    this.library = library;
+  }
 
   /**
    * Reads a file, and the files beside it that its automata use.
    *
+   * @return its automata, and those of its programs
    * @throws IOException if the file cannot be read
    * @throws SourceErrors if there is an error in it, or in a file that it uses
    */
   public List<Automaton> read(Path file) throws IOException, SourceErrors {
+    return source(file).automata();
+  }
+
+  /**
+   * Reads a file, as {@link #read(Path)} does; the result has no error.
+   *
+   * @throws IOException if the file cannot be read
+   * @throws SourceErrors if there is an error in it, or in a file that it uses
+   */
+  public Source source(Path file) throws IOException, SourceErrors {
     Path path = file.toAbsolutePath().normalize();
-    List<Automaton> known = read.get(path);
+    Source known = read.get(path);
     if (known != null) {
       return known;
     }
-    read.put(path, List.of()); // a file that is being read gives nothing to those that it uses
-    List<Automaton> automata = read(file.toString(), Files.readString(path), path);
-    read.put(path, automata);
-    return automata;
+    read.put(path, Source.EMPTY); // a file that is being read gives nothing to those that it uses
+    Source source = read(file.toString(), Files.readString(path), path);
+    read.put(path, source);
+    return source;
   }
 
   /**
@@ -53,7 +77,7 @@ public final class SourceReader {
    * @param name for errors
    */
   public List<Automaton> read(String name, String text) throws SourceErrors {
-    return read(name, text, null);
+    return read(name, text, null).automata();
   }
 
   /**
@@ -62,39 +86,95 @@ public final class SourceReader {
    * @param path where it is, or would be, a file; null if nowhere
    */
   public Source look(String name, String text, @Nullable Path path) {
-    Problems problems = new Problems(name);
-    List<Automaton> automata = new ArrayList<>();
+    Units units = new Units(name, path);
     try {
-      addAll(automata, name, text, path, problems);
+      units.addAll(text);
     } catch (StackOverflowError e) {
-      problems.add(new Pos(1, 1), "an expression nests too deeply; expected shorter expressions");
+      units.problems.add(
+          new Pos(1, 1), "an expression nests too deeply; expected shorter expressions");
     }
-    return new Source(List.copyOf(automata), problems.inOrder(), problems.references());
+    return units.source();
   }
 
-  private List<Automaton> read(String name, String text, @Nullable Path path) throws SourceErrors {
+  private Source read(String name, String text, @Nullable Path path) throws SourceErrors {
     Source source = look(name, text, path);
     if (!source.errors().isEmpty()) {
       throw new SourceErrors(source.errors());
     }
-    return source.automata();
+    return source;
   }
 
-  private void addAll(
-      List<Automaton> automata, String name, String text, @Nullable Path path, Problems problems) {
-    CommonTokenStream tokens = tokens(name, text, problems);
-    StarlParser.FileContext file = parser(tokens, problems).file();
-    if (problems.isEmpty()) {
+  /** The units of one text, as far as it has been read. */
+  private final class Units {
+
+    private final Problems problems;
+    private final @Nullable Path path;
+    private final List<Automaton> automata = new ArrayList<>();
+    private final List<Program> programs = new ArrayList<>();
+    private final List<Primitive> primitives = new ArrayList<>();
+
+    private Units(String name, @Nullable Path path) {
+      problems = new Problems(name);
+      this.path = path;
+    }
+
+    private void addAll(String text) {
+      CommonTokenStream tokens = tokens(problems.file(), text, problems);
+      StarlParser.FileContext file = parser(tokens, problems).file();
+      if (!problems.isEmpty()) {
+        return;
+      }
       SourceText source = new SourceText(tokens);
-      for (StarlParser.UnitContext unit : file.unit()) {
-        automata.add(
-            new AutomatonReader(
-                    unit, source, problems, wanted -> find(wanted, automata, path, problems))
-                .read());
+      for (ParseTree unit : file.children) {
+        try {
+          add(unit, source);
+        } catch (Wrong told) {
+          // The units after it are read, too.
+        }
       }
-      if (automata.isEmpty()) {
-        problems.add(new Pos(1, 1), "no automaton here; expected 'automaton' and its name");
+      if (automata.isEmpty() && primitives.isEmpty() && problems.isEmpty()) {
+        problems.add(
+            new Pos(1, 1), "no unit here; expected 'automaton' or 'program', and its name");
       }
+    }
+
+    private void add(ParseTree unit, SourceText source) {
+      if (unit instanceof StarlParser.UnitContext at) {
+        automata.add(new AutomatonReader(at, source, problems, this::find).read());
+      } else if (unit instanceof StarlParser.PrimitiveContext at) {
+        primitives.add(new PrimitiveReader(at, source, problems, this::find, known()).read());
+      } else if (unit instanceof StarlParser.ProgramContext at) {
+        ProgramReader reader = new ProgramReader(at, source, problems, known());
+        Program program = reader.read();
+        if (problems.isEmpty()) {
+          programs.add(program);
+          automata.add(reader.automaton(program));
+        }
+      }
+    }
+
+    /** The primitives of this text, and StarL's. */
+    private List<Primitive> known() {
+      List<Primitive> all = new ArrayList<>(primitives);
+      if (!problems.file().equals(Library.PRIMITIVES)) {
+        all.addAll(library.primitives());
+      }
+      return all;
+    }
+
+    private Optional<Automaton> find(String wanted) {
+      Optional<Automaton> here =
+          automata.stream().filter(a -> a.name().equals(wanted)).findFirst();
+      return here.isPresent() ? here : SourceReader.this.find(wanted, path, problems);
+    }
+
+    private Source source() {
+      return new Source(
+          List.copyOf(automata),
+          List.copyOf(programs),
+          List.copyOf(primitives),
+          problems.inOrder(),
+          problems.references());
     }
   }
 
@@ -157,15 +237,10 @@ public final class SourceReader {
     };
   }
 
-  private Optional<Automaton> find(
-      String wanted, List<Automaton> before, @Nullable Path path, Problems problems) {
-    Optional<Automaton> here = before.stream().filter(a -> a.name().equals(wanted)).findFirst();
-    if (here.isPresent() || path == null) {
-      return here;
-    }
-    Path beside = path.resolveSibling(wanted + ".starl");
-    if (!Files.isRegularFile(beside)) {
-      return Optional.empty();
+  private Optional<Automaton> find(String wanted, @Nullable Path path, Problems problems) {
+    Path beside = path == null ? null : path.resolveSibling(wanted + ".starl");
+    if (beside == null || !Files.isRegularFile(beside)) {
+      return library.automaton(wanted);
     }
     try {
       return read(beside).stream().filter(a -> a.name().equals(wanted)).findFirst();

@@ -1,17 +1,16 @@
-package org.starl.lang.java;
+package org.starl.lang.tree;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
-import org.starl.lang.tree.Expr;
 
 /** Parts of expressions. */
-final class Exprs {
+public final class Exprs {
 
   private Exprs() {}
 
   /** {@code at} with each part replaced. */
-  static Expr rebuild(Expr at, UnaryOperator<Expr> part) {
+  public static Expr rebuild(Expr at, UnaryOperator<Expr> part) {
     return switch (at) {
       case Expr.At e ->
           new Expr.At(part.apply(e.map()), all(e.arguments(), part), e.type(), e.pos());
@@ -61,7 +60,7 @@ final class Exprs {
   }
 
   /** Its direct parts. */
-  static List<Expr> parts(Expr at) {
+  public static List<Expr> parts(Expr at) {
     List<Expr> parts = new ArrayList<>();
     rebuild(
         at,
@@ -73,7 +72,7 @@ final class Exprs {
   }
 
   /** Whether a variable of this name occurs in {@code at}, bound ones included. */
-  static boolean mentions(Expr at, String variable) {
+  public static boolean mentions(Expr at, String variable) {
     return (at instanceof Expr.Variable v && v.name().equals(variable))
         || parts(at).stream().anyMatch(part -> mentions(part, variable));
   }

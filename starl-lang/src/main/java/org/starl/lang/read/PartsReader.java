@@ -1,0 +1,212 @@
+package org.starl.lang.read;
+
+import static org.starl.lang.read.Problems.pos;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ParseTree;
+import org.starl.lang.grammar.StarlParser;
+import org.starl.lang.grammar.StarlParser.PartContext;
+import org.starl.lang.tree.Automaton.Declared;
+import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Automaton.JavaType;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Signature;
+import org.starl.lang.tree.Type;
+import org.starl.lang.tree.Type.Field;
+
+/** Reads the parts that units of several kinds have. */
+class PartsReader {
+
+  final ParserRuleContext unit;
+  final SourceText source;
+  final Problems problems;
+  final Scope scope;
+  final TypeReader types;
+  final ExpressionReader expressions;
+
+  final List<Declared> declared = new ArrayList<>();
+  final Map<Type, JavaType> javaTypes = new LinkedHashMap<>();
+  String javaClass = "";
+
+  private final List<PartContext> parts;
+
+  /**
+   * @param name of the unit
+   */
+  PartsReader(
+      ParserRuleContext unit,
+      String name,
+      List<PartContext> parts,
+      SourceText source,
+      Problems problems) {
+    this.unit = unit;
+    this.parts = parts;
+    this.source = source;
+    this.problems = problems;
+    scope = new Scope(name);
+    types = new TypeReader(scope, problems);
+    expressions = new ExpressionReader(scope, problems);
+  }
+
+  final void readTypes() {
+    each(
+        StarlParser.TypePartContext.class,
+        at -> declared.add(new Declared(types.declare(at), source.before(at))));
+  }
+
+  final void readJava() {
+    each(
+        StarlParser.JavaClassPartContext.class,
+        at -> javaClass = unquoted(at.STRING().getSymbol()));
+    each(
+        StarlParser.JavaTypePartContext.class,
+        at ->
+            javaTypes.put(
+                types.type(at.type()),
+                new JavaType(unquoted(at.of), at.first == null ? "" : unquoted(at.first))));
+  }
+
+  final List<Function> functions() {
+    List<Function> functions = new ArrayList<>();
+    signatures().forEach(at -> orTold(() -> functions.add(function(at))));
+    return List.copyOf(functions);
+  }
+
+  final List<Invariant> invariants() {
+    List<Invariant> invariants = new ArrayList<>();
+    each(
+        StarlParser.InvariantPartContext.class,
+        at ->
+            invariants.add(
+                new Invariant(
+                    newName(at.name),
+                    expressions.bool(at.expression()),
+                    source.before(at),
+                    pos(at))));
+    requireUnique(invariants.stream().map(Invariant::name).toList(), "invariant");
+    return List.copyOf(invariants);
+  }
+
+  final <P extends PartContext> void each(Class<P> kind, java.util.function.Consumer<P> read) {
+    for (PartContext part : parts) {
+      if (kind.isInstance(part)) {
+        orTold(() -> {
+          read.accept(kind.cast(part));
+          return true;
+        });
+      }
+    }
+  }
+
+  /** Reads a part, and goes on after an error in it. */
+  @SuppressWarnings("CheckReturnValue") // what is read is kept by the reading
+  final void orTold(BooleanSupplier read) {
+    try {
+      read.getAsBoolean();
+    } catch (Wrong told) {
+      if (problems.isEmpty()) {
+        throw new IllegalStateException("an error that was not told", told);
+      }
+    }
+  }
+
+  final String newName(StarlParser.IdContext at) {
+    String name = at.getText();
+    scope.places.put(name, pos(at));
+    scope
+        .taken(name)
+        .ifPresent(what ->
+            problems.add(at, "'" + name + "' is " + what + " already; expected a new name"));
+    return name;
+  }
+
+  final void requireUnique(List<String> names, String kind) {
+    Set<String> seen = new TreeSet<>();
+    for (String name : names) {
+      if (!seen.add(name)) {
+        problems.add(unit, kind + " '" + name + "' is here twice; expected different names");
+      }
+    }
+  }
+
+  static String unquoted(Token string) {
+    return string.getText().substring(1, string.getText().length() - 1);
+  }
+
+  /** Makes the functions known, so that they may call each other. */
+  private List<StarlParser.FunPartContext> signatures() {
+    List<StarlParser.FunPartContext> parts = new ArrayList<>();
+    each(StarlParser.FunPartContext.class, parts::add);
+    Set<String> reading = new TreeSet<>(scope.state.keySet());
+    boolean grows = true;
+    while (grows) {
+      grows = false;
+      for (StarlParser.FunPartContext at : parts) {
+        if (!reading.contains(at.name.getText()) && mentions(at.expression(), reading)) {
+          grows = reading.add(at.name.getText());
+        }
+      }
+    }
+    List<StarlParser.FunPartContext> good = new ArrayList<>();
+    for (StarlParser.FunPartContext at : parts) {
+      orTold(() -> {
+        String name = newName(at.name);
+        List<Field> parameters =
+            at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
+        Type result = types.type(at.type());
+        scope.functions.put(
+            name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));
+        return good.add(at);
+      });
+    }
+    return good;
+  }
+
+  private static boolean mentions(ParseTree tree, Set<String> names) {
+    if (tree instanceof StarlParser.NameContext name) {
+      return names.contains(name.getText());
+    }
+    for (int i = 0; i < tree.getChildCount(); i++) {
+      if (mentions(tree.getChild(i), names)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private Function function(StarlParser.FunPartContext at) {
+    Signature signature = Objects.requireNonNull(scope.functions.get(at.name.getText()));
+    if (at.binders() != null) {
+      types.placed(at.binders().binderGroup());
+    }
+    scope.push(signature.parameters());
+    try {
+      Optional<Expr> measure =
+          at.measure() == null
+              ? Optional.empty()
+              : Optional.of(expressions.read(at.measure().expression(), Type.Num.NAT));
+      Expr body = expressions.read(at.expression(), signature.result());
+      if (measure.isEmpty() && mentions(at.expression(), Set.of(signature.name()))) {
+        problems.add(
+            at,
+            "'"
+                + signature.name()
+                + "' calls itself; expected 'measure' and a natural number that becomes smaller with each call");
+      }
+      return new Function(signature, body, measure, source.before(at), pos(at));
+    } finally {
+      scope.pop(signature.parameters());
+    }
+  }
+}
