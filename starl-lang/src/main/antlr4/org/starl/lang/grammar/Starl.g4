@@ -85,6 +85,7 @@ face
     | FUN name=id ':' type '=' expression JAVA of=STRING    # valueFace
     | WHEN name=id '=' usedStep JAVA of=STRING              # outcomeFace
     | DO id (',' id)*                                       # stepsFace
+    | START expression                                      # startFace
     | RESTART expression                                    # restFace
     ;
 
@@ -140,7 +141,7 @@ namedArgument: name=id ':=' expression;
 // Words that are names where they cannot be anything else.
 id
     : ID | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
-    | GIVEN | EVERY | LOCATION | RESTART
+    | GIVEN | EVERY | RESTART
     ;
 
 AUTOMATON: 'automaton';

@@ -10,6 +10,8 @@ import org.starl.lang.tree.Automaton.Invariant;
 /** The result of a search in words. It has no times: equal searches have equal reports. */
 public final class Report {
 
+  private static final int MOST_NAMED = 8;
+
   private Report() {}
 
   /**
@@ -94,6 +96,9 @@ public final class Report {
       return "THE SEARCH DID NOT END; nothing is wrong so far";
     }
     List<String> names = automaton.invariants().stream().map(Invariant::name).toList();
+    if (names.size() > MOST_NAMED) {
+      return "all " + names.size() + " invariants hold";
+    }
     return switch (names.size()) {
       case 0 -> "it has no invariant";
       case 1 -> names.getFirst() + " holds";

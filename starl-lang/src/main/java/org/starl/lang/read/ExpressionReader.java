@@ -247,7 +247,14 @@ final class ExpressionReader {
     return fields.stream()
         .filter(field -> field.name().equals(name))
         .findFirst()
-        .map(field -> new Expr.Get(of, name, field.type(), pos))
+        .map(field -> {
+          Pos declared =
+              of instanceof Expr.Component known
+                  ? scope.place(known.name(), at)
+                  : pos(at.name);
+          problems.refer(at.name, name + ": " + field.type(), declared);
+          return new Expr.Get(of, name, field.type(), pos);
+        })
         .orElseThrow(() -> unknown(at.name, name, fields.stream().map(Field::name).toList()));
   }
 

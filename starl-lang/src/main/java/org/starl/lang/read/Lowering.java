@@ -225,11 +225,11 @@ final class Lowering {
                         lower(each.start(), Map.of()),
                         each.pos()),
                     each.pos())));
-    instances
-        .values()
-        .forEach(each ->
-            start.add(
-                new Expr.Started(each.name(), each.primitive().automaton(), each.pos())));
+    for (Instance each : instances.values()) {
+      Primitive primitive = each.primitive();
+      start.add(new Expr.Started(each.name(), primitive.automaton(), each.pos()));
+      conjuncts(primitive.start()).forEach(one -> start.add(lift(each, one, each.pos())));
+    }
     return List.copyOf(start);
   }
 

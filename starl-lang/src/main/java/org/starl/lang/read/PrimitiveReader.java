@@ -26,6 +26,7 @@ final class PrimitiveReader extends PartsReader {
   private final List<Action> steps = new ArrayList<>();
   private String javaType = "";
   private String javaMade = "";
+  private Expr start;
   private Expr rest;
 
   /**
@@ -41,7 +42,8 @@ final class PrimitiveReader extends PartsReader {
     super(unit, unit.name.getText(), List.of(), source, problems);
     this.unit = unit;
     this.automata = automata;
-    rest = new Expr.Bool(true, pos(unit));
+    start = new Expr.Bool(true, pos(unit));
+    rest = start;
     scope.types.put(Program.TEXT, new Type.Opaque(Program.TEXT));
     before.forEach(each -> scope.types.put(each.name(), each.type()));
   }
@@ -73,6 +75,7 @@ final class PrimitiveReader extends PartsReader {
         List.copyOf(values),
         List.copyOf(outcomes),
         List.copyOf(steps),
+        start,
         rest,
         javaType,
         javaMade,
@@ -121,6 +124,10 @@ final class PrimitiveReader extends PartsReader {
       }
       case StarlParser.StepsFaceContext at -> {
         at.id().forEach(id -> orTold(() -> steps.add(action(id, automaton))));
+        yield true;
+      }
+      case StarlParser.StartFaceContext at -> {
+        start = expressions.bool(at.expression());
         yield true;
       }
       case StarlParser.RestFaceContext at -> {

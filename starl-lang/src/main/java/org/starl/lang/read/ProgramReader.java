@@ -127,7 +127,10 @@ final class ProgramReader extends PartsReader {
     for (PartContext part : parts(unit)) {
       String expected =
           switch (part) {
-            case StarlParser.UsesPartContext at -> "'uses NAME: PRIMITIVE(...)'";
+            case StarlParser.UsesPartContext at -> {
+              scope.wrong.add(at.name.getText());
+              yield "'uses NAME: PRIMITIVE(...)'";
+            }
             case StarlParser.StartPartContext at -> "a start value with each variable: 'x: T := e'";
             case StarlParser.ActionPartContext at -> "'location' and its branches";
             default -> "";
@@ -191,9 +194,11 @@ final class ProgramReader extends PartsReader {
 
   private void javaFunction(StarlParser.JavaFunPartContext at) {
     String name = freshName(at.name);
+    scope.wrong.add(name);
     List<Field> parameters =
         at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), true);
     Type result = types.type(at.type());
+    scope.wrong.remove(name);
     String method = unquoted(at.of);
     if (!METHOD.matcher(method).matches()) {
       problems.add(
@@ -206,7 +211,10 @@ final class ProgramReader extends PartsReader {
   }
 
   private void given(StarlParser.GivenContext at) {
-    Field field = new Field(freshName(at.name), types.type(at.type()));
+    String name = freshName(at.name);
+    scope.wrong.add(name);
+    Field field = new Field(name, types.type(at.type()));
+    scope.wrong.remove(name);
     scope.values.put(field.name(), field.type());
     given.add(field);
   }

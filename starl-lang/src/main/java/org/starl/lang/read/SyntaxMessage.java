@@ -87,6 +87,9 @@ final class SyntaxMessage {
       // Words that may be names are in the set, too.
       return words.contains("'if'") ? "an expression" : "a name";
     }
+    if (words.contains("'automaton'")) {
+      return "the next declaration or branch"; // a unit may end here, and so may its last part
+    }
     List<String> named = words.isEmpty() ? all : words;
     return named.size() > MOST_NAMED ? "another word here" : String.join(" or ", named);
   }

@@ -12,6 +12,7 @@ import org.starl.lang.tree.Type.Field;
  *
  * @param parameters what an instance is made of; a parameter's type may be that of another primitive
  * @param steps the actions that it takes by itself
+ * @param start what holds of an instance's first state, besides the automaton's own start
  * @param rest what holds of a process that may end its attempt: it holds nothing, and waits for nothing
  * @param javaType the full name of its Java class or interface
  * @param javaMade a Java expression that makes an instance: of {@code gvh} and the parameters
@@ -25,6 +26,7 @@ public record Primitive(
     List<Value> values,
     List<Outcome> outcomes,
     List<Action> steps,
+    Expr start,
     Expr rest,
     String javaType,
     String javaMade,
