@@ -91,8 +91,8 @@ public final class Setting<T> {
   public static final Setting<Duration> REACTION =
       duration(
           "reaction",
-          "robots allow for this time until a wheel command is in effect; in a deployment its"
-              + " reactionMs");
+          "longest time until a wheel command is in effect, drawn per command; robots allow for it;"
+              + " in a deployment its reactionMs");
 
   // Positioning, clocks and storage.
   public static final Setting<Duration> POSITION_PERIOD =

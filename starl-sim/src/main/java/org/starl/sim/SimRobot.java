@@ -82,7 +82,9 @@ final class SimRobot implements TraceSink {
     strand = kernel.strand(spec.id().name());
     clock = engine.clockOf(spec.id());
     impaired = clock == null ? null : new ImpairedStrand(strand, clock, kernel);
-    chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
+    long reactionNs = settings.get(Setting.REACTION).toNanos();
+    chassis =
+        new SimChassis(strand, rng.fork("chassis"), settings.speedError(), kernel, reactionNs);
     positioning = positioning(settings, kernel, robotRng, rng);
     if (incarnation == 1) {
       positioning.onNeeds(engine::require);

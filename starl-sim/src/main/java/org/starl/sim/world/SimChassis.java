@@ -6,6 +6,7 @@ import org.starl.body.WheelCommand;
 import org.starl.platform.Chassis;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
+import org.starl.sim.kernel.Kernel;
 
 /**
  * A robot's wheels and bump sensors, in one incarnation of its program, on its {@link Body} while
@@ -16,6 +17,10 @@ public final class SimChassis implements Chassis {
   private final Runnable reportBump;
   private final Rng rng;
   private final double speedError;
+  // Null if each command takes effect at once.
+  private final @Nullable Kernel kernel;
+  private final long reactionNs;
+  private long inEffectNs;
   private WheelCommand command = WheelCommand.STOP;
   private WheelCommand actual = WheelCommand.STOP;
   private double linearFactor = 1;
@@ -24,17 +29,32 @@ public final class SimChassis implements Chassis {
   private @Nullable Body body;
 
   /**
+   * Wheels that take up each command at once.
+   *
    * @param strand the robot's strand, on which bumps are reported
    * @param rng the chassis's own generator
    * @param speedError forward and turning speed of each new command have independent factors,
    *     uniform from 1 - speedError to 1 + speedError; 0 for perfect wheels
    */
   public SimChassis(Strand strand, Rng rng, double speedError) {
+    this(strand, rng, speedError, null, 0);
+  }
+
+  /**
+   * Wheels that take up each command after a time of its own, in the order of the commands: after
+   * the longest time in half of the cases.
+   *
+   * @param reactionNs the longest time, in ns
+   */
+  public SimChassis(
+      Strand strand, Rng rng, double speedError, @Nullable Kernel kernel, long reactionNs) {
     if (!(speedError >= 0 && speedError < 1)) {
       throw new IllegalArgumentException("speed error " + speedError + ": expected 0 to below 1");
     }
     this.rng = rng;
     this.speedError = speedError;
+    this.kernel = reactionNs == 0 ? null : kernel;
+    this.reactionNs = reactionNs;
     Runnable toReceiver = () -> receiver.run();
     reportBump = () -> strand.post(toReceiver);
   }
@@ -65,11 +85,22 @@ public final class SimChassis implements Chassis {
       return;
     }
     command = newCommand;
-    actual =
+    WheelCommand next =
         speedError == 0
             ? command
             : new WheelCommand(
                 command.linearMmPerS() * drawFactor(), command.angularRadPerS() * drawFactor());
+    if (kernel == null) {
+      turn(next);
+    } else {
+      long lateNs = rng.nextBoolean(0.5) ? reactionNs : rng.nextLong(0, reactionNs);
+      inEffectNs = Math.max(inEffectNs, kernel.nowNs() + lateNs);
+      kernel.schedule(inEffectNs, () -> turn(next));
+    }
+  }
+
+  private void turn(WheelCommand next) {
+    actual = next;
     apply();
   }
 

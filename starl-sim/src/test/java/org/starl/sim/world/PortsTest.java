@@ -170,6 +170,37 @@ final class PortsTest {
   }
 
   @Test
+  void lateWheelsTakeUpCommandsInOrderAndInTime() {
+    try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
+      World floor =
+          new World(kernel, kernel::timer, new TestTrace(), WorldLimits.CREATE, Obstacles.NONE);
+      SimStrand strand = kernel.strand("bot0");
+      Body body = floor.add(new RobotId("bot0"), new Pose(0, 0, 0), 165);
+      SimChassis chassis = new SimChassis(strand, new Rng(9), 0, kernel, 50 * MS);
+      chassis.mount(body);
+      boolean isLate = false;
+      double before = 0;
+      for (int i = 1; i <= 100; i++) {
+        double speed = i;
+        strand.post(() -> chassis.drive(new WheelCommand(speed, 0)));
+        for (int ms = 0; ms < 10; ms++) {
+          kernel.run(kernel.nowNs() + MS, () -> false);
+          assertThat(body.linearMmPerS()).isBetween(Math.max(before, speed - 6), speed);
+          before = body.linearMmPerS();
+          isLate |= before < speed - 3;
+        }
+      }
+      assertThat(isLate).isTrue();
+      kernel.run(kernel.nowNs() + 50 * MS, () -> false);
+      assertThat(body.linearMmPerS()).isEqualTo(100);
+      strand.post(() -> chassis.drive(new WheelCommand(20, 0)));
+      strand.post(chassis::halt);
+      kernel.run(kernel.nowNs() + 100 * MS, () -> false);
+      assertThat(body.linearMmPerS()).isZero();
+    }
+  }
+
+  @Test
   void stuckWheelsStopAndRepairedWheelsContinue() {
     Body body = bot(0, 0);
     SimChassis chassis = new SimChassis(new DirectStrand(), new Rng(9), 0);
