@@ -15,7 +15,11 @@ final class Eavesdropper implements NetworkTap {
   private static final int RECORDINGS = 256;
   private static final byte[] NOTHING = new byte[0];
 
-  private final byte[][] recordings = new byte[RECORDINGS][];
+  private final byte[][] latest = new byte[RECORDINGS][];
+
+  /** Of all since the attack began, each with the same probability (Vitter's algorithm R). */
+  private final byte[][] sample = new byte[RECORDINGS][];
+
   private final Rng rng;
   private int recorded;
 
@@ -25,17 +29,28 @@ final class Eavesdropper implements NetworkTap {
 
   @Override
   public void sent(RobotId from, byte[] buffer, int length) {
-    recordings[recorded % RECORDINGS] = Arrays.copyOf(buffer, length);
+    byte[] datagram = Arrays.copyOf(buffer, length);
+    latest[recorded % RECORDINGS] = datagram;
+    int place = recorded < RECORDINGS ? recorded : rng.nextInt(recorded + 1);
+    if (place < RECORDINGS) {
+      sample[place] = datagram;
+    }
     recorded++;
   }
 
-  /** One of the latest datagrams; empty before the first one. */
+  /**
+   * One of the latest datagrams or, half of the time, of all: older ones are of ended sessions, and
+   * below a session's window of counts. Empty before the first one.
+   */
   byte[] recorded() {
     int available = Math.min(recorded, RECORDINGS);
-    return available == 0 ? NOTHING : recordings[rng.nextInt(available)].clone();
+    if (available == 0) {
+      return NOTHING;
+    }
+    return (rng.nextBoolean(0.5) ? latest : sample)[rng.nextInt(available)].clone();
   }
 
-  /** One of the latest datagrams with some bytes changed. */
+  /** A recorded datagram with some bytes changed. */
   byte[] changed() {
     byte[] datagram = recorded();
     if (datagram.length == 0) {
