@@ -52,15 +52,20 @@ final class MotionClient extends Client {
     setup.promise(PROMPT_MS, true);
   }
 
-  /**
-   * One of the reactions to a bump, and wheels and fixes with errors. Half of the runs have no error
-   * of a kind: then a margin for another kind that is too small is not made up for.
-   */
+  /** One of the reactions to a bump, and {@link #errors}. */
   static void settings(Request request, SimSettings.Builder settings) {
     CollisionPolicy[] policies = CollisionPolicy.values();
     Rng drawn = new Rng(request.seed()).fork("motion");
+    settings.set(Setting.COLLISION_POLICY, policies[drawn.nextInt(policies.length)]);
+    errors(drawn, settings);
+  }
+
+  /**
+   * Wheels and fixes with errors. Half of the runs have no error of a kind: then a margin for
+   * another kind that is too small is not made up for.
+   */
+  static void errors(Rng drawn, SimSettings.Builder settings) {
     settings
-        .set(Setting.COLLISION_POLICY, policies[drawn.nextInt(policies.length)])
         .set(Setting.SPEED_ERROR, drawn.nextBoolean(0.5) ? 0.2 : 0)
         .set(Setting.POSITION_NOISE, drawn.nextBoolean(0.5) ? 20.0 : 0)
         .set(Setting.HEADING_NOISE, drawn.nextBoolean(0.5) ? 0.1 : 0)

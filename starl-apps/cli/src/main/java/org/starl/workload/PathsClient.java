@@ -3,6 +3,7 @@ package org.starl.workload;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
+import org.starl.apps.Request;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -17,6 +18,7 @@ import org.starl.primitives.paths.RrtSettings;
 import org.starl.primitives.paths.TubeSettings;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.random.Rng;
+import org.starl.sim.SimSettings;
 import org.starl.time.Time;
 
 /**
@@ -59,6 +61,11 @@ final class PathsClient extends Client {
     setup.simulation().obstacles(walls(setup.sideMm()));
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
     setup.promise(PROMPT_MS, true);
+  }
+
+  /** Wheels and fixes with errors, as for motion. */
+  static void settings(Request request, SimSettings.Builder settings) {
+    MotionClient.errors(new Rng(request.seed()).fork("motion"), settings);
   }
 
   /** A wall on each corner between four robots, alternately horizontal and vertical. */

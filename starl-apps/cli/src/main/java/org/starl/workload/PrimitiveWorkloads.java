@@ -92,7 +92,8 @@ public final class PrimitiveWorkloads {
               Duration.ofMillis(PathsClient.TUBES.deadlineMs()),
               parameters(6, "60s", PathsClient.PLANNER),
               Map.of(),
-              PathsClient::setUp),
+              PathsClient::setUp,
+              PathsClient::settings),
           new Workload(
               "registration",
               "robots register, stay a while, and unregister, again and again",
