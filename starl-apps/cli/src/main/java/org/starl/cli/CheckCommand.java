@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -113,15 +114,20 @@ final class CheckCommand extends SourceCommand {
     Search.Result result = search.run();
     double seconds = Time.seconds(clock.elapsedNs());
     Report.lines(automaton, of, result, at -> file(at, automata)).forEach(out()::println);
+    result
+        .finding()
+        .ifPresent(found -> places(automaton, found.story()).forEach(out()::println));
     err().println("%.1f s, %,.0f states a second".formatted(seconds, result.states() / seconds));
     return result.finding().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  /** An automaton that is not in the file was found beside it. */
+  /** An automaton that is not in the file was found beside it, or is StarL's. */
   private String file(String automaton, List<Automaton> automata) {
-    return automata.stream().anyMatch(a -> a.name().equals(automaton))
-        ? file()
-        : Path.of(file()).resolveSibling(automaton + ".starl").toString();
+    if (automata.stream().anyMatch(a -> a.name().equals(automaton))) {
+      return file();
+    }
+    Path beside = Path.of(file()).resolveSibling(automaton + ".starl");
+    return Files.exists(beside) ? beside.toString() : "pvs/starl/" + automaton + ".starl";
   }
 
   private Sizes sizes(Automaton automaton, List<Automaton> automata) {

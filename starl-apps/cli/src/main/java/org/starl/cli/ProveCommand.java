@@ -52,6 +52,7 @@ final class ProveCommand extends SourceCommand {
     for (Automaton automaton : automata) {
       Report report = prove(automaton, steps);
       report.lines().forEach(out()::println);
+      places(automaton, report.failures()).forEach(out()::println);
       isProved &= report.isProved();
     }
     return isProved ? ExitStatus.GOOD : ExitStatus.VIOLATED;

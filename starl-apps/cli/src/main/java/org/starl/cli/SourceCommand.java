@@ -3,11 +3,15 @@ package org.starl.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.starl.input.TextFile;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Program;
 import picocli.CommandLine.Parameters;
 
 /** A command on the automata of a source. */
@@ -15,6 +19,8 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "FILE.starl", description = "The source.")
   private String name = "";
+
+  private List<Program> programs = List.of();
 
   /** The source's file, as the user has named it. */
   final String file() {
@@ -27,12 +33,27 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
     TextFile.read(path, "expected a source of automata (.starl)"); // tells what is no text
     List<Automaton> automata;
     try {
-      automata = new SourceReader().read(path);
+      Source source = new SourceReader().source(path);
+      automata = source.automata();
+      programs = source.programs();
     } catch (SourceErrors e) {
       e.errors().forEach(err()::println);
       return ExitStatus.BAD_INPUT;
     }
     return run(automata);
+  }
+
+  /** Where the branches of a program are whose actions {@code lines} name. */
+  final List<String> places(Automaton automaton, List<String> lines) {
+    if (programs.stream().noneMatch(each -> each.name().equals(automaton.name()))) {
+      return List.of(); // an automaton's actions have their names in the source
+    }
+    Set<String> words = new TreeSet<>();
+    lines.forEach(line -> words.addAll(List.of(line.split("\\W+"))));
+    return automaton.actions().stream()
+        .filter(action -> words.contains(action.name()))
+        .map(action -> "  " + action.name() + " is at " + file() + ":" + action.pos())
+        .toList();
   }
 
   /**

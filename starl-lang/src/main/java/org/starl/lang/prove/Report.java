@@ -17,6 +17,11 @@ public record Report(String automaton, List<Claim> claims) {
     return claims.stream().filter(claim -> claim.subject().equals(subject)).findFirst();
   }
 
+  /** What is said of the claims that do not hold. */
+  public List<String> failures() {
+    return claims.stream().filter(claim -> !claim.isGood()).map(Claim::text).toList();
+  }
+
   /** For a person: a line for each claim, and below it what shows it. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();

@@ -67,7 +67,7 @@ final class Lifting {
               enabled.used() + "." + enabled.action().name() + ": expected no step in a face");
       case Expr.Started started ->
           throw new IllegalArgumentException(started.used() + ".start?: expected no start in a face");
-      default -> Exprs.rebuild(expr, this::lifted);
+      default -> Exprs.rebuild(expr, pos, this::lifted);
     };
   }
 

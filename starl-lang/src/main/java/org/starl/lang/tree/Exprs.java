@@ -11,17 +11,22 @@ public final class Exprs {
 
   /** {@code at} with each part replaced. */
   public static Expr rebuild(Expr at, UnaryOperator<Expr> part) {
+    return rebuild(at, at.pos(), part);
+  }
+
+  /** {@code at} with each part replaced, and at another place. */
+  public static Expr rebuild(Expr at, Pos pos, UnaryOperator<Expr> part) {
     return switch (at) {
       case Expr.At e ->
-          new Expr.At(part.apply(e.map()), all(e.arguments(), part), e.type(), e.pos());
-      case Expr.Call e -> new Expr.Call(e.used(), e.function(), all(e.arguments(), part), e.pos());
+          new Expr.At(part.apply(e.map()), all(e.arguments(), part), e.type(), pos);
+      case Expr.Call e -> new Expr.Call(e.used(), e.function(), all(e.arguments(), part), pos);
       case Expr.Enabled e ->
-          new Expr.Enabled(e.used(), e.automaton(), e.action(), all(e.arguments(), part), e.pos());
-      case Expr.Get e -> new Expr.Get(part.apply(e.of()), e.field(), e.type(), e.pos());
+          new Expr.Enabled(e.used(), e.automaton(), e.action(), all(e.arguments(), part), pos);
+      case Expr.Get e -> new Expr.Get(part.apply(e.of()), e.field(), e.type(), pos);
       case Expr.Make e ->
-          new Expr.Make(e.constructor(), all(e.arguments(), part), e.type(), e.pos());
-      case Expr.MakeRecord e -> new Expr.MakeRecord(all(e.values(), part), e.type(), e.pos());
-      case Expr.Is e -> new Expr.Is(part.apply(e.of()), e.constructor(), e.pos());
+          new Expr.Make(e.constructor(), all(e.arguments(), part), e.type(), pos);
+      case Expr.MakeRecord e -> new Expr.MakeRecord(all(e.values(), part), e.type(), pos);
+      case Expr.Is e -> new Expr.Is(part.apply(e.of()), e.constructor(), pos);
       case Expr.Match e ->
           new Expr.Match(
               part.apply(e.of()),
@@ -29,29 +34,35 @@ public final class Exprs {
                   .map(c -> new Expr.Case(c.constructor(), c.variables(), part.apply(c.value())))
                   .toList(),
               e.type(),
-              e.pos());
-      case Expr.Not e -> new Expr.Not(part.apply(e.of()), e.pos());
-      case Expr.Negative e -> new Expr.Negative(part.apply(e.of()), e.pos());
+              pos);
+      case Expr.Not e -> new Expr.Not(part.apply(e.of()), pos);
+      case Expr.Negative e -> new Expr.Negative(part.apply(e.of()), pos);
       case Expr.Binary e ->
           new Expr.Binary(
-              e.operator(), part.apply(e.left()), part.apply(e.right()), e.type(), e.pos());
+              e.operator(), part.apply(e.left()), part.apply(e.right()), e.type(), pos);
       case Expr.Quantified e ->
-          new Expr.Quantified(e.forAll(), e.variables(), part.apply(e.body()), e.pos());
+          new Expr.Quantified(e.forAll(), e.variables(), part.apply(e.body()), pos);
       case Expr.If e ->
           new Expr.If(
               part.apply(e.condition()),
               part.apply(e.then()),
               part.apply(e.otherwise()),
               e.type(),
-              e.pos());
+              pos);
       case Expr.SuchThat e ->
-          new Expr.SuchThat(e.variable(), part.apply(e.body()), e.type(), e.pos());
-      case Expr.SetOf e -> new Expr.SetOf(all(e.elements(), part), e.type(), e.pos());
-      case Expr.MapOf e -> new Expr.MapOf(e.variables(), part.apply(e.body()), e.type(), e.pos());
-      case Expr.ListOf e -> new Expr.ListOf(all(e.elements(), part), e.type(), e.pos());
-      case Expr.Some e -> new Expr.Some(part.apply(e.of()), e.type(), e.pos());
-      case Expr.BuiltIn e -> new Expr.BuiltIn(e.name(), part.apply(e.of()), e.type(), e.pos());
-      default -> at;
+          new Expr.SuchThat(e.variable(), part.apply(e.body()), e.type(), pos);
+      case Expr.SetOf e -> new Expr.SetOf(all(e.elements(), part), e.type(), pos);
+      case Expr.MapOf e -> new Expr.MapOf(e.variables(), part.apply(e.body()), e.type(), pos);
+      case Expr.ListOf e -> new Expr.ListOf(all(e.elements(), part), e.type(), pos);
+      case Expr.Some e -> new Expr.Some(part.apply(e.of()), e.type(), pos);
+      case Expr.BuiltIn e -> new Expr.BuiltIn(e.name(), part.apply(e.of()), e.type(), pos);
+      case Expr.Bool e -> new Expr.Bool(e.value(), pos);
+      case Expr.Numeral e -> new Expr.Numeral(e.value(), e.type(), pos);
+      case Expr.Variable e -> new Expr.Variable(e.name(), e.type(), pos);
+      case Expr.Parameter e -> new Expr.Parameter(e.name(), e.type(), pos);
+      case Expr.Component e -> new Expr.Component(e.name(), e.type(), pos);
+      case Expr.Started e -> new Expr.Started(e.used(), e.automaton(), pos);
+      case Expr.None e -> new Expr.None(e.type(), pos);
     };
   }
 
