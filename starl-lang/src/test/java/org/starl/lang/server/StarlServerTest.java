@@ -46,6 +46,17 @@ class StarlServerTest {
         eff shows := green
       """;
 
+  private static final String PROGRAM =
+      """
+      program Turns
+      given xid: Text
+      uses reg: Registration(xid, {self})
+      location out
+        do reg.do_register(); goto waiting
+      location waiting
+        when reg.registered do restart
+      """;
+
   /** What an editor does with what it is told. */
   private static final class Editor implements LanguageClient {
     final BlockingQueue<List<Diagnostic>> errors = new ArrayBlockingQueue<>(100);
@@ -121,30 +132,47 @@ class StarlServerTest {
   @Test
   void hoverShowsTheType() throws Exception {
     open(LAMP);
-    String meaning =
-        server
-            .getTextDocumentService()
-            .hover(new HoverParams(file(), new Position(5, 7)))
-            .get(60, TimeUnit.SECONDS)
-            .getContents()
-            .getRight()
-            .getValue();
-    assertThat(meaning).isEqualTo("shows: Color");
+    assertThat(hover(5, 7)).isEqualTo("shows: Color");
   }
 
   @Test
   void definitionIsTheDeclaration() throws Exception {
     open(LAMP);
-    assertThat(
-            server
-                .getTextDocumentService()
-                .definition(new DefinitionParams(file(), new Position(5, 16)))
-                .get(60, TimeUnit.SECONDS)
-                .getLeft()
-                .getFirst()
-                .getRange()
-                .getStart())
-        .isEqualTo(new Position(1, 19));
+    assertThat(definition(5, 16)).isEqualTo(new Position(1, 19));
+  }
+
+  @Test
+  void programIsKnownLikeAnAutomaton() throws Exception {
+    assertThat(open(PROGRAM)).isEmpty();
+    assertThat(hover(2, 12))
+        .isEqualTo("primitive Registration(xid: Text, acceptors: set[PIDS]) is Registration_decls");
+    assertThat(hover(4, 6)).isEqualTo("reg: Registration");
+    assertThat(hover(4, 11)).isEqualTo("do_register()");
+    assertThat(hover(6, 12)).isEqualTo("registered: bool");
+    assertThat(definition(6, 12)).isEqualTo(new Position(2, 5));
+    assertThat(definition(4, 30)).isEqualTo(new Position(5, 9));
+    assertThat(open(PROGRAM.replace("reg.registered", "reg.ready"))).hasSize(1);
+  }
+
+  private String hover(int line, int column) throws Exception {
+    return server
+        .getTextDocumentService()
+        .hover(new HoverParams(file(), new Position(line, column)))
+        .get(60, TimeUnit.SECONDS)
+        .getContents()
+        .getRight()
+        .getValue();
+  }
+
+  private Position definition(int line, int column) throws Exception {
+    return server
+        .getTextDocumentService()
+        .definition(new DefinitionParams(file(), new Position(line, column)))
+        .get(60, TimeUnit.SECONDS)
+        .getLeft()
+        .getFirst()
+        .getRange()
+        .getStart();
   }
 
   @Test
