@@ -202,7 +202,10 @@ public final class Search {
               name, path.size() - 1, story.lines(), error.automaton(), error.pos(), message));
     }
     Witness witness = machine.witness(Objects.requireNonNull(invariant), story.end());
-    String message = witness.variables().isEmpty() ? "false" : "false for " + witness.variables();
+    String message =
+        "false"
+            + (witness.variables().isEmpty() ? "" : " for " + witness.variables())
+            + (witness.why().isEmpty() ? "" : ": " + witness.why());
     throw new Found(
         new Finding(
             name, path.size() - 1, story.lines(), automaton.name(), witness.pos(), message));

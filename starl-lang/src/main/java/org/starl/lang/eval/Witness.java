@@ -3,6 +3,7 @@ package org.starl.lang.eval;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type.Field;
@@ -11,8 +12,9 @@ import org.starl.lang.tree.Type.Field;
  * The part of a false condition that is false.
  *
  * @param variables the values for which it is, as {@code i = bot0}; empty if it has no variables
+ * @param why the false condition of a used automaton's action, if that is not enabled; else empty
  */
-public record Witness(Pos pos, String variables) {
+public record Witness(Pos pos, String variables, String why) {
 
   /** Looks for the part. */
   static final class Finder {
@@ -23,6 +25,7 @@ public record Witness(Pos pos, String variables) {
     private final Compiler.Scope scope = new Compiler.Scope();
     private final List<Object> values = new ArrayList<>();
     private final List<String> texts = new ArrayList<>();
+    private String why = "";
 
     Finder(Compiler compiler, Row state, int parameters) {
       this.compiler = compiler;
@@ -38,9 +41,46 @@ public record Witness(Pos pos, String variables) {
             case Expr.Binary implies when implies.operator() == Expr.Operator.IMPLIES ->
                 find(implies.right()).pos();
             case Expr.Quantified all when all.forAll() && choose(all, 0) -> find(all.body()).pos();
-            default -> isFalse.pos();
+            default -> leaf(isFalse);
           };
-      return new Witness(pos, String.join(", ", texts));
+      return new Witness(pos, String.join(", ", texts), why);
+    }
+
+    private Pos leaf(Expr isFalse) {
+      if (isFalse instanceof Expr.Enabled step) {
+        Code[] arguments = compiler.codes(step.arguments(), scope);
+        why = why(compiler, step, arguments, frame());
+      }
+      return isFalse.pos();
+    }
+
+    /** The condition of a used automaton's action that is false, or of one that this one uses. */
+    private static String why(
+        Compiler compiler, Expr.Enabled step, Code[] arguments, Code.Frame frame) {
+      Compiler used = compiler.used(step.used());
+      Act act = new Act(step.action(), used);
+      Row given = Compiler.row(arguments, frame);
+      List<Object> values = List.of(given.items());
+      int component = compiler.component(step.used());
+      int number = act.firstFalse(Compiler.inside(frame, component, act.locals(values)));
+      if (number < 0) {
+        return "";
+      }
+      Conjunct isFalse = step.action().pre().get(number);
+      if (isFalse.condition() instanceof Expr.Enabled inner) {
+        Compiler.Scope scope = new Compiler.Scope();
+        scope.push(step.action().parameters());
+        Code[] codes = used.codes(inner.arguments(), scope);
+        Object[] locals = Arrays.copyOf(values.toArray(), scope.most);
+        return why(used, inner, codes, Compiler.inside(frame, component, locals));
+      }
+      return "%s.%s is not enabled: '%s' is false"
+          .formatted(step.used(), act.text(given.items()), isFalse.text());
+    }
+
+    private Code.Frame frame() {
+      Object[] locals = Arrays.copyOf(values.toArray(), scope.most);
+      return new Code.Frame(state.items(), state.items(), parameters, locals, 0);
     }
 
     /** Chooses values of the variables for which the body is false. */
@@ -66,9 +106,8 @@ public record Witness(Pos pos, String variables) {
 
     private boolean isTrue(Expr condition) {
       Code code = compiler.code(condition, scope);
-      Object[] locals = Arrays.copyOf(values.toArray(), scope.most);
       try {
-        return code.test(new Code.Frame(state.items(), state.items(), parameters, locals, 0));
+        return code.test(frame());
       } catch (Beyond e) {
         return true; // undecided: what is false is elsewhere
       }

@@ -249,9 +249,7 @@ final class ExpressionReader {
         .findFirst()
         .map(field -> {
           Pos declared =
-              of instanceof Expr.Component known
-                  ? scope.place(known.name(), at)
-                  : pos(at.name);
+              of instanceof Expr.Component known ? scope.place(known.name(), at) : pos(at.name);
           problems.refer(at.name, name + ": " + field.type(), declared);
           return new Expr.Get(of, name, field.type(), pos);
         })

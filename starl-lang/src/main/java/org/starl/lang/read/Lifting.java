@@ -59,14 +59,18 @@ final class Lifting {
 
   private Expr lifted(Expr expr) {
     return switch (expr) {
-      case Expr.Component component ->
-          new Expr.Get(state, component.name(), component.type(), pos);
+      case Expr.Component component -> new Expr.Get(state, component.name(), component.type(), pos);
       case Expr.Call call -> call(call);
-      case Expr.Enabled enabled ->
-          throw new IllegalArgumentException(
-              enabled.used() + "." + enabled.action().name() + ": expected no step in a face");
-      case Expr.Started started ->
-          throw new IllegalArgumentException(started.used() + ".start?: expected no start in a face");
+      case Expr.Enabled step -> {
+        List<Expr> arguments = step.arguments().stream().map(this::lifted).toList();
+        Lifting to = inside(step.used()).with(step.action().parameters(), arguments);
+        yield Exprs.all(
+            step.action().pre().stream().map(each -> to.lift(each.condition())).toList(), pos);
+      }
+      case Expr.Started started -> {
+        Lifting to = inside(started.used());
+        yield Exprs.all(started.automaton().start().stream().map(to::lift).toList(), pos);
+      }
       default -> Exprs.rebuild(expr, pos, this::lifted);
     };
   }

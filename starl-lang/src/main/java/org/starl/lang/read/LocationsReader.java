@@ -53,7 +53,7 @@ final class LocationsReader {
     all.forEach(at -> locations.add(location(at)));
     if (all.isEmpty()) {
       problems.add(
-          ((PartsReader) program).unit,
+          program.whole,
           "program '" + scope.automaton + "' has no location; expected 'location' and its name");
     } else {
       entered.add(all.getFirst().name.getText());
@@ -103,8 +103,7 @@ final class LocationsReader {
       }
       List<StatementContext> all = branch.statement();
       all.subList(0, all.size() - 1)
-          .forEach(each ->
-              program.orTold(() -> statements.add(statement(each))));
+          .forEach(each -> program.orTold(() -> statements.add(statement(each))));
       StatementContext last = all.getLast();
       String to = target(last);
       return new Branch(
@@ -119,9 +118,9 @@ final class LocationsReader {
     /** The instance of whose outcomes one is a conjunct; elsewhere none may be. */
     private Optional<String> outcome(Expr guard) {
       List<String> found = new ArrayList<>();
-      for (Expr conjunct : Lowering.conjuncts(guard)) {
+      for (Expr conjunct : Guards.conjuncts(guard)) {
         Optional<String> instance =
-            Lowering.outcome(conjunct, instances).map(Lowering.Happened::instance);
+            Guards.outcome(conjunct, instances).map(Guards.Happened::instance);
         instance.ifPresent(found::add);
         if (instance.isEmpty()) {
           check(conjunct, branch.expression());
@@ -139,7 +138,7 @@ final class LocationsReader {
 
     /** An outcome is a conjunct of a guard; an instance is there for its values; these may be stale. */
     private void check(Expr expr, ParserRuleContext at) {
-      Optional<Lowering.Happened> found = Lowering.outcome(expr, instances);
+      Optional<Guards.Happened> found = Guards.outcome(expr, instances);
       if (found.isPresent()) {
         String name = found.get().instance() + "." + found.get().outcome().name();
         throw expressions.wrong(
@@ -247,8 +246,7 @@ final class LocationsReader {
       problems.refer(at.used, name + ": " + instance.primitive().name(), instance.pos());
       problems.refer(
           at.name, wanted + "(" + TypeReader.list(call.parameters()) + ")", instance.pos());
-      List<Expr> arguments =
-          expressions.arguments(wanted, call.parameters(), at.expression(), at);
+      List<Expr> arguments = expressions.arguments(wanted, call.parameters(), at.expression(), at);
       for (int i = 0; i < arguments.size(); i++) {
         check(arguments.get(i), at.expression(i));
       }

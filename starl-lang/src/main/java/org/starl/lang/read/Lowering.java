@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
@@ -74,45 +75,22 @@ final class Lowering {
     instances.values().forEach(this::addSteps);
   }
 
-  private java.util.stream.Stream<Branch> restarts() {
+  private Stream<Branch> restarts() {
     return program.locations().stream()
         .flatMap(each -> each.branches().stream())
         .filter(Branch::isRestart);
   }
 
-  // --- parts of guards -----------------------------------------------------------------------------
-
-  /** An outcome of an instance. */
-  record Happened(String instance, Primitive.Outcome outcome) {}
-
-  /** The outcome that {@code expr} is: {@code mux.failed}. */
-  static Optional<Happened> outcome(Expr expr, Map<String, Instance> instances) {
-    if (expr instanceof Expr.Get get && get.of() instanceof Expr.Component component) {
-      return Optional.ofNullable(instances.get(component.name()))
-          .flatMap(instance -> instance.primitive().outcome(get.field()))
-          .map(found -> new Happened(component.name(), found));
-    }
-    return Optional.empty();
-  }
-
-  /** What holds if {@code guard} does, each for itself. */
-  static List<Expr> conjuncts(Expr guard) {
-    if (guard instanceof Expr.Binary both && both.operator() == Operator.AND) {
-      List<Expr> all = new ArrayList<>(conjuncts(both.left()));
-      all.addAll(conjuncts(both.right()));
-      return all;
-    }
-    return guard instanceof Expr.Bool always && always.value() ? List.of() : List.of(guard);
-  }
-
-  // --- the automaton -------------------------------------------------------------------------------
+  // --- the automaton
+  // -------------------------------------------------------------------------------
 
   /**
    * The automaton.
    *
    * @param own the invariants of the source
+   * @param isWhole whether value parameters are left out that nothing reads
    */
-  Automaton automaton(List<Invariant> own) {
+  Automaton automaton(List<Invariant> own, boolean isWhole) {
     List<Invariant> all = new ArrayList<>(invariants);
     all.addAll(own);
     List<Declared> types = new ArrayList<>(program.types());
@@ -123,15 +101,19 @@ final class Lowering {
     all.forEach(each -> mention(each.condition(), mentioned));
     actions.forEach(action -> mention(action, mentioned));
     List<Field> values = new ArrayList<>(valueParameters());
-    boolean isForInvariants = own.isEmpty();
     Set<Field> used = usedParameters();
     values.removeIf(
-        each -> !isForInvariants && !mentioned.contains(each.name()) && !used.contains(each));
+        each -> isWhole && !mentioned.contains(each.name()) && !used.contains(each));
     Map<String, Automaton> uses = new LinkedHashMap<>();
     instances.forEach((name, instance) -> uses.put(name, instance.primitive().automaton()));
+    List<String> typeParameters = new ArrayList<>(program.typeParameters());
+    if (Stream.concat(state().stream().map(Component::type), values.stream().map(Field::type))
+        .anyMatch(Lowering::hasText)) {
+      typeParameters.add(Program.TEXT);
+    }
     return new Automaton(
         program.name(),
-        program.typeParameters(),
+        List.copyOf(typeParameters),
         List.copyOf(values),
         List.copyOf(types),
         state(),
@@ -146,9 +128,27 @@ final class Lowering {
         program.pos());
   }
 
+  private static boolean hasText(Type type) {
+    return switch (type.base()) {
+      case Type.Opaque opaque -> opaque.name().equals(Program.TEXT);
+      case Type.SetOf set -> hasText(set.element());
+      case Type.ListOf list -> hasText(list.element());
+      case Type.OptionOf option -> hasText(option.element());
+      case Type.MapOf map -> hasText(map.result()) || map.arguments().stream().anyMatch(Lowering::hasText);
+      case Type.Rec rec -> rec.fields().stream().anyMatch(field -> hasText(field.type()));
+      case Type.Sum sum ->
+          sum.constructors().stream()
+              .flatMap(each -> each.fields().stream())
+              .anyMatch(field -> hasText(field.type()));
+      default -> false;
+    };
+  }
+
   private Set<Field> usedParameters() {
     Set<Field> fields = new LinkedHashSet<>();
-    instances.values().forEach(each -> fields.addAll(each.primitive().automaton().valueParameters()));
+    instances
+        .values()
+        .forEach(each -> fields.addAll(each.primitive().automaton().valueParameters()));
     return fields;
   }
 
@@ -200,8 +200,7 @@ final class Lowering {
                 new Component(each.name(), ofEach(each.type()), each.comment(), each.note())));
     instances
         .values()
-        .forEach(each ->
-            state.add(new Component(each.name(), stateOf(each), each.comment(), "")));
+        .forEach(each -> state.add(new Component(each.name(), stateOf(each), each.comment(), "")));
     return List.copyOf(state);
   }
 
@@ -228,20 +227,20 @@ final class Lowering {
     for (Instance each : instances.values()) {
       Primitive primitive = each.primitive();
       start.add(new Expr.Started(each.name(), primitive.automaton(), each.pos()));
-      conjuncts(primitive.start()).forEach(one -> start.add(lift(each, one, each.pos())));
+      Guards.conjuncts(primitive.start()).forEach(one -> start.add(lift(each, one, each.pos())));
     }
     return List.copyOf(start);
   }
 
-  // --- expressions ---------------------------------------------------------------------------------
+  // --- expressions
+  // ---------------------------------------------------------------------------------
 
   private static Expr self(Pos pos) {
     return new Expr.Variable(Program.SELF, IDS, pos);
   }
 
   private static Expr mine(String name, Type type, Pos pos) {
-    return new Expr.At(
-        new Expr.Component(name, ofEach(type), pos), List.of(self(pos)), type, pos);
+    return new Expr.At(new Expr.Component(name, ofEach(type), pos), List.of(self(pos)), type, pos);
   }
 
   private Expr isAt(String name, Pos pos) {
@@ -258,12 +257,6 @@ final class Lowering {
     return new Expr.Quantified(true, SELF, body, pos);
   }
 
-  private static Expr all(List<Expr> conjuncts, Pos pos) {
-    return conjuncts.stream()
-        .reduce((a, b) -> binary(Operator.AND, a, b, pos))
-        .orElse(new Expr.Bool(true, pos));
-  }
-
   /** An expression of the program about one process, as one about all. */
   private Expr lower(Expr expr, Map<String, Expr> assigned) {
     return switch (expr) {
@@ -271,8 +264,8 @@ final class Lowering {
         Expr value = assigned.get(component.name());
         yield value != null ? value : mine(component.name(), component.type(), component.pos());
       }
-      case Expr.Get get when get.of() instanceof Expr.Component of
-          && instances.containsKey(of.name()) -> {
+      case Expr.Get get
+          when get.of() instanceof Expr.Component of && instances.containsKey(of.name()) -> {
         Instance instance = Objects.requireNonNull(instances.get(of.name()));
         Expr value = instance.primitive().value(get.field()).orElseThrow().value();
         yield lift(instance, value, get.pos());
@@ -292,7 +285,8 @@ final class Lowering {
     return new Lifting(instance.name(), instance.primitive().automaton(), pos).lift(expr);
   }
 
-  // --- actions -------------------------------------------------------------------------------------
+  // --- actions
+  // -------------------------------------------------------------------------------------
 
   private void addActions(Location at) {
     List<Branch> before = new ArrayList<>();
@@ -324,13 +318,13 @@ final class Lowering {
       this.branch = branch;
       String text = LOC + "(" + Program.SELF + ") = " + at.name();
       pre.add(new Conjunct(isAt(at.name(), branch.pos()), text));
-      List<Expr> rest = new ArrayList<>(conjuncts(branch.guard()));
-      Optional<Happened> happened =
-          rest.stream().flatMap(each -> outcome(each, instances).stream()).findFirst();
-      rest.removeIf(each -> outcome(each, instances).isPresent());
+      List<Expr> rest = new ArrayList<>(Guards.conjuncts(branch.guard()));
+      Optional<Guards.Happened> happened =
+          rest.stream().flatMap(each -> Guards.outcome(each, instances).stream()).findFirst();
+      rest.removeIf(each -> Guards.outcome(each, instances).isPresent());
       happened.ifPresent(this::addOutcome);
       if (!rest.isEmpty()) {
-        pre.add(new Conjunct(lower(all(rest, branch.guard().pos()), Map.of()), branch.text()));
+        pre.add(new Conjunct(lower(Exprs.all(rest, branch.guard().pos()), Map.of()), branch.text()));
       }
       if (happened.isEmpty()) {
         before.forEach(this::addNot);
@@ -338,7 +332,7 @@ final class Lowering {
     }
 
     /** It may happen whatever can be read of the primitives. */
-    private void addOutcome(Happened happened) {
+    private void addOutcome(Guards.Happened happened) {
       Instance instance = Objects.requireNonNull(instances.get(happened.instance()));
       Automaton automaton = instance.primitive().automaton();
       Action action = happened.outcome().action();
@@ -349,14 +343,13 @@ final class Lowering {
       Expr can =
           new Expr.Enabled(instance.name(), automaton, action, arguments, branch.guard().pos());
       pre.add(new Conjunct(can, instance.name() + "." + happened.outcome().name()));
-      eff.add(
-          new Effect.Step(instance.name(), automaton, action, arguments, branch.guard().pos()));
+      eff.add(new Effect.Step(instance.name(), automaton, action, arguments, branch.guard().pos()));
     }
 
     /** An outcome that is not taken says nothing. */
     private void addNot(Branch earlier) {
-      List<Expr> guard = conjuncts(earlier.guard());
-      if (guard.stream().noneMatch(each -> outcome(each, instances).isPresent())) {
+      List<Expr> guard = Guards.conjuncts(earlier.guard());
+      if (guard.stream().noneMatch(each -> Guards.outcome(each, instances).isPresent())) {
         Expr holds = lower(earlier.guard(), Map.of());
         pre.add(new Conjunct(new Expr.Not(holds, branch.pos()), "not (" + earlier.text() + ")"));
       }
@@ -401,7 +394,7 @@ final class Lowering {
       eff.add(new Effect.Step(instance.name(), automaton, action, arguments, call.pos()));
       List<Expr> when = pre.stream().map(Conjunct::condition).toList();
       Expr may =
-          binary(Operator.IMPLIES, all(when, call.pos()), all(asked, call.pos()), call.pos());
+          binary(Operator.IMPLIES, Exprs.all(when, call.pos()), Exprs.all(asked, call.pos()), call.pos());
       invariants.add(
           new Invariant(
               unique(at.name() + "_may_" + call.call().name()),
@@ -417,8 +410,8 @@ final class Lowering {
     for (Action step : instance.primitive().steps()) {
       List<Field> parameters = step.parameters().stream().map(this::renamed).toList();
       List<Expr> arguments = new ArrayList<>();
-      parameters.forEach(each ->
-          arguments.add(new Expr.Variable(each.name(), each.type(), instance.pos())));
+      parameters.forEach(
+          each -> arguments.add(new Expr.Variable(each.name(), each.type(), instance.pos())));
       List<String> shown = parameters.stream().map(Field::name).toList();
       String text = instance.name() + "." + step.name() + "(" + String.join(", ", shown) + ")";
       actions.add(
@@ -427,11 +420,9 @@ final class Lowering {
               parameters,
               List.of(
                   new Conjunct(
-                      new Expr.Enabled(
-                          instance.name(), automaton, step, arguments, instance.pos()),
+                      new Expr.Enabled(instance.name(), automaton, step, arguments, instance.pos()),
                       text)),
-              List.of(
-                  new Effect.Step(instance.name(), automaton, step, arguments, instance.pos())),
+              List.of(new Effect.Step(instance.name(), automaton, step, arguments, instance.pos())),
               List.of(),
               "",
               instance.pos()));
@@ -450,7 +441,8 @@ final class Lowering {
     return isTaken ? new Field(field.name() + "_", field.type()) : field;
   }
 
-  // --- invariants ----------------------------------------------------------------------------------
+  // --- invariants
+  // ----------------------------------------------------------------------------------
 
   /** The invariants of a primitive's automaton, and of those that it uses, hold here, too. */
   private void addInvariants(Instance instance) {

@@ -28,7 +28,7 @@ import org.starl.lang.tree.Type.Field;
 /** Reads the parts that units of several kinds have. */
 class PartsReader {
 
-  final ParserRuleContext unit;
+  final ParserRuleContext whole;
   final SourceText source;
   final Problems problems;
   final Scope scope;
@@ -50,7 +50,7 @@ class PartsReader {
       List<PartContext> parts,
       SourceText source,
       Problems problems) {
-    this.unit = unit;
+    whole = unit;
     this.parts = parts;
     this.source = source;
     this.problems = problems;
@@ -135,7 +135,7 @@ class PartsReader {
     Set<String> seen = new TreeSet<>();
     for (String name : names) {
       if (!seen.add(name)) {
-        problems.add(unit, kind + " '" + name + "' is here twice; expected different names");
+        problems.add(whole, kind + " '" + name + "' is here twice; expected different names");
       }
     }
   }

@@ -101,9 +101,9 @@ final class ProgramReader extends PartsReader {
   Automaton automaton(Program program) {
     Lowering lowering = new Lowering(program);
     PartsReader all = new PartsReader(unit, scope.automaton, parts(unit), source, problems);
-    all.scope.enter(lowering.automaton(List.of()));
+    all.scope.enter(lowering.automaton(List.of(), false));
     all.scope.places.putAll(scope.places);
-    return lowering.automaton(all.invariants());
+    return lowering.automaton(all.invariants(), true);
   }
 
   private <P extends ProgramPartContext> void every(Class<P> kind, Consumer<P> read) {
@@ -202,8 +202,7 @@ final class ProgramReader extends PartsReader {
     String method = unquoted(at.of);
     if (!METHOD.matcher(method).matches()) {
       problems.add(
-          pos(at.of),
-          "'" + method + "' is no method of Java; expected \"a.package.Class.method\"");
+          pos(at.of), "'" + method + "' is no method of Java; expected \"a.package.Class.method\"");
     }
     List<Type> arguments = parameters.stream().map(Field::type).toList();
     scope.values.put(name, arguments.isEmpty() ? result : new Type.MapOf(arguments, result));
@@ -227,14 +226,12 @@ final class ProgramReader extends PartsReader {
       Type type = types.type(at.type());
       if (at.expression() == null) {
         throw expressions.wrong(
-            at,
-            "variable '" + name + "' has no start value; expected ':=' and a value of " + type);
+            at, "variable '" + name + "' has no start value; expected ':=' and a value of " + type);
       }
       Expr start = expressions.read(at.expression(), type);
       scope.wrong.remove(name);
       return variables.add(
-          new Variable(
-              name, type, start, source.before(at), source.after(at.getStop()), pos(at)));
+          new Variable(name, type, start, source.before(at), source.after(at.getStop()), pos(at)));
     });
   }
 

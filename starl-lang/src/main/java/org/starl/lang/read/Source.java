@@ -21,6 +21,5 @@ public record Source(
     List<SourceError> errors,
     List<Reference> references) {
 
-  static final Source EMPTY =
-      new Source(List.of(), List.of(), List.of(), List.of(), List.of());
+  static final Source EMPTY = new Source(List.of(), List.of(), List.of(), List.of(), List.of());
 }

@@ -163,8 +163,7 @@ public final class SourceReader {
     }
 
     private Optional<Automaton> find(String wanted) {
-      Optional<Automaton> here =
-          automata.stream().filter(a -> a.name().equals(wanted)).findFirst();
+      Optional<Automaton> here = automata.stream().filter(a -> a.name().equals(wanted)).findFirst();
       return here.isPresent() ? here : SourceReader.this.find(wanted, path, problems);
     }
 

@@ -17,14 +17,12 @@ public final class Exprs {
   /** {@code at} with each part replaced, and at another place. */
   public static Expr rebuild(Expr at, Pos pos, UnaryOperator<Expr> part) {
     return switch (at) {
-      case Expr.At e ->
-          new Expr.At(part.apply(e.map()), all(e.arguments(), part), e.type(), pos);
+      case Expr.At e -> new Expr.At(part.apply(e.map()), all(e.arguments(), part), e.type(), pos);
       case Expr.Call e -> new Expr.Call(e.used(), e.function(), all(e.arguments(), part), pos);
       case Expr.Enabled e ->
           new Expr.Enabled(e.used(), e.automaton(), e.action(), all(e.arguments(), part), pos);
       case Expr.Get e -> new Expr.Get(part.apply(e.of()), e.field(), e.type(), pos);
-      case Expr.Make e ->
-          new Expr.Make(e.constructor(), all(e.arguments(), part), e.type(), pos);
+      case Expr.Make e -> new Expr.Make(e.constructor(), all(e.arguments(), part), e.type(), pos);
       case Expr.MakeRecord e -> new Expr.MakeRecord(all(e.values(), part), e.type(), pos);
       case Expr.Is e -> new Expr.Is(part.apply(e.of()), e.constructor(), pos);
       case Expr.Match e ->
@@ -38,8 +36,7 @@ public final class Exprs {
       case Expr.Not e -> new Expr.Not(part.apply(e.of()), pos);
       case Expr.Negative e -> new Expr.Negative(part.apply(e.of()), pos);
       case Expr.Binary e ->
-          new Expr.Binary(
-              e.operator(), part.apply(e.left()), part.apply(e.right()), e.type(), pos);
+          new Expr.Binary(e.operator(), part.apply(e.left()), part.apply(e.right()), e.type(), pos);
       case Expr.Quantified e ->
           new Expr.Quantified(e.forAll(), e.variables(), part.apply(e.body()), pos);
       case Expr.If e ->
@@ -49,8 +46,7 @@ public final class Exprs {
               part.apply(e.otherwise()),
               e.type(),
               pos);
-      case Expr.SuchThat e ->
-          new Expr.SuchThat(e.variable(), part.apply(e.body()), e.type(), pos);
+      case Expr.SuchThat e -> new Expr.SuchThat(e.variable(), part.apply(e.body()), e.type(), pos);
       case Expr.SetOf e -> new Expr.SetOf(all(e.elements(), part), e.type(), pos);
       case Expr.MapOf e -> new Expr.MapOf(e.variables(), part.apply(e.body()), e.type(), pos);
       case Expr.ListOf e -> new Expr.ListOf(all(e.elements(), part), e.type(), pos);
@@ -64,6 +60,13 @@ public final class Exprs {
       case Expr.Started e -> new Expr.Started(e.used(), e.automaton(), pos);
       case Expr.None e -> new Expr.None(e.type(), pos);
     };
+  }
+
+  /** Whether all of these hold. */
+  public static Expr all(List<Expr> conditions, Pos pos) {
+    return conditions.stream()
+        .reduce((a, b) -> new Expr.Binary(Expr.Operator.AND, a, b, Type.Bool.BOOL, pos))
+        .orElse(new Expr.Bool(true, pos));
   }
 
   private static List<Expr> all(List<Expr> parts, UnaryOperator<Expr> part) {

@@ -111,8 +111,7 @@ public record Program(
      *
      * @param text as in the source, on one line
      */
-    record Call(
-        String instance, Primitive.Call call, List<Expr> arguments, String text, Pos pos)
+    record Call(String instance, Primitive.Call call, List<Expr> arguments, String text, Pos pos)
         implements Statement {}
   }
 

@@ -68,7 +68,9 @@ class ProgramsPropertyTest {
         .findFirst()
         .ifPresent(branch -> {
           Map<String, Integer> after = new LinkedHashMap<>(state);
-          branch.statements().forEach(s -> after.put(s.variable(), s.value().of().applyAsInt(after)));
+          branch
+              .statements()
+              .forEach(s -> after.put(s.variable(), s.value().of().applyAsInt(after)));
           expected.add(after);
         });
     assertThat(steps(text(branches))).isEqualTo(expected);

@@ -125,6 +125,14 @@ class ProgramsTest {
   }
 
   @Test
+  void whatThePrimitiveAsksIsTold() throws IOException, SourceErrors {
+    assertThat(search(crossing(), 1).finding().orElseThrow().message())
+        .isEqualTo(
+            "false for self = bot0: mux.do_mutex(bot0, {}) is not enabled:"
+                + " 'RS != {}' is false");
+  }
+
+  @Test
   @Tag("long")
   void crossingOfTheManualIsProvedForAnyNumberOfCars() throws IOException, SourceErrors {
     Automaton crossing = read(safe() + block("// Only at these locations"));
@@ -234,6 +242,7 @@ class ProgramsTest {
               fun isOn: bool = self in on java "isOn()"
               do fade
             program Signal
+            given name: Text
             uses lamp: Lamp
             location dark
               when not lamp.isOn do lamp.light(); goto dark
@@ -242,5 +251,6 @@ class ProgramsTest {
         .extracting(action -> action.name())
         .containsExactly("dark_to_dark", "lamp_fade");
     assertThat(made.typeParameters()).containsExactly("PIDS");
+    assertThat(made.valueParameters()).isEmpty();
   }
 }
