@@ -14,6 +14,7 @@ import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.eval.TooLarge;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
@@ -90,7 +91,8 @@ final class CheckCommand extends SourceCommand {
   private String most = "5000000";
 
   @Override
-  int run(List<Automaton> automata) {
+  int run(Source source) {
+    List<Automaton> automata = source.automata();
     int status = ExitStatus.GOOD;
     for (Automaton automaton : automata) {
       status = Math.max(status, check(automaton, automata));

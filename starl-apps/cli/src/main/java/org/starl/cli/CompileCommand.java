@@ -10,9 +10,12 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.lang.java.JavaSources;
+import org.starl.lang.picture.ProgramPicture;
 import org.starl.lang.pvs.PvsTheory;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Program;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -20,14 +23,15 @@ import picocli.CommandLine.Option;
 @Command(
     name = "compile",
     description = {
-      "Checks the automata of a .starl file, and makes Java and PVS of them.",
+      "Checks the automata and programs of a .starl file, and makes Java, PVS and pictures of them.",
       "Errors are printed one a line, as FILE:LINE:COLUMN: what was found; what was expected. Then no"
           + " file is written."
     },
     footer = {
       "",
       "Example: starl compile pvs/starl/Mutex_decls.starl --java starl-primitives/src/main/java",
-      "         starl compile pvs/starl/Mutex_decls.starl --pvs pvs"
+      "         starl compile pvs/starl/Mutex_decls.starl --pvs pvs",
+      "         starl compile Bridge.starl --java src/main/java --svg bridge.svg"
     })
 final class CompileCommand extends SourceCommand {
 
@@ -35,8 +39,8 @@ final class CompileCommand extends SourceCommand {
       names = "--java",
       paramLabel = "FOLDER",
       description =
-          "Write the executable form of each automaton below this folder of Java sources: the class"
-              + " that the source names, and its actions.")
+          "Write each program, and the executable form of each automaton and its actions, below this"
+              + " folder of Java sources: the classes that the source names.")
   private @Nullable String java;
 
   @Option(
@@ -45,18 +49,29 @@ final class CompileCommand extends SourceCommand {
       description = "Write the theory of each automaton, NAME.pvs, into this folder.")
   private @Nullable String pvs;
 
+  @Option(
+      names = "--svg",
+      paramLabel = "FILE.svg",
+      description = "Write a picture of the program: its locations and branches.")
+  private @Nullable String svg;
+
   @Override
-  int run(List<Automaton> automata) throws IOException {
+  int run(Source source) throws IOException {
+    List<Automaton> automata = source.automata();
+    Map<String, String> pictures = new TreeMap<>();
+    if (svg != null) {
+      pictures.put(svg, ProgramPicture.of(onlyProgram(source)));
+    }
     Map<String, String> classes = new TreeMap<>();
     Map<String, String> theories = new TreeMap<>();
     try {
+      if (java != null) {
+        classes.putAll(JavaSources.of(source, file()));
+      }
       for (Automaton automaton : automata) {
-        if (java != null) {
-          classes.putAll(JavaSources.of(automaton, file()));
-        }
         if (pvs != null) {
-          Path source = Path.of(pvs).toAbsolutePath().relativize(Path.of(file()).toAbsolutePath());
-          String shown = source.toString().replace(File.separatorChar, '/');
+          Path path = Path.of(pvs).toAbsolutePath().relativize(Path.of(file()).toAbsolutePath());
+          String shown = path.toString().replace(File.separatorChar, '/');
           theories.put(automaton.name() + ".pvs", PvsTheory.of(automaton, shown));
         }
       }
@@ -70,7 +85,16 @@ final class CompileCommand extends SourceCommand {
         each -> out().println(each.name() + ": " + each.actions().size() + " actions"));
     write("--java", java, classes);
     write("--pvs", pvs, theories);
+    write("--svg", "", pictures);
     return ExitStatus.GOOD;
+  }
+
+  private Program onlyProgram(Source source) {
+    if (source.programs().size() != 1) {
+      throw new BadInput(
+          "--svg: " + file() + " has " + source.programs().size() + " programs; expected one");
+    }
+    return source.programs().getFirst();
   }
 
   private void write(String option, @Nullable String folder, Map<String, String> files)

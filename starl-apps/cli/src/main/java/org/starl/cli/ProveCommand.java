@@ -11,6 +11,7 @@ import org.starl.lang.prove.NoSolver;
 import org.starl.lang.prove.Prover;
 import org.starl.lang.prove.Report;
 import org.starl.lang.prove.Unprovable;
+import org.starl.lang.read.Source;
 import org.starl.lang.tree.Automaton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -46,7 +47,8 @@ final class ProveCommand extends SourceCommand {
   private @Nullable String folder;
 
   @Override
-  int run(List<Automaton> automata) throws IOException {
+  int run(Source source) throws IOException {
+    List<Automaton> automata = source.automata();
     long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
     boolean isProved = true;
     for (Automaton automaton : automata) {

@@ -14,7 +14,7 @@ import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Program;
 import picocli.CommandLine.Parameters;
 
-/** A command on the automata of a source. */
+/** A command on the units of a source. */
 abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "FILE.starl", description = "The source.")
@@ -31,16 +31,15 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
   public final Integer call() throws IOException {
     Path path = Path.of(name);
     TextFile.read(path, "expected a source of automata (.starl)"); // tells what is no text
-    List<Automaton> automata;
+    Source source;
     try {
-      Source source = new SourceReader().source(path);
-      automata = source.automata();
-      programs = source.programs();
+      source = new SourceReader().source(path);
     } catch (SourceErrors e) {
       e.errors().forEach(err()::println);
       return ExitStatus.BAD_INPUT;
     }
-    return run(automata);
+    programs = source.programs();
+    return run(source);
   }
 
   /** Where the branches of a program are whose actions {@code lines} name. */
@@ -59,8 +58,8 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
   /**
    * Runs the command.
    *
-   * @param automata at least one
+   * @param source of at least one automaton
    * @return the exit status
    */
-  abstract int run(List<Automaton> automata) throws IOException;
+  abstract int run(Source source) throws IOException;
 }

@@ -4,18 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.lang.java.JavaSources;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 
-/** The automata in Java are those of their sources. */
+/** The automata and programs in Java are those of their sources. */
 class GeneratedJavaTest {
-
-  private static final String JAVA = "starl-primitives/src/main/java/";
 
   private final Repository repository = Repository.here();
 
@@ -28,15 +28,28 @@ class GeneratedJavaTest {
   @ParameterizedTest
   @MethodSource("sources")
   void generatedFilesAreThoseOfTheirSource(String file) throws IOException, SourceErrors {
-    for (Automaton automaton : new SourceReader().read(repository.file(file))) {
-      if (automaton.javaClass().isEmpty()) {
-        continue;
-      }
-      for (Map.Entry<String, String> each : JavaSources.of(automaton, file).entrySet()) {
-        assertThat(repository.text(JAVA + each.getKey()))
-            .as("%s: generate it again: starl compile %s --java %s", each.getKey(), file, JAVA)
-            .isEqualTo(each.getValue());
+    Source source = new SourceReader().source(repository.file(file));
+    Map<String, String> files = new TreeMap<>();
+    if (!source.programs().isEmpty()) {
+      files.putAll(JavaSources.of(source, file));
+    }
+    for (Automaton automaton : source.automata()) {
+      if (!automaton.javaClass().isEmpty()) {
+        files.putAll(JavaSources.of(automaton, file));
       }
     }
+    String folder = folder(file);
+    for (Map.Entry<String, String> each : files.entrySet()) {
+      assertThat(repository.text(folder + each.getKey()))
+          .as("%s: generate it again: starl compile %s --java %s", each.getKey(), file, folder)
+          .isEqualTo(each.getValue());
+    }
+  }
+
+  /** A program is beside the Java of its module; the automata in {@code pvs} are the primitives'. */
+  private static String folder(String file) {
+    return file.startsWith("pvs/")
+        ? "starl-primitives/src/main/java/"
+        : file.replaceFirst("/src/main/starl/.*", "/src/main/java/");
   }
 }

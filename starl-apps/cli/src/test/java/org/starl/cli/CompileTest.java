@@ -87,6 +87,29 @@ class CompileTest {
   }
 
   @Test
+  void aProgramIsDrawnAndWrittenInJava() throws IOException {
+    Files.writeString(
+        source,
+        "program Wait java \"a.Wait\" uses moat: Motion location S0 when moat.done do goto done location done");
+    Path picture = folder.resolve("wait.svg");
+    Cli cli = Cli.run("compile", source.toString(), "--svg", picture.toString(), "--java", folder.toString());
+    assertThat(cli.err()).isEmpty();
+    assertThat(cli.out())
+        .endsWith(folder.resolve("a/Wait.java").toString(), picture.toString());
+    assertThat(Files.readString(picture)).startsWith("<svg ").contains(">moat.done</text>");
+    assertThat(Files.readString(folder.resolve("a/Wait.java"))).contains("class Wait extends LogicThread");
+  }
+
+  @Test
+  void automataAreNotDrawn() {
+    Cli cli = Cli.run("compile", source.toString(), "--svg", folder.resolve("lamp.svg").toString());
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err())
+        .containsExactly("starl: --svg: " + source + " has 0 programs; expected one");
+    assertThat(folder.resolve("lamp.svg")).doesNotExist();
+  }
+
+  @Test
   void aFileThatIsNotThereIsBadInput() {
     Cli cli = Cli.run("compile", folder.resolve("none.starl").toString());
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);

@@ -51,7 +51,7 @@ final class AutomatonWriter {
     String constant = names.constant();
     out.line(2, "public static final String " + constant + " = \"" + automaton.name() + "\";");
     parameters();
-    automaton.types().forEach(this::type);
+    new TypesWriter(automaton, types, out).write();
     states();
     out.blank().line(2, "@Override").line(2, "public String theory() {");
     out.line(4, "return " + constant + ";").line(2, "}");
@@ -122,61 +122,6 @@ final class AutomatonWriter {
       arguments.add(types.boxed(map.result(), pos));
     }
     return types.use("java.util.function." + name) + "<" + String.join(", ", arguments) + ">";
-  }
-
-  private List<String> fields(List<Field> fields) {
-    return fields.stream()
-        .map(f -> types.of(f.type(), automaton.pos()) + " " + JavaTypes.name(f.name()))
-        .toList();
-  }
-
-  private void type(Automaton.Declared declared) {
-    if (types.isGiven(declared.type())) {
-      return;
-    }
-    switch (declared.type()) {
-      case Type.Rec rec -> {
-        out.blank().doc(2, declared.comment(), List.of());
-        out.head(2, "public record " + rec.name(), fields(rec.fields()), List.of(" {}"));
-      }
-      case Type.Sum sum when sum.isEnum() -> {
-        out.blank().doc(2, declared.comment(), List.of());
-        out.line(2, "public enum " + sum.name() + " {");
-        for (int i = 0; i < sum.constructors().size(); i++) {
-          boolean isLast = i == sum.constructors().size() - 1;
-          out.line(4, JavaTypes.name(sum.constructors().get(i).name()) + (isLast ? "" : ","));
-        }
-        out.line(2, "}");
-      }
-      case Type.Sum sum -> {
-        out.blank().doc(2, declared.comment(), List.of());
-        sum(sum);
-      }
-      default -> {
-        // Another name of a type is no type of Java.
-      }
-    }
-  }
-
-  private void sum(Type.Sum sum) {
-    String term = types.use("org.starl.spec.automaton.Term");
-    out.line(2, "public sealed interface " + sum.name() + " extends " + term + " {");
-    Map<String, List<Field>> constructors = new LinkedHashMap<>();
-    for (Type.Constructor each : sum.constructors()) {
-      String name = JavaTypes.name(each.name());
-      constructors.put(name, each.fields());
-      out.blank();
-      if (JavaTypes.isContextual(name)) {
-        out.line(4, "// The theory's name; in module declarations it is a keyword.");
-        out.line(4, "@SuppressWarnings(\"NamedLikeContextualKeyword\")");
-      }
-      out.head(
-          4, "record " + name, fields(each.fields()), List.of("implements " + sum.name(), " {"));
-      out.line(6, "@Override").line(6, "public String toString() {");
-      out.line(8, "return text();").line(6, "}").line(4, "}");
-    }
-    ActionWriter.args(4, constructors, types, out);
-    out.line(2, "}");
   }
 
   private void states() {

@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
@@ -23,6 +25,7 @@ final class ExpressionWriter {
   private final Inlining inlining;
   // "s", or empty in a method of the state itself
   private final String state;
+  private final Function<Expr, @Nullable Code> own;
   private final Map<String, Code> variables = new LinkedHashMap<>();
   // Variables that have none of the values that the condition distinguishes.
   private final Set<String> elsewhere = new TreeSet<>();
@@ -32,9 +35,24 @@ final class ExpressionWriter {
    * @param state the variable that has the state; empty in a method of the state
    */
   ExpressionWriter(Automaton automaton, JavaTypes types, String state) {
+    this(automaton, types, state, at -> null);
+  }
+
+  /**
+   * Of a program.
+   *
+   * @param own the Java of what only programs have; null for all else
+   */
+  ExpressionWriter(Automaton around, JavaTypes types, Function<Expr, @Nullable Code> own) {
+    this(around, types, "", own);
+  }
+
+  private ExpressionWriter(
+      Automaton automaton, JavaTypes types, String state, Function<Expr, @Nullable Code> own) {
     this.automaton = automaton;
     this.types = types;
     this.state = state;
+    this.own = own;
     inlining = new Inlining(automaton);
     finite = new Finite(this);
   }
@@ -96,6 +114,11 @@ final class ExpressionWriter {
   }
 
   Code of(Expr at) {
+    Code known = own.apply(at);
+    return known != null ? known : usual(at);
+  }
+
+  private Code usual(Expr at) {
     return switch (at) {
       case Expr.Bool e -> e.value() ? Code.Text.TRUE : Code.Text.FALSE;
       case Expr.Numeral e -> Code.name(e.value().toPlainString() + (isNatural(e) ? "L" : ""));
@@ -340,8 +363,9 @@ final class ExpressionWriter {
   }
 
   /** Whether its Java value may be an object, so that {@code ==} may compare two references. */
-  private static boolean isBoxed(Expr at) {
-    return !(at instanceof Expr.Numeral
+  private boolean isBoxed(Expr at) {
+    return own.apply(at) != null
+        || !(at instanceof Expr.Numeral
         || at instanceof Expr.Binary
         || at instanceof Expr.Component
         || at instanceof Expr.Call

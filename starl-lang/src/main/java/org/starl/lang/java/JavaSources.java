@@ -1,22 +1,48 @@
 package org.starl.lang.java;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceError;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Program;
 
-/** The executable form of automata, as files of Java. */
+/** The executable form of automata, and programs, as files of Java. */
 public final class JavaSources {
 
   private JavaSources() {}
 
   /**
+   * The files of all programs, and of all automata; beside a program, of those that name a class.
+   *
+   * @param file the name of the source, for the first line of each file and for errors: {@code
+   *     pvs/starl/Mutex_decls.starl}
+   * @return texts, by paths that are relative to the folder of Java sources
+   * @throws SourceErrors if a part of a unit has no executable form
+   */
+  public static Map<String, String> of(Source source, String file) throws SourceErrors {
+    List<String> programs = source.programs().stream().map(Program::name).toList();
+    List<Automaton> automata = new ArrayList<>(source.automata());
+    // A program stands for its automaton; an automaton beside it may be for proofs alone.
+    automata.removeIf(each ->
+        programs.contains(each.name()) || (!programs.isEmpty() && each.javaClass().isEmpty()));
+    Map<String, String> files = new TreeMap<>();
+    for (Program program : source.programs()) {
+      files.putAll(of(program, file));
+    }
+    for (Automaton automaton : automata) {
+      files.putAll(of(automaton, file));
+    }
+    return files;
+  }
+
+  /**
    * The files of an automaton.
    *
-   * @param source the name of its source, for the first line of each file and for errors: {@code
-   *     pvs/starl/Mutex_decls.starl}
+   * @param source the name of its source, as above
    * @return texts, by paths that are relative to the folder of Java sources
    * @throws SourceErrors if a part of the automaton has no executable form
    */
@@ -40,6 +66,28 @@ public final class JavaSources {
           new ActionWriter(automaton, actions, names).body(),
           source,
           files);
+      return files;
+    } catch (NotExecutable e) {
+      throw new SourceErrors(
+          List.of(new SourceError(source, e.pos(), String.valueOf(e.getMessage()))));
+    }
+  }
+
+  /**
+   * The file of a program.
+   *
+   * @param source the name of its source, as above
+   * @return its text, by its path relative to the folder of Java sources
+   * @throws SourceErrors if a part of the program has no Java form
+   */
+  public static Map<String, String> of(Program program, String source) throws SourceErrors {
+    try {
+      Names names = Names.of(program);
+      String file = source.substring(source.lastIndexOf('/') + 1);
+      ProgramWriter writer = new ProgramWriter(program, file, names);
+      String body = writer.body();
+      Map<String, String> files = new TreeMap<>();
+      add(names.automaton(), names, writer.types(), body, source, files);
       return files;
     } catch (NotExecutable e) {
       throw new SourceErrors(

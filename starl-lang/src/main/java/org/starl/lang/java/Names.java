@@ -2,25 +2,39 @@ package org.starl.lang.java;
 
 import java.util.Locale;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Program;
 
 /**
  * Names of the generated classes.
  *
  * @param packageName theirs
- * @param automaton {@code MutexAutomaton}
+ * @param automaton {@code MutexAutomaton}; of a program its class
  * @param action {@code MutexAction}
  * @param constant {@code MUTEX_DECLS}
  */
 record Names(String packageName, String automaton, String action, String constant) {
 
   private static final String SUFFIX = "Automaton";
+  private static final String CLASS = "[a-z]\\w*(\\.[a-z]\\w*)*\\.[A-Z]\\w*";
+
+  static Names of(Program program) {
+    String full = program.javaClass();
+    int dot = full.lastIndexOf('.');
+    if (!full.matches(CLASS)) {
+      throw new NotExecutable(
+          program.pos(),
+          (full.isEmpty()
+                  ? "program '" + program.name() + "' names no Java class"
+                  : "'" + full + "' is no Java class")
+              + "; expected a line: java \"a.package.Name\"");
+    }
+    return new Names(full.substring(0, dot), full.substring(dot + 1), "", "");
+  }
 
   static Names of(Automaton automaton) {
     String full = automaton.javaClass();
     int dot = full.lastIndexOf('.');
-    if (dot < 0
-        || !full.endsWith(SUFFIX)
-        || !full.matches("[a-z]\\w*(\\.[a-z]\\w*)*\\.[A-Z]\\w*")) {
+    if (!full.endsWith(SUFFIX) || !full.matches(CLASS)) {
       throw new NotExecutable(
           automaton.pos(),
           (full.isEmpty()

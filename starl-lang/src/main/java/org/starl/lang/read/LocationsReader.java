@@ -214,7 +214,7 @@ final class LocationsReader {
             at.name, "'" + name + "' is no variable; expected " + oneOf(name, known));
       }
       problems.refer(at.name, name + ": " + type, scope.place(name, at.name));
-      return new Statement.Assign(name, read(at.expression(), type), pos(at));
+      return new Statement.Assign(name, read(at.expression(), type), SourceText.of(at), pos(at));
     }
 
     private Statement call(StarlParser.CallContext at) {

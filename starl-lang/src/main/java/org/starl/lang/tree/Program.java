@@ -103,8 +103,12 @@ public record Program(
   /** A statement of a branch. */
   public sealed interface Statement {
 
-    /** {@code plist := reg.rList}. */
-    record Assign(String variable, Expr value, Pos pos) implements Statement {}
+    /**
+     * {@code plist := reg.rList}.
+     *
+     * @param text as in the source, on one line
+     */
+    record Assign(String variable, Expr value, String text, Pos pos) implements Statement {}
 
     /**
      * {@code mux.release({z})}.

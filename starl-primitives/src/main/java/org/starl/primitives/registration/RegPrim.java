@@ -25,6 +25,12 @@ public interface RegPrim extends StarLPrimitive {
    */
   @Nullable Participants getList();
 
+  /** The agreed list; empty where {@link #getList} is null. */
+  default Participants listOrEmpty() {
+    Participants list = getList();
+    return list == null ? Participants.of() : list;
+  }
+
   /**
    * The agreed list with its time stamp. Also null while a newer one is expected, for a bounded time. The mutex does not
    * depend on this: it reads the views themselves.
