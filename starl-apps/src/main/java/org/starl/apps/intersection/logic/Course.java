@@ -52,15 +52,16 @@ final class Course {
     onChange.accept(zones());
   }
 
-  /** Whether {@code zone} is behind, and the whole body has left it for certain. */
-  boolean hasLeft(String zone) {
-    return behind.contains(zone) && Crossing.isClearOf(gvh, zone);
+  /** The zones behind that the whole body has left for certain. */
+  List<String> left() {
+    List<String> left = new ArrayList<>(behind);
+    left.removeIf(zone -> !Crossing.isClearOf(gvh, zone));
+    return left;
   }
 
   /** Removes and returns the zones behind that the whole body has left for certain. */
   List<String> takeLeft() {
-    List<String> left = new ArrayList<>(behind);
-    left.removeIf(zone -> !Crossing.isClearOf(gvh, zone));
+    List<String> left = left();
     behind.removeAll(left);
     return left;
   }

@@ -1,6 +1,7 @@
 package org.starl.apps.intersection.logic;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -30,6 +31,8 @@ final class Driver {
     LOST,
     /** On its arm, or at the zones. */
     WAITING,
+    /** Holds its zones, but perhaps not yet the place that it is in. */
+    HOLDING,
     DRIVING,
     AT_EXIT
   }
@@ -41,7 +44,6 @@ final class Driver {
   private final Rng rng;
   private final Timer timer;
   private State state;
-  private boolean isTold = true;
   private boolean hasBumped;
   private long retryAtNs = Timer.NEVER;
 
@@ -84,43 +86,32 @@ final class Driver {
     return course.zones();
   }
 
-  /** The zones ahead in which the body may be. */
-  SortedSet<String> occupied() {
-    return new TreeSet<>(course.occupied());
-  }
-
-  /** Writes the trip that is left after a restart to the trace. */
-  void begin() {
-    if (!isTold) {
-      isTold = true;
-      course.tell();
+  /**
+   * Drives through the zones ahead, and past the last one, as soon as it holds the place in which it
+   * stands, too.
+   *
+   * @param zones which it may enter until it has left them
+   * @throws IllegalArgumentException if not all zones ahead are among them
+   */
+  void drive(Collection<String> zones) {
+    if (!zones.containsAll(course.zones())) {
+      throw new IllegalArgumentException(
+          "drive through " + zones + ": expected " + course.zones() + " among them");
     }
+    if (gvh.id.boot() > 1) {
+      mux.standsIn(List.of()); // the claim of the earlier process is no longer needed
+    }
+    state = State.HOLDING;
   }
 
-  /** Whether it holds the place in which it stands. */
-  boolean mayGo() {
-    return !lane.isWaiting();
+  /** The zones that it has driven through, and has left with its whole body for certain. */
+  SortedSet<String> left() {
+    return new TreeSet<>(course.left());
   }
 
-  /** Drives through the zones ahead, and past the last one. */
-  void drive() {
-    state = State.DRIVING;
-    gvh.plat.moat.doMove(course.currentDestination());
-  }
-
-  /** Whether it has driven through {@code zone}, and its whole body has left it for certain. */
-  boolean hasLeft(String zone) {
-    return course.hasLeft(zone);
-  }
-
-  /** Whether it stands past all zones, and has released its places. */
+  /** Whether it stands past all zones, and has nothing to do with its arm any more. */
   boolean isAtExit() {
-    return state == State.AT_EXIT && !lane.holds();
-  }
-
-  /** Whether it has left the registrations of its arm. */
-  boolean isOver() {
-    return lane.isOver();
+    return state == State.AT_EXIT && lane.isOver();
   }
 
   private void step() {
@@ -128,14 +119,21 @@ final class Driver {
     switch (state) {
       case LOST -> {
         if (gvh.gps.hasFix()) {
+          mux.standsIn(course.occupied());
           lane.resume(course.resume());
-          isTold = false;
+          course.tell();
           state = State.WAITING;
         }
       }
       case WAITING -> {
         if (gvh.gps.hasFix() && !lane.isAtTheHead()) {
           lane.drive(this::hasArrived);
+        }
+      }
+      case HOLDING -> {
+        if (!lane.isWaiting()) {
+          state = State.DRIVING;
+          gvh.plat.moat.doMove(course.currentDestination());
         }
       }
       case DRIVING -> {
@@ -146,7 +144,7 @@ final class Driver {
       }
       case AT_EXIT -> lane.releaseLeft();
     }
-    if (!isAtExit() || !isOver()) {
+    if (!isAtExit()) {
       timer.set(gvh.plat.clock.nowNs() + PERIOD_NS);
     }
   }

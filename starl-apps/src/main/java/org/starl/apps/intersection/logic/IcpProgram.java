@@ -1,34 +1,44 @@
+// Generated from IcpProgram.starl by 'starl compile': change that file instead.
 package org.starl.apps.intersection.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.gvh.GvhCell;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.Registration;
 import org.starl.spec.automaton.Sets;
 
 /** One car at the automatic intersection: Figure 3 of the StarL paper, repaired. */
 public final class IcpProgram extends LogicThread {
 
-  /** The locations. */
+  /** The locations, with their lines in IcpProgram.starl. */
   public enum Location {
-    S0,
-    REG_WAIT,
-    MUTEX_WAIT,
-    MOVE_WAIT,
-    S1,
-    UNREG_WAIT,
-    DONE
+    S0(65),
+    REG_WAIT(69),
+    MUTEX_WAIT(75),
+    MOVE_WAIT(79),
+    S1(84),
+    UNREG_WAIT(87),
+    DONE(91);
+
+    private final int line;
+
+    Location(int line) {
+      this.line = line;
+    }
   }
 
   private final Trip trip;
   private final Registration reg;
-  private final M_Mutex mux;
+  private final MutexPrim mux;
   private final Driver car;
   private final GvhCell<Location> location;
   private final GvhCell<Participants> plist;
+  // the zones that the car has not left
   private final GvhCell<List<String>> myseq;
 
   public IcpProgram(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
@@ -40,18 +50,19 @@ public final class IcpProgram extends LogicThread {
     location = gvh.variable("app", "location", Location.S0);
     plist = gvh.variable("app", "plist", Participants.of());
     myseq = gvh.variable("app", "myseq", Driver.way(trip));
+    gvh.explain(() -> isOver() ? null : new Wait("app", where(), List.of()));
   }
 
   @Override
   public List<Object> callStarL() {
-    while (location.get() != Location.DONE) {
+    while (!isOver()) {
       switch (location.get()) {
         case S0 -> {
           if (Driver.way(trip).isEmpty()) {
+            // IcpProgram.starl:66
             location.set(Location.DONE);
           } else if (car.isReady()) {
-            car.begin();
-            mux.standsIn(car.occupied());
+            // IcpProgram.starl:67
             myseq.set(car.ahead());
             reg.do_register();
             location.set(Location.REG_WAIT);
@@ -59,50 +70,75 @@ public final class IcpProgram extends LogicThread {
         }
         case REG_WAIT -> {
           if (reg.getList() != null && myseq.get().isEmpty()) {
-            car.drive();
+            // IcpProgram.starl:70
+            car.drive(Sets.emptyset());
             location.set(Location.S1);
           } else if (reg.getList() != null) {
-            plist.set(reg.getList());
+            // IcpProgram.starl:71
+            plist.set(reg.listOrEmpty());
             mux.do_mutex(Sets.of(myseq.get()), plist.get());
             location.set(Location.MUTEX_WAIT);
           } else if (reg.failed().get()) {
-            location.set(Location.S0);
+            // IcpProgram.starl:73
+            restart();
           }
         }
         case MUTEX_WAIT -> {
-          if (mux.crit().get() && car.mayGo()) {
-            mux.standsIn(Sets.emptyset());
-            car.drive();
+          if (mux.od_mutex()) {
+            // IcpProgram.starl:76
+            car.drive(Sets.of(myseq.get()));
             location.set(Location.MOVE_WAIT);
           } else if (mux.failed().get()) {
+            // IcpProgram.starl:77
             location.set(Location.REG_WAIT);
           }
         }
         case MOVE_WAIT -> {
           if (myseq.get().isEmpty()) {
+            // IcpProgram.starl:80
             location.set(Location.S1);
-          } else if (car.hasLeft(myseq.get().get(0))) {
+          } else if (car.left().contains(myseq.get().get(0))) {
+            // IcpProgram.starl:81
             mux.release(Sets.singleton(myseq.get().get(0)));
             myseq.set(myseq.get().subList(1, myseq.get().size()));
           }
         }
         case S1 -> {
           if (car.isAtExit()) {
+            // IcpProgram.starl:85
             reg.unregister();
             location.set(Location.UNREG_WAIT);
           }
         }
         case UNREG_WAIT -> {
-          if (reg.isUnregistered() && car.isOver()) {
+          if (reg.isUnregistered()) {
+            // IcpProgram.starl:88
             location.set(Location.DONE);
           } else if (reg.failed().get()) {
-            reg.unregister();
+            // IcpProgram.starl:89
+            location.set(Location.S1);
           }
         }
-        case DONE -> {}
+        case DONE -> throw new IllegalStateException("the program has ended");
       }
       sleep(100);
     }
     return List.of();
+  }
+
+  private boolean isOver() {
+    return location.get() == Location.DONE;
+  }
+
+  /** Where it is, for people who ask why a run does not end. */
+  private String where() {
+    return location.get() + ", IcpProgram.starl:" + location.get().line;
+  }
+
+  /** Begins anew. */
+  private void restart() {
+    plist.set(Participants.of());
+    myseq.set(Driver.way(trip));
+    location.set(Location.S0);
   }
 }
