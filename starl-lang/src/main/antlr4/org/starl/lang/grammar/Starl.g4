@@ -15,6 +15,7 @@ parameter
 
 part
     : TYPE name=id '=' typeBody                                     # typePart
+    | ASSUME name=id ':' expression                                  # assumePart
     | STATE component+                                              # statePart
     | USES name=id ':' of=id ('[' argument (',' argument)* ']')?    # usesPart
     | FUN name=id binders? ':' type '=' expression measure?         # funPart
@@ -41,8 +42,10 @@ eff: EFF effect (',' effect)*;
 
 effect
     : place ':=' expression                                         # assignment
-    | used=id '.' action=id '(' (expression (',' expression)*)? ')'    # usedAction
+    | (IF condition=expression THEN)? used=id '.' action=id '(' arguments? ')'    # usedAction
     ;
+
+arguments: expression (',' expression)*;
 
 place: name=id selector*;
 
@@ -140,11 +143,12 @@ namedArgument: name=id ':=' expression;
 
 // Words that are names where they cannot be anything else.
 id
-    : ID | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
+    : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
     | GIVEN | EVERY | RESTART
     ;
 
 AUTOMATON: 'automaton';
+ASSUME: 'assume';
 PROGRAM: 'program';
 PRIMITIVE: 'primitive';
 GIVEN: 'given';

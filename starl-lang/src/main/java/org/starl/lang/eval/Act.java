@@ -160,7 +160,11 @@ final class Act {
     Act act = new Act(step.action(), compiler.used(step.used()));
     int component = compiler.component(step.used());
     Code[] arguments = compiler.codes(step.arguments(), scope);
+    Code condition = step.condition().map(each -> compiler.code(each, scope)).orElse(frame -> true);
     return (frame, prefix, changes) -> {
+      if (!condition.test(frame)) {
+        return;
+      }
       Row given = Compiler.row(arguments, frame);
       Frame inside = Compiler.inside(frame, component, act.locals(List.of(given.items())));
       int isFalse = act.firstFalse(inside);

@@ -510,6 +510,11 @@ final class Compiler {
           return bits;
         };
       }
+      case DISTINCT ->
+          frame -> {
+            List<Object> all = List.of(((Row) of.of(frame)).items());
+            return all.stream().distinct().count() == all.size();
+          };
     };
   }
 

@@ -12,7 +12,7 @@ import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Code.Frame;
-import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Type.Field;
 
@@ -48,7 +48,11 @@ public final class Starts {
     Compiler compiler =
         new Compiler(machine.automaton(), machine.domains(), machine.parameters(), true);
     Frame frame = new Frame(root, root, machine.parameters().size(), new Object[0], 0);
-    expand(machine.automaton(), compiler, frame);
+    expand(
+        machine.automaton().assumptions().stream().map(Invariant::condition).toList(),
+        compiler,
+        frame);
+    expand(machine.automaton().start(), compiler, frame);
     solve(0);
   }
 
@@ -82,16 +86,10 @@ public final class Starts {
     return hole;
   }
 
-  private void expand(Automaton automaton, Compiler compiler, Frame frame) {
-    automaton
-        .start()
-        .forEach(start ->
-            expand(
-                start,
-                compiler,
-                frame,
-                new Compiler.Scope(),
-                Collections.singletonList(new Object[0])));
+  private void expand(List<Expr> conditions, Compiler compiler, Frame frame) {
+    conditions.forEach(each ->
+        expand(
+            each, compiler, frame, new Compiler.Scope(), Collections.singletonList(new Object[0])));
   }
 
   /** Adds the conjuncts of {@code expr} for each of the values of bound variables. */
@@ -109,7 +107,7 @@ public final class Starts {
       scope.pop(all.variables());
     } else if (expr instanceof Expr.Started started) {
       Frame inside = Compiler.inside(frame, compiler.component(started.used()), new Object[0]);
-      expand(started.automaton(), compiler.used(started.used()), inside);
+      expand(started.automaton().start(), compiler.used(started.used()), inside);
     } else {
       add(expr, compiler, frame, scope, bindings);
     }

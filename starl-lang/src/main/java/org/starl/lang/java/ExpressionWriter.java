@@ -275,6 +275,11 @@ final class ExpressionWriter {
       case HEAD -> of.then("get", Code.name("0"));
       case TAIL -> of.then("subList", Code.name("1"), of.then("size"));
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
+      case DISTINCT ->
+          Code.infix(
+              "==",
+              Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of).then("size"),
+              of.then("size"));
     };
   }
 

@@ -42,6 +42,12 @@ final class Machine {
     }
     script.comment("s: a state");
     before = new Scope(automaton, "s.", cells(automaton, "s."), Map.of());
+    automaton
+        .assumptions()
+        .forEach(each -> {
+          script.comment(each.name() + " is assumed");
+          require(each.condition(), before);
+        });
   }
 
   Translator translator() {
@@ -116,10 +122,33 @@ final class Machine {
                     step.action().parameters(),
                     translator.arguments(step.action().parameters(), step.arguments(), scope));
         Map<String, Val> cells = ((Cells) Objects.requireNonNull(next.get(step.used()))).cells();
-        next.put(step.used(), new Cells(after(step.action(), used, cells)));
+        Map<String, Val> then = after(step.action(), used, cells);
+        next.put(
+            step.used(),
+            new Cells(
+                step.condition().isEmpty()
+                    ? then
+                    : either(translator.bool(step.condition().get(), scope), then, cells)));
       }
     }
     return next;
+  }
+
+  /** The components {@code then} if the condition holds, and {@code otherwise} if not. */
+  private Map<String, Val> either(
+      String condition, Map<String, Val> then, Map<String, Val> otherwise) {
+    Map<String, Val> all = new LinkedHashMap<>();
+    then.forEach((name, value) -> {
+      Val other = Objects.requireNonNull(otherwise.get(name));
+      all.put(
+          name,
+          value.equals(other)
+              ? value
+              : value instanceof Cells inner
+                  ? new Cells(either(condition, inner.cells(), ((Cells) other).cells()))
+                  : translator.ite(condition, value, other));
+    });
+    return all;
   }
 
   private Val changed(Val old, Type type, List<Selector> selectors, Expr value, Scope scope) {

@@ -510,17 +510,33 @@ final class Translator {
         yield new Fn(
             Sorts.map(builtIn.type()), x -> new Term(Smt.call(name, of, x.getFirst())), null);
       }
+      case DISTINCT ->
+          new Term(Smt.call(distinct(((Type.ListOf) builtIn.of().type().base()).element()), of));
     };
   }
 
-  /** The function whether a list has an element. */
+  /** The function whether a list has an element. Z3 unfolds calls below {@code ite} as needed, others always. */
   private String elements(Type element) {
     String sort = sorts.sort(element);
     String name = "has." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
     if (names.putIfAbsent(name, name) == null) {
       script.line(
           "(define-fun-rec %s ((l (list %s)) (x %s)) Bool".formatted(name, sort, sort)
-              + " (and ((_ is cons) l) (or (= x (head l)) (%s (tail l) x))))".formatted(name));
+              + " (ite ((_ is cons) l) (ite (= x (head l)) true (%s (tail l) x)) false))"
+                  .formatted(name));
+    }
+    return name;
+  }
+
+  /** The function whether no element of a list is in it twice. */
+  private String distinct(Type element) {
+    String has = elements(element);
+    String name = "distinct" + has.substring("has".length());
+    if (names.putIfAbsent(name, name) == null) {
+      script.line(
+          "(define-fun-rec %s ((l (list %s))) Bool".formatted(name, sorts.sort(element))
+              + " (ite ((_ is cons) l) (ite (%s (tail l) (head l)) false (%s (tail l))) true))"
+                  .formatted(has, name));
     }
     return name;
   }

@@ -93,15 +93,25 @@ final class PvsExpr {
         place.addAll(List.of(" := ", of(assign.value())));
         yield group(2, place.toArray());
       }
-      case Effect.Step step ->
-          group(
-              2,
-              "`" + step.used() + " := ",
-              step.automaton().name() + ".trans(",
-              call(step.action().name(), step.arguments()),
-              ",",
-              SOFT,
-              "s`" + step.used() + ")");
+      case Effect.Step step -> {
+        Doc after =
+            group(
+                2,
+                step.automaton().name() + ".trans(",
+                call(step.action().name(), step.arguments()),
+                ",",
+                SOFT,
+                "s`" + step.used() + ")");
+        String place = "`" + step.used() + " := ";
+        yield step.condition().isEmpty()
+            ? group(2, place, after)
+            : group(
+                4,
+                place,
+                group(2, "IF ", of(step.condition().get()), " THEN", LINE, after),
+                LINE,
+                "ELSE s`" + step.used() + " ENDIF");
+      }
     };
   }
 
@@ -289,6 +299,7 @@ final class PvsExpr {
       case HEAD -> "car";
       case TAIL -> "cdr";
       case ELEMENTS -> "list2set";
+      case DISTINCT -> "distinct?";
     };
   }
 

@@ -9,6 +9,7 @@ import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Type.Field;
 
@@ -20,6 +21,18 @@ final class PvsNames {
 
   private final Map<String, String> declared = new LinkedHashMap<>();
   private final TreeSet<String> ambiguous = new TreeSet<>();
+
+  private boolean usesDistinct;
+
+  /** Of assumptions, which stand before the declarations. */
+  static PvsNames none(List<Invariant> assumptions) {
+    PvsNames names = new PvsNames();
+    assumptions.forEach(each -> names.collect(each.condition()));
+    names.declared.clear();
+    return names;
+  }
+
+  private PvsNames() {}
 
   PvsNames(Automaton automaton) {
     declared.put("s", "states");
@@ -37,6 +50,11 @@ final class PvsNames {
     }
     automaton.invariants().forEach(invariant -> collect(invariant.condition()));
     ambiguous.forEach(declared::remove);
+  }
+
+  /** Whether the library's {@code distinct?} is needed. */
+  boolean usesDistinct() {
+    return usesDistinct;
   }
 
   /** A line of each type: {@code i, j: VAR PIDS}. */
@@ -89,12 +107,16 @@ final class PvsNames {
         }
         collect(assign.value());
       }
-      case Effect.Step step -> step.arguments().forEach(this::collect);
+      case Effect.Step step -> {
+        step.condition().ifPresent(this::collect);
+        step.arguments().forEach(this::collect);
+      }
     }
   }
 
   private void collect(Expr expr) {
     switch (expr) {
+      case Expr.BuiltIn of -> usesDistinct |= of.name() == Expr.BuiltIn.Name.DISTINCT;
       case Expr.Quantified of -> of.variables().forEach(this::add);
       case Expr.MapOf of -> of.variables().forEach(this::add);
       case Expr.SuchThat of -> add(of.variable());

@@ -24,6 +24,9 @@ import org.starl.lang.tree.Type.Field;
 /** The theory of an automaton, as text. */
 public final class PvsTheory {
 
+  /** Has {@code distinct?}. */
+  private static final String LISTS = "  IMPORTING zone_lists";
+
   private final Automaton automaton;
   private final PvsNames names;
   private final PvsExpr expressions;
@@ -82,10 +85,32 @@ public final class PvsTheory {
                 " ]: THEORY");
     text.append(head.text(0)).append("\nBEGIN\n");
     Set<String> used = new LinkedHashSet<>();
+    if (names.usesDistinct()) {
+      used.add(LISTS);
+    }
     automaton.uses().values().forEach(each -> used.add("  IMPORTING " + instance(each)));
+    if (!automaton.assumptions().isEmpty()) {
+      addAssumptions();
+    }
     if (!used.isEmpty()) {
       block(List.copyOf(used));
     }
+  }
+
+  /** Each use of the theory has to prove them. */
+  private void addAssumptions() {
+    PvsNames before = PvsNames.none(automaton.assumptions());
+    PvsExpr assumed = new PvsExpr(before);
+    List<String> lines = new ArrayList<>(List.of("  ASSUMING"));
+    if (before.usesDistinct()) {
+      lines.addAll(List.of("  " + LISTS, ""));
+    }
+    for (Invariant each : automaton.assumptions()) {
+      each.comment().forEach(line -> lines.add("    " + comment(line)));
+      lines.add(group(2, each.name() + ": ASSUMPTION", LINE, assumed.of(each.condition())).text(4));
+    }
+    lines.add("  ENDASSUMING");
+    block(lines);
   }
 
   private static String instance(Automaton used) {

@@ -26,6 +26,7 @@ final class AutomatonReader extends PartsReader {
 
   private final StarlParser.UnitContext unit;
   private final java.util.function.Function<String, Optional<Automaton>> others;
+  private final List<Invariant> assumptions = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
 
   /**
@@ -64,6 +65,15 @@ final class AutomatonReader extends PartsReader {
         return values.add(field);
       });
     }
+    each( // before there are other names: it may speak of parameters alone
+        StarlParser.AssumePartContext.class,
+        at ->
+            assumptions.add(
+                new Invariant(
+                    newName(at.name),
+                    expressions.bool(at.expression()),
+                    source.before(at),
+                    pos(at))));
     each(StarlParser.StatePartContext.class, at -> at.component().forEach(this::component));
     each(StarlParser.UsesPartContext.class, this::use);
     readJava();
@@ -93,6 +103,7 @@ final class AutomatonReader extends PartsReader {
         scope.automaton,
         List.copyOf(typeParameters),
         List.copyOf(values),
+        List.copyOf(assumptions),
         List.copyOf(declared),
         List.copyOf(state),
         java.util.Collections.unmodifiableMap(scope.uses),
@@ -136,8 +147,14 @@ final class AutomatonReader extends PartsReader {
     state.add(
         new Component(
             name, new Type.StateOf(instance), source.before(at), source.after(at.getStop())));
-    // Its types are known by their names, if these are free.
-    instance.types().forEach(each -> scope.types.putIfAbsent(each.type().toString(), each.type()));
+    assumptions.addAll(instance.assumptions());
+    knowTypes(instance);
+  }
+
+  /** The types of a used automaton are known by their names, if these are free. */
+  private void knowTypes(Automaton used) {
+    used.types().forEach(each -> scope.types.putIfAbsent(each.type().toString(), each.type()));
+    used.uses().values().forEach(this::knowTypes);
   }
 
   /** The used automaton, with this one's types for its parameters; these must have the same names. */
@@ -230,10 +247,15 @@ final class AutomatonReader extends PartsReader {
                           + "; expected one of "
                           + automaton.actions().stream().map(Action::name).toList()));
       return new Effect.Step(
+          Optional.ofNullable(step.condition).map(expressions::bool),
           used,
           automaton,
           action,
-          expressions.arguments(action.name(), action.parameters(), step.expression(), step),
+          expressions.arguments(
+              action.name(),
+              action.parameters(),
+              step.arguments() == null ? List.of() : step.arguments().expression(),
+              step),
           pos(step));
     }
     StarlParser.AssignmentContext assignment = (StarlParser.AssignmentContext) at;

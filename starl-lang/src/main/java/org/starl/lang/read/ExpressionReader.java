@@ -378,6 +378,7 @@ final class ExpressionReader {
     return switch (name) {
       case "head" -> new BuiltIn(BuiltIn.Name.HEAD, of, list.element(), pos);
       case "tail" -> new BuiltIn(BuiltIn.Name.TAIL, of, of.type(), pos);
+      case "distinct" -> new BuiltIn(BuiltIn.Name.DISTINCT, of, Type.Bool.BOOL, pos);
       default -> new BuiltIn(BuiltIn.Name.ELEMENTS, of, new Type.SetOf(list.element()), pos);
     };
   }

@@ -6,7 +6,7 @@ import java.util.List;
 final class Language {
 
   /** Functions of any type of option or list. */
-  static final List<String> WORDS = List.of("some", "the", "head", "tail", "elements");
+  static final List<String> WORDS = List.of("some", "the", "head", "tail", "elements", "distinct");
 
   private Language() {}
 }

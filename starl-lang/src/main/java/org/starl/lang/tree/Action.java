@@ -1,6 +1,7 @@
 package org.starl.lang.tree;
 
 import java.util.List;
+import java.util.Optional;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -34,8 +35,18 @@ public record Action(
     record Assign(String component, List<Selector> selectors, Expr value, Pos pos)
         implements Effect {}
 
-    /** {@code mux.release(i, RS)}: a step of the used automaton. */
-    record Step(String used, Automaton automaton, Action action, List<Expr> arguments, Pos pos)
+    /**
+     * {@code if c then mux.release(i, RS)}: a step of the used automaton.
+     *
+     * @param condition without it there is no step; empty if there always is one
+     */
+    record Step(
+        Optional<Expr> condition,
+        String used,
+        Automaton automaton,
+        Action action,
+        List<Expr> arguments,
+        Pos pos)
         implements Effect {}
   }
 

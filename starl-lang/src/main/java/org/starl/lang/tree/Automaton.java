@@ -10,6 +10,7 @@ import org.starl.lang.tree.Type.Field;
  *
  * @param typeParameters the opaque types
  * @param valueParameters values and functions that are given from outside
+ * @param assumptions what is known of the values of its parameters
  * @param types the types that it declares, in order, with their comments
  * @param state the components of its state, those of used automata included, in order
  * @param uses the automata that it is composed with, by component
@@ -22,6 +23,7 @@ public record Automaton(
     String name,
     List<String> typeParameters,
     List<Field> valueParameters,
+    List<Invariant> assumptions,
     List<Declared> types,
     List<Component> state,
     Map<String, Automaton> uses,
@@ -53,7 +55,7 @@ public record Automaton(
    */
   public record JavaType(String name, String start) {}
 
-  /** What is to hold in every state that can be reached. */
+  /** What is to hold in every state that can be reached, or of every parameter. */
   public record Invariant(String name, Expr condition, List<String> comment, Pos pos) {}
 
   /** The action of this name. */

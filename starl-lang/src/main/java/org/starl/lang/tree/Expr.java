@@ -137,7 +137,10 @@ public sealed interface Expr {
   /** {@code some(a)}. */
   record Some(Expr of, Type type, Pos pos) implements Expr {}
 
-  /** A function of the language: {@code the}, {@code head}, {@code tail}, {@code elements}. */
+  /**
+   * A function of the language: {@code the}, {@code head}, {@code tail}, {@code elements}, {@code
+   * distinct}.
+   */
   record BuiltIn(Name name, Expr of, Type type, Pos pos) implements Expr {
 
     /** Which one. */
@@ -149,7 +152,9 @@ public sealed interface Expr {
       /** A list that is not empty, without its first element. */
       TAIL,
       /** The set of a list's elements. */
-      ELEMENTS
+      ELEMENTS,
+      /** Whether no element of a list is in it twice. */
+      DISTINCT
     }
   }
 

@@ -188,6 +188,48 @@ class SearchTest {
   }
 
   @Test
+  void valuesThatBreakAnAssumptionAreNotTried() throws SourceErrors {
+    String ride =
+        """
+        automaton Ride[PIDS, Places, way: [PIDS -> list[Places]]]
+        assume Ways: forall i: PIDS :: way(i) != [] and distinct(way(i))
+        state left: [PIDS -> list[Places]]
+        start forall i: PIDS :: left(i) = way(i)
+        action go(i: PIDS)
+          pre left(i) != []
+          eff left(i) := tail(left(i))
+        invariant Once: forall i: PIDS :: distinct(left(i))
+        """;
+    Search.Result result = result(ride, 1, false);
+    assertThat(result.finding()).isEmpty();
+    assertThat(result.states()).isEqualTo(2 * 2 + 2 * 3); // [A], [B]; [A, B], [B, A]
+    assertThat(result(ride.replace("and distinct(way(i))", ""), 1, false).finding()).isPresent();
+  }
+
+  @Test
+  void stepOfAUsedAutomatonHappensOnlyIfItsConditionHolds() throws SourceErrors {
+    String room =
+        """
+        automaton Lamp[PIDS]
+        state on: set[PIDS]
+        start on = {}
+        action switch(i: PIDS)
+          pre on = {}
+          eff on := {i}
+        automaton Room[PIDS]
+        state dark: bool
+        uses lamp: Lamp[PIDS]
+        start lamp.start?, dark = true
+        action enter(i: PIDS)
+          eff if dark then lamp.switch(i), dark := false
+        """;
+    Search.Result result = result(room, 3, false);
+    assertThat(result.finding()).isEmpty();
+    assertThat(result.states()).isEqualTo(1 + 3);
+    assertThat(result(room.replace("if dark then ", ""), 3, false).finding()).isPresent();
+  }
+
+  @Test
   void valueThatIsGivenIsTheOnlyOne() throws SourceErrors {
     String source = CLOCK.replace("Clock[PIDS]", "Clock[PIDS, some_of: set[PIDS]]");
     Automaton automaton = new SourceReader().read("x", source).getFirst();

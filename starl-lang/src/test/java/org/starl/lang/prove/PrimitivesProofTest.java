@@ -121,6 +121,7 @@ class PrimitivesProofTest {
             of.name(),
             of.typeParameters(),
             of.valueParameters(),
+            of.assumptions(),
             of.types(),
             of.state(),
             of.uses(),

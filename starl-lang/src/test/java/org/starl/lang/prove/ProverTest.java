@@ -49,6 +49,49 @@ class ProverTest {
   }
 
   @Test
+  void assumptionsAreGiven() {
+    String steps =
+        """
+        automaton Steps[Names, most: nat, names: list[Names]]
+        assume Some: most > 0
+        assume Once: distinct(names) and names != [] and tail(names) != []
+        state n: nat
+        start n = 1
+        action up
+          pre n < most
+          eff n := n + 1
+        invariant Below: n <= most
+        invariant Two: head(names) != head(tail(names))
+        """;
+    assertThat(proved(steps).isProved()).isTrue();
+    assertThat(proved(steps.replace("assume Some: most > 0", "")).isProved()).isFalse();
+    assertThat(proved(steps.replace("distinct(names) and", "")).isProved()).isFalse();
+  }
+
+  @Test
+  void stepOfAUsedAutomatonChangesNothingIfItsConditionFails() {
+    String room =
+        """
+        automaton Lamp[PIDS]
+        state on: set[PIDS]
+        start on = {}
+        action switch(i: PIDS)
+          pre on = {}
+          eff on := on union {i}
+        automaton Room[PIDS]
+        state dark: bool
+        uses lamp: Lamp[PIDS]
+        start lamp.start?, dark = true
+        action enter(i: PIDS)
+          eff if dark then lamp.switch(i), dark := false
+        invariant Dark: dark => lamp.on = {}
+        invariant One: forall i, j: PIDS :: i in lamp.on and j in lamp.on => i = j
+        """;
+    assertThat(proved(room).isProved()).isTrue();
+    assertThat(proved(room.replace("if dark then ", "")).isProved()).isFalse();
+  }
+
+  @Test
   void whatZ3DecidesForFewRobotsAloneIsSaidSo() {
     String some =
         """
@@ -183,6 +226,6 @@ class ProverTest {
 
   private static org.starl.lang.tree.Automaton lock(String text) throws SourceErrors {
     List<org.starl.lang.tree.Automaton> all = new SourceReader().read("lock.starl", text);
-    return all.getFirst();
+    return all.getLast();
   }
 }

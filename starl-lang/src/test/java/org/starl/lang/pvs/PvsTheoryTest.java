@@ -167,6 +167,51 @@ class PvsTheoryTest {
   }
 
   @Test
+  void usesOfATheoryProveItsAssumptions() throws SourceErrors {
+    String theory =
+        theory(
+            """
+            automaton Ride[PIDS, Places, way: [PIDS -> list[Places]]]
+            // No place is passed twice.
+            assume Ways: forall i: PIDS :: distinct(way(i))
+            state left: [PIDS -> list[Places]]
+            start forall i: PIDS :: left(i) = way(i)
+            action wait
+            """);
+    assertThat(theory)
+        .contains(
+            """
+            BEGIN
+              ASSUMING
+                IMPORTING zone_lists
+
+                % No place is passed twice.
+                Ways: ASSUMPTION FORALL (i: PIDS): distinct?(way(i))
+              ENDASSUMING
+            """);
+  }
+
+  @Test
+  void stepOfAUsedAutomatonMayHaveACondition() throws SourceErrors {
+    String theory =
+        theory(
+            """
+            automaton Lamp[PIDS]
+            state on: set[PIDS]
+            start on = {}
+            action switch(i: PIDS)
+            automaton Room[PIDS]
+            state dark: bool
+            uses lamp: Lamp[PIDS]
+            start lamp.start?
+            action enter(i: PIDS)
+              eff if dark then lamp.switch(i), dark := false
+            """);
+    assertThat(theory)
+        .contains("`lamp := IF s`dark THEN Lamp.trans(switch(i), s`lamp) ELSE s`lamp ENDIF");
+  }
+
+  @Test
   void variableWithTheNameOfTheStateIsRefused() {
     assertThatThrownBy(() ->
             theory(

@@ -53,7 +53,7 @@ class SourceReaderTest {
       delimiter = '|',
       textBlock =
           """
-          shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 11 names
+          shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 12 names
           by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]
           by := some(i) | bi := some(i) | 12:7: 'bi' is no component of the state; expected one of [by, shows]
           shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, time, real, PIDS, Color; is it Color?
@@ -74,6 +74,12 @@ class SourceReaderTest {
     SourceErrors told =
         errors(LAMP.replace("by = none, shows", "b = none, show").replace("some(i)", "i"));
     assertThat(told.errors()).extracting(e -> e.pos().line()).containsExactly(7, 7, 12, 14);
+  }
+
+  @Test
+  void assumptionIsOfParametersAlone() {
+    SourceErrors told = errors(LAMP.replace("type Color", "assume Free: by = none\ntype Color"));
+    assertThat(told.getMessage()).startsWith("lamp.starl:3:14: 'by' is not known here;");
   }
 
   @Test
