@@ -109,7 +109,8 @@ public class ProgramsInJavaTest {
     var compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter told = new StringWriter();
     try (var manager = compiler.getStandardFileManager(null, null, null)) {
-      List<String> options = List.of("-d", folder.toString(), "-proc:none", "-Xlint:all", "-Werror");
+      List<String> options =
+          List.of("-d", folder.toString(), "-proc:none", "-Xlint:all", "-Werror");
       var units = manager.getJavaFileObjectsFromStrings(files);
       boolean isGood = compiler.getTask(told, manager, null, options, null, units).call();
       assertThat(isGood).as("%s%n%s", told, Files.readString(Path.of(files.getLast()))).isTrue();
@@ -131,8 +132,7 @@ public class ProgramsInJavaTest {
 
   private static LogicThread made(Constructor<?> program, GlobalVarHolder gvh) {
     try {
-      return (LogicThread)
-          program.newInstance(gvh, "dock", gvh.id.participants(), 2L);
+      return (LogicThread) program.newInstance(gvh, "dock", gvh.id.participants(), 2L);
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
     }
@@ -142,8 +142,7 @@ public class ProgramsInJavaTest {
     Constructor<?> program = compiled(text);
     Simulation.Builder simulation = Simulation.builder();
     for (RobotId id : List.of(new RobotId("bot0"), new RobotId("bot1"), new RobotId("bot2"))) {
-      simulation.robot(
-          new RobotSpec(id, Pose.of(start(id), 0), true, gvh -> made(program, gvh)));
+      simulation.robot(new RobotSpec(id, Pose.of(start(id), 0), true, gvh -> made(program, gvh)));
     }
     return simulation
         .monitor(() -> new MutexSpec().only("dock"))

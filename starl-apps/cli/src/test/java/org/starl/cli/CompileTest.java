@@ -92,12 +92,14 @@ class CompileTest {
         source,
         "program Wait java \"a.Wait\" uses moat: Motion location S0 when moat.done do goto done location done");
     Path picture = folder.resolve("wait.svg");
-    Cli cli = Cli.run("compile", source.toString(), "--svg", picture.toString(), "--java", folder.toString());
+    Cli cli =
+        Cli.run(
+            "compile", source.toString(), "--svg", picture.toString(), "--java", folder.toString());
     assertThat(cli.err()).isEmpty();
-    assertThat(cli.out())
-        .endsWith(folder.resolve("a/Wait.java").toString(), picture.toString());
+    assertThat(cli.out()).endsWith(folder.resolve("a/Wait.java").toString(), picture.toString());
     assertThat(Files.readString(picture)).startsWith("<svg ").contains(">moat.done</text>");
-    assertThat(Files.readString(folder.resolve("a/Wait.java"))).contains("class Wait extends LogicThread");
+    assertThat(Files.readString(folder.resolve("a/Wait.java")))
+        .contains("class Wait extends LogicThread");
   }
 
   @Test

@@ -126,7 +126,11 @@ class ContactTest {
     List<Point> corners = Rectangle.around(debris, 60, 60).outline().vertices();
     Obstacles floor = Floor.kerbs().plus(new Obstacle(corners, true, true, 20_000));
     SimResult result =
-        new IntersectionPlan(floor, settings, CarProgram.APP).closed(List.of(car)).simulation().build().run();
+        new IntersectionPlan(floor, settings, CarProgram.APP)
+            .closed(List.of(car))
+            .simulation()
+            .build()
+            .run();
     assertThat(result.spec().violations()).isEmpty();
     assertThat(result.unfinished()).isEmpty();
     assertThat(result.endNs()).as("held up").isGreaterThan(20 * Time.NS_PER_S);

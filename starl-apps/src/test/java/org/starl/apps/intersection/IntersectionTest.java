@@ -85,9 +85,7 @@ class IntersectionTest {
   @ParameterizedTest
   @CsvSource({"7, none", "8, moving", "9, moving", "10, moving"})
   void carsThatRunFigure3Cross(long seed, String chaos) {
-    run(
-        request(seed, 6, Map.of("car", "program")),
-        Map.of("messageLoss", "0.3", "chaos", chaos));
+    run(request(seed, 6, Map.of("car", "program")), Map.of("messageLoss", "0.3", "chaos", chaos));
   }
 
   @Test

@@ -371,10 +371,10 @@ final class ExpressionWriter {
   private boolean isBoxed(Expr at) {
     return own.apply(at) != null
         || !(at instanceof Expr.Numeral
-        || at instanceof Expr.Binary
-        || at instanceof Expr.Component
-        || at instanceof Expr.Call
-        || at instanceof Expr.Get);
+            || at instanceof Expr.Binary
+            || at instanceof Expr.Component
+            || at instanceof Expr.Call
+            || at instanceof Expr.Get);
   }
 
   private Code in(Expr element, Expr set) {

@@ -35,7 +35,8 @@ final class ProgramWriter {
 
   private static final Type IDS = new Type.Opaque(Program.IDS);
   private static final Pattern CLASS = Pattern.compile("\\b(?:[a-z]\\w*\\.)+[A-Z]\\w*");
-  private static final Pattern CALL = Pattern.compile("([\\w.]+)\\(([^()]*(?:\\([^()]*\\)[^()]*)*)\\)");
+  private static final Pattern CALL =
+      Pattern.compile("([\\w.]+)\\(([^()]*(?:\\([^()]*\\)[^()]*)*)\\)");
   // Commas that are in no parentheses.
   private static final Pattern ARGUMENTS = Pattern.compile(", *(?![^(]*\\))");
   private static final Pattern COMPARED = Pattern.compile("(.+) (==|!=) (.+)");
@@ -67,8 +68,7 @@ final class ProgramWriter {
   private static Automaton around(Program program) {
     Map<Type, JavaType> javaTypes = new LinkedHashMap<>(program.javaTypes());
     javaTypes.putIfAbsent(IDS, new JavaType("org.starl.id.RobotId", ""));
-    javaTypes.putIfAbsent(
-        new Type.SetOf(IDS), new JavaType("org.starl.id.Participants", "of()"));
+    javaTypes.putIfAbsent(new Type.SetOf(IDS), new JavaType("org.starl.id.Participants", "of()"));
     List<Component> state = new ArrayList<>();
     program
         .variables()
@@ -178,8 +178,7 @@ final class ProgramWriter {
                     .flatMap(ProgramWriter::expressions)
                     .anyMatch(each -> mentions(each, name))
                 || (restarts()
-                    && program.variables().stream()
-                        .anyMatch(each -> mentions(each.start(), name)));
+                    && program.variables().stream().anyMatch(each -> mentions(each.start(), name)));
     return program.given().stream().filter(each -> isRead.test(each.name())).toList();
   }
 
@@ -210,10 +209,11 @@ final class ProgramWriter {
     program.given().forEach(each -> parameters.add(type(each.type()) + " " + name(each.name())));
     out.blank().head(2, "public " + simpleName(), parameters, List.of(" {"));
     out.line(4, "super(gvh);");
-    kept().forEach(each -> out.line(4, "this." + name(each.name()) + " = " + name(each.name()) + ";"));
+    kept()
+        .forEach(
+            each -> out.line(4, "this." + name(each.name()) + " = " + name(each.name()) + ";"));
     for (Instance each : program.instances()) {
-      Map<String, Code> arguments =
-          arguments(each.primitive().parameters(), each.arguments());
+      Map<String, Code> arguments = arguments(each.primitive().parameters(), each.arguments());
       assign(name(each.name()), java("", each.primitive().javaMade(), arguments));
     }
     variable("location", "location", Code.name("Location").field(first()));
@@ -258,7 +258,8 @@ final class ProgramWriter {
     out.line(6, "}").line(6, "sleep(" + program.everyMs() + ");").line(4, "}");
     out.line(4, "return List.of();").line(2, "}");
     isOver();
-    out.blank().doc(2, List.of("Where it is, for people who ask why a run does not end."), List.of());
+    out.blank()
+        .doc(2, List.of("Where it is, for people who ask why a run does not end."), List.of());
     out.line(2, "private String where() {");
     Code line = Code.call("location.get").field("line");
     Code where = Code.infix("+", Code.call("location.get"), Code.string(", " + file + ":"), line);
@@ -344,7 +345,8 @@ final class ProgramWriter {
     out.returned(4, expressions.of(f.body())).line(2, "}");
   }
 
-  // --- names of the program ------------------------------------------------------------------------
+  // --- names of the program
+  // ------------------------------------------------------------------------
 
   private static String name(String name) {
     return OWN.contains(name) ? name + "_" : JavaTypes.name(name);
@@ -384,8 +386,7 @@ final class ProgramWriter {
   private Code java(JavaFunction function, List<Code> arguments) {
     int dot = function.method().lastIndexOf('.');
     String owner = types.use(function.method().substring(0, dot));
-    return Code.call(
-        owner + function.method().substring(dot), arguments.toArray(Code[]::new));
+    return Code.call(owner + function.method().substring(dot), arguments.toArray(Code[]::new));
   }
 
   private static String javaOf(Instance instance, String field) {

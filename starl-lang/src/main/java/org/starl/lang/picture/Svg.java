@@ -88,18 +88,17 @@ final class Svg {
   /** The whole file. */
   String file(String title, int width, int height) {
     return """
-        <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" height="%d" %s>
-          <title>%s</title>
-          <defs>
-            <marker id="head" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" markerHeight="8" \
-        orient="auto">
-              <path d="M0 0L10 5L0 10z" fill="%s"/>
-            </marker>
-          </defs>
-          <rect width="%d" height="%d" fill="white"/>
-        %s</svg>
-        """
-        .formatted(
-            width, height, width, height, FONT, escaped(title), INK, width, height, text);
+    <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" height="%d" %s>
+      <title>%s</title>
+      <defs>
+        <marker id="head" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" markerHeight="8" \
+    orient="auto">
+          <path d="M0 0L10 5L0 10z" fill="%s"/>
+        </marker>
+      </defs>
+      <rect width="%d" height="%d" fill="white"/>
+    %s</svg>
+    """
+        .formatted(width, height, width, height, FONT, escaped(title), INK, width, height, text);
   }
 }

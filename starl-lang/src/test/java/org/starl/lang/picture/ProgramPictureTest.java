@@ -134,12 +134,16 @@ class ProgramPictureTest {
     List<Area> segments = new ArrayList<>();
     int x = 0;
     int y = 0;
-    for (MatchResult step : Pattern.compile("([MHV])(\\d+)(?: (\\d+))?").matcher(path).results().toList()) {
+    for (MatchResult step :
+        Pattern.compile("([MHV])(\\d+)(?: (\\d+))?").matcher(path).results().toList()) {
       int to = Integer.parseInt(step.group(2));
       int beforeX = x;
       int beforeY = y;
       x = step.group(1).equals("V") ? x : to;
-      y = step.group(1).equals("H") ? y : step.group(1).equals("V") ? to : Integer.parseInt(step.group(3));
+      y =
+          step.group(1).equals("H")
+              ? y
+              : step.group(1).equals("V") ? to : Integer.parseInt(step.group(3));
       if (!step.group(1).equals("M")) {
         segments.add(
             new Area(

@@ -24,7 +24,8 @@ public final class CrossingTrace {
   /** Variable: the zones that still lie ahead, as a list. */
   public static final String MYSEQ = "myseq";
 
-  // Where the names of IcpProgram, which are Figure 3's, differ from those of IntersectionApp. At S0 a
+  // Where the names of IcpProgram, which are Figure 3's, differ from those of IntersectionApp. At
+  // S0 a
   // restarted program finds out what lies ahead, as IntersectionApp does in RESUME.
   private static final Map<String, Location> FIGURE_3 =
       Map.of(

@@ -50,8 +50,7 @@ final class Driver {
   /**
    * @param mux of the zones
    */
-  Driver(
-      GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors, MutexPrim mux) {
+  Driver(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors, MutexPrim mux) {
     this.gvh = gvh;
     this.mux = mux;
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());

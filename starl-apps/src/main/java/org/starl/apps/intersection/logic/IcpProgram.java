@@ -17,13 +17,13 @@ public final class IcpProgram extends LogicThread {
 
   /** The locations, with their lines in IcpProgram.starl. */
   public enum Location {
-    S0(65),
-    REG_WAIT(69),
-    MUTEX_WAIT(75),
-    MOVE_WAIT(79),
-    S1(84),
-    UNREG_WAIT(87),
-    DONE(91);
+    S0(66),
+    REG_WAIT(70),
+    MUTEX_WAIT(76),
+    MOVE_WAIT(80),
+    S1(85),
+    UNREG_WAIT(88),
+    DONE(92);
 
     private final int line;
 
@@ -59,10 +59,10 @@ public final class IcpProgram extends LogicThread {
       switch (location.get()) {
         case S0 -> {
           if (Driver.way(trip).isEmpty()) {
-            // IcpProgram.starl:66
+            // IcpProgram.starl:67
             location.set(Location.DONE);
           } else if (car.isReady()) {
-            // IcpProgram.starl:67
+            // IcpProgram.starl:68
             myseq.set(car.ahead());
             reg.do_register();
             location.set(Location.REG_WAIT);
@@ -70,52 +70,52 @@ public final class IcpProgram extends LogicThread {
         }
         case REG_WAIT -> {
           if (reg.getList() != null && myseq.get().isEmpty()) {
-            // IcpProgram.starl:70
+            // IcpProgram.starl:71
             car.drive(Sets.emptyset());
             location.set(Location.S1);
           } else if (reg.getList() != null) {
-            // IcpProgram.starl:71
+            // IcpProgram.starl:72
             plist.set(reg.listOrEmpty());
             mux.do_mutex(Sets.of(myseq.get()), plist.get());
             location.set(Location.MUTEX_WAIT);
           } else if (reg.failed().get()) {
-            // IcpProgram.starl:73
+            // IcpProgram.starl:74
             restart();
           }
         }
         case MUTEX_WAIT -> {
           if (mux.od_mutex()) {
-            // IcpProgram.starl:76
+            // IcpProgram.starl:77
             car.drive(Sets.of(myseq.get()));
             location.set(Location.MOVE_WAIT);
           } else if (mux.failed().get()) {
-            // IcpProgram.starl:77
+            // IcpProgram.starl:78
             location.set(Location.REG_WAIT);
           }
         }
         case MOVE_WAIT -> {
           if (myseq.get().isEmpty()) {
-            // IcpProgram.starl:80
+            // IcpProgram.starl:81
             location.set(Location.S1);
           } else if (car.left().contains(myseq.get().get(0))) {
-            // IcpProgram.starl:81
+            // IcpProgram.starl:82
             mux.release(Sets.singleton(myseq.get().get(0)));
             myseq.set(myseq.get().subList(1, myseq.get().size()));
           }
         }
         case S1 -> {
           if (car.isAtExit()) {
-            // IcpProgram.starl:85
+            // IcpProgram.starl:86
             reg.unregister();
             location.set(Location.UNREG_WAIT);
           }
         }
         case UNREG_WAIT -> {
           if (reg.isUnregistered()) {
-            // IcpProgram.starl:88
+            // IcpProgram.starl:89
             location.set(Location.DONE);
           } else if (reg.failed().get()) {
-            // IcpProgram.starl:89
+            // IcpProgram.starl:90
             location.set(Location.S1);
           }
         }

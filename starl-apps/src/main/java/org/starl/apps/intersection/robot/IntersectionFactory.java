@@ -99,8 +99,8 @@ public final class IntersectionFactory implements AppFactory {
           "robots: " + robots + ": expected at most " + trips.size() + " for " + scenario);
     }
     CarProgram car = CarProgram.of(request);
-    return RobotProgram.of(gvh ->
-            car.of(gvh, trips.get(RobotProgram.number(gvh)), gvh.id.participants()))
+    return RobotProgram.of(
+            gvh -> car.of(gvh, trips.get(RobotProgram.number(gvh)), gvh.id.participants()))
         .withMap(Floor.kerbs())
         .withMonitor(() -> new ListCrit(XID))
         .withMonitor(() -> new MutexSpec().only(XID))
