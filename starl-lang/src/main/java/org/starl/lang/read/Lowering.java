@@ -102,8 +102,7 @@ final class Lowering {
     actions.forEach(action -> mention(action, mentioned));
     List<Field> values = new ArrayList<>(valueParameters());
     Set<Field> used = usedParameters();
-    values.removeIf(
-        each -> isWhole && !mentioned.contains(each.name()) && !used.contains(each));
+    values.removeIf(each -> isWhole && !mentioned.contains(each.name()) && !used.contains(each));
     Map<String, Automaton> uses = new LinkedHashMap<>();
     instances.forEach((name, instance) -> uses.put(name, instance.primitive().automaton()));
     List<String> typeParameters = new ArrayList<>(program.typeParameters());
@@ -135,7 +134,8 @@ final class Lowering {
       case Type.SetOf set -> hasText(set.element());
       case Type.ListOf list -> hasText(list.element());
       case Type.OptionOf option -> hasText(option.element());
-      case Type.MapOf map -> hasText(map.result()) || map.arguments().stream().anyMatch(Lowering::hasText);
+      case Type.MapOf map ->
+          hasText(map.result()) || map.arguments().stream().anyMatch(Lowering::hasText);
       case Type.Rec rec -> rec.fields().stream().anyMatch(field -> hasText(field.type()));
       case Type.Sum sum ->
           sum.constructors().stream()
@@ -325,7 +325,8 @@ final class Lowering {
       rest.removeIf(each -> Guards.outcome(each, instances).isPresent());
       happened.ifPresent(this::addOutcome);
       if (!rest.isEmpty()) {
-        pre.add(new Conjunct(lower(Exprs.all(rest, branch.guard().pos()), Map.of()), branch.text()));
+        pre.add(
+            new Conjunct(lower(Exprs.all(rest, branch.guard().pos()), Map.of()), branch.text()));
       }
       if (happened.isEmpty()) {
         before.forEach(this::addNot);
@@ -395,7 +396,11 @@ final class Lowering {
       eff.add(new Effect.Step(Optional.empty(), instance.name(), automaton, action, arguments, call.pos()));
       List<Expr> when = pre.stream().map(Conjunct::condition).toList();
       Expr may =
-          binary(Operator.IMPLIES, Exprs.all(when, call.pos()), Exprs.all(asked, call.pos()), call.pos());
+          binary(
+              Operator.IMPLIES,
+              Exprs.all(when, call.pos()),
+              Exprs.all(asked, call.pos()),
+              call.pos());
       invariants.add(
           new Invariant(
               unique(at.name() + "_may_" + call.call().name()),
