@@ -15,6 +15,10 @@ public final class RobotId implements Comparable<RobotId> {
   // Compared before the name, which is another object and usually not in the cache.
   private final int hash;
 
+  // Most names are a stem and a number, and these compare by the number alone.
+  private final int stem;
+  private final int number;
+
   public RobotId(String name) {
     if (!isValid(name)) {
       throw new IllegalArgumentException(
@@ -22,6 +26,24 @@ public final class RobotId implements Comparable<RobotId> {
     }
     this.name = name;
     this.hash = name.hashCode();
+    this.stem = stem(name);
+    this.number = number(name, stem);
+  }
+
+  /** How many characters are before the digits at the end. */
+  private static int stem(String name) {
+    int end = name.length();
+    while (isDigit(name.charAt(end - 1))) {
+      end--;
+    }
+    return end;
+  }
+
+  /** The value of the digits from {@code from}; -1 for none, a leading zero, or more than nine. */
+  private static int number(String name, int from) {
+    int digits = name.length() - from;
+    boolean isPlain = digits > 0 && digits <= 9 && (digits == 1 || name.charAt(from) != '0');
+    return isPlain ? Integer.parseInt(name.substring(from)) : -1;
   }
 
   public String name() {
@@ -46,6 +68,12 @@ public final class RobotId implements Comparable<RobotId> {
   public int compareTo(RobotId other) {
     if (this == other) {
       return 0;
+    }
+    if (stem == other.stem
+        && number >= 0
+        && other.number >= 0
+        && name.regionMatches(0, other.name, 0, stem)) {
+      return Integer.compare(number, other.number);
     }
     String a = name;
     String b = other.name;

@@ -110,20 +110,22 @@ public final class ListCrit extends LemmaMonitor {
 
   /** Empty if the invariant holds. */
   private String violation(RobotId robot, State state) {
-    Set<String> rest = new TreeSet<>(state.myseq);
-    String myseq = state.location + ": myseq " + state.myseq;
     return switch (state.location) {
       case S_0, REGISTER_WAIT, QUEUE ->
-          state.myseq.equals(state.path) ? "" : myseq + " is not the path " + state.path;
+          state.myseq.equals(state.path) ? "" : myseq(state) + " is not the path " + state.path;
       case MUTEX_WAIT ->
-          state.requested.equals(rest)
+          state.requested.equals(new TreeSet<>(state.myseq))
               ? ""
-              : myseq + " is not the latest request " + state.requested;
+              : myseq(state) + " is not the latest request " + state.requested;
       case MOVE_WAIT ->
-          zones.held(robot).containsAll(rest)
+          state.myseq.stream().allMatch(zone -> zones.holds(robot, zone))
               ? ""
-              : myseq + " is not all held, " + zones.held(robot);
+              : myseq(state) + " is not all held, " + zones.held(robot);
       case RESUME, MUTEX_S, S_1, UNREGISTER_WAIT, DONE -> "";
     };
+  }
+
+  private static String myseq(State state) {
+    return state.location + ": myseq " + state.myseq;
   }
 }

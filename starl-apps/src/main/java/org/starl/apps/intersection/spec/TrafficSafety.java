@@ -99,18 +99,20 @@ final class TrafficSafety extends LemmaMonitor {
     report.checked(SAFETY);
     report.checked(HELD);
     for (Zone zone : zones) {
-      zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot));
+      if (!zone.occupants().isEmpty()) {
+        zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot));
+      }
     }
-    for (RobotId robot : bodies.robots()) {
-      Point at = bodies.poseAt(robot, timeNs).at();
+    bodies.forEach(timeNs, (robot, pose, radiusMm, isMoving) -> {
+      Point at = pose.at();
       for (Zone zone : zones) {
-        if (zone.region().distanceMm(at) < bodies.radiusMm(robot)) {
+        if (zone.region().distanceMm(at) < radiusMm) {
           occupies(robot, zone, at, timeNs, report);
         } else if (!zone.occupants().isEmpty()) {
           zone.occupants().remove(robot);
         }
       }
-    }
+    });
   }
 
   private void occupies(RobotId robot, Zone zone, Point at, long timeNs, Report report) {
