@@ -87,6 +87,16 @@ class BuildParityTest {
         .containsExactly("errorprone", "google-java-format", "nullaway", "project");
   }
 
+  /** The launcher puts all modules into one jar: one of two would be lost. */
+  @Test
+  void noTwoModulesHaveResourcesOfOneName() {
+    assertThat(REPOSITORY.paths())
+        .filteredOn(path -> path.contains("/src/main/resources/"))
+        .hasSizeGreaterThan(5)
+        .extracting(path -> path.replaceFirst(".*/src/main/resources/", ""))
+        .doesNotHaveDuplicates();
+  }
+
   private static List<String> differencesWith(String file, String old, String changed) {
     Build gradle =
         GradleBuild.read(path -> {

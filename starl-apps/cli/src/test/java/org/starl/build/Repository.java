@@ -93,7 +93,7 @@ final class Repository {
         || (dot > 0 && TEXT.contains(name.substring(dot + 1)));
   }
 
-  private List<String> paths() {
+  List<String> paths() {
     List<String> paths = new ArrayList<>();
     try {
       Files.walkFileTree(
