@@ -29,6 +29,18 @@ class CheckTest {
       invariant Counted: n = 0 <=> (forall r: Rooms :: by(r) = none)
       """;
 
+  /** Registers twice under one id. */
+  static final String TWICE =
+      """
+      program Twice
+      given xid: Text, acceptors: set[PIDS]
+      uses reg: Registration(xid, acceptors)
+      location first
+        do reg.do_register(); goto second
+      location second
+        do reg.do_register(); goto first
+      """;
+
   @TempDir private Path folder;
 
   private Cli check(String text, String... options) throws IOException {
@@ -56,6 +68,21 @@ class CheckTest {
             "Lamps (PIDS 2, Rooms 2): 4 states, 11 steps, at most 2 steps from a start; Counted holds",
             "  states that differ in the names of elements alone count once: PIDS, Rooms",
             "  never false: 'i in first' of take");
+  }
+
+  @Test
+  void branchesOfAProgramAreToldWithTheirPlaces() throws IOException {
+    Cli cli = check(TWICE, "--robots", "1");
+    String file = folder.resolve("lamps.starl").toString();
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(cli.out())
+        .containsSubsequence(
+            "Twice (PIDS 1): second_may_do_register is false after 1 step",
+            "  "
+                + file
+                + ":7:6: false for self = bot0: reg.do_register(bot0) is not enabled:"
+                + " 'not i in asked' is false",
+            "  first_to_second is at " + file + ":5:3");
   }
 
   @Test

@@ -47,6 +47,17 @@ class ProveTest {
   }
 
   @Test
+  void branchesOfAProgramAreToldWithTheirPlaces() throws IOException {
+    String file = file(CheckTest.TWICE);
+    Cli cli = Cli.run("prove", file);
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(cli.out())
+        .contains(
+            "Twice: second_may_do_register is not kept by first_to_second",
+            "  first_to_second is at " + file + ":5:3");
+  }
+
+  @Test
   void obligationsAreKeptInAFolder() throws IOException {
     Path kept = folder.resolve("kept");
     Cli cli = Cli.run("prove", file(LAMP), "--keep", kept.toString());

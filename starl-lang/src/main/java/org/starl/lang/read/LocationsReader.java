@@ -267,6 +267,9 @@ final class LocationsReader {
     }
 
     private static String oneOf(String name, java.util.Collection<String> known) {
+      if (known.isEmpty()) {
+        return "a declaration of it before";
+      }
       List<String> near = NearMatches.of(name, known);
       return "one of "
           + String.join(", ", known)

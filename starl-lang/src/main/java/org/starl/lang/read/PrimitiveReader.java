@@ -48,8 +48,14 @@ final class PrimitiveReader extends PartsReader {
     before.forEach(each -> scope.types.put(each.name(), each.type()));
   }
 
-  /** Its result is complete only if no problem was told. */
-  Primitive read() {
+  /** Its result is complete only if no problem was told; empty if its automaton is not known. */
+  Optional<Primitive> read() {
+    List<Primitive> made = new ArrayList<>();
+    orTold(() -> made.add(primitive()));
+    return made.stream().findFirst();
+  }
+
+  private Primitive primitive() {
     String wanted = unit.of.getText();
     Automaton automaton =
         automata

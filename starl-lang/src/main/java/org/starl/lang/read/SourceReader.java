@@ -126,15 +126,10 @@ public final class SourceReader {
       }
       SourceText source = new SourceText(tokens);
       for (ParseTree unit : file.children) {
-        try {
-          add(unit, source);
-        } catch (Wrong told) {
-          // The units after it are read, too.
-        }
+        add(unit, source);
       }
       if (automata.isEmpty() && primitives.isEmpty() && problems.isEmpty()) {
-        problems.add(
-            new Pos(1, 1), "no unit here; expected 'automaton' or 'program', and its name");
+        problems.add(new Pos(1, 1), "no automaton or program here; expected one");
       }
     }
 
@@ -142,7 +137,9 @@ public final class SourceReader {
       if (unit instanceof StarlParser.UnitContext at) {
         automata.add(new AutomatonReader(at, source, problems, this::find).read());
       } else if (unit instanceof StarlParser.PrimitiveContext at) {
-        primitives.add(new PrimitiveReader(at, source, problems, this::find, known()).read());
+        new PrimitiveReader(at, source, problems, this::find, known())
+            .read()
+            .ifPresent(primitives::add);
       } else if (unit instanceof StarlParser.ProgramContext at) {
         ProgramReader reader = new ProgramReader(at, source, problems, known());
         Program program = reader.read();

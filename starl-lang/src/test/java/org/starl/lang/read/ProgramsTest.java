@@ -227,6 +227,24 @@ class ProgramsTest {
   }
 
   @Test
+  void primitiveWithoutItsAutomatonIsTold() {
+    SourceErrors told =
+        catchThrowableOfType(
+            SourceErrors.class,
+            () ->
+                new SourceReader()
+                    .read(
+                        "lamp.starl",
+                        "primitive Lamp is Lmp program P location here do b.c(); goto here"));
+    assertThat(told.errors())
+        .extracting(SourceError::toString)
+        .containsExactly(
+            "lamp.starl:1:19: automaton 'Lmp' is not known; expected it before this primitive, in"
+                + " Lmp.starl beside this file, or one of StarL's own",
+            "lamp.starl:1:50: 'b' is no primitive here; expected a declaration of it before");
+  }
+
+  @Test
   void primitiveOfASourceIsUsedLikeStarls() throws SourceErrors {
     Automaton made =
         read(
