@@ -213,7 +213,7 @@ final class Lowering {
     List<Expr> start = new ArrayList<>();
     program.locations().stream()
         .findFirst()
-        .ifPresent(first -> start.add(forAll(isAt(first.name(), program.pos()), program.pos())));
+        .ifPresent(first -> start.add(forAll(locIs(first.name(), program.pos()), program.pos())));
     program
         .variables()
         .forEach(each ->
@@ -244,7 +244,7 @@ final class Lowering {
     return new Expr.At(new Expr.Component(name, ofEach(type), pos), List.of(self(pos)), type, pos);
   }
 
-  private Expr isAt(String name, Pos pos) {
+  private Expr locIs(String name, Pos pos) {
     Constructor constructor = location.constructor(name).orElseThrow();
     Expr there = new Expr.Make(constructor, List.of(), location, pos);
     return binary(Operator.EQUAL, mine(LOC, location, pos), there, pos);
@@ -318,7 +318,7 @@ final class Lowering {
       this.at = at;
       this.branch = branch;
       String text = LOC + "(" + Program.SELF + ") = " + at.name();
-      pre.add(new Conjunct(isAt(at.name(), branch.pos()), text));
+      pre.add(new Conjunct(locIs(at.name(), branch.pos()), text));
       List<Expr> rest = new ArrayList<>(Guards.conjuncts(branch.guard()));
       Optional<Guards.Happened> happened =
           rest.stream().flatMap(each -> Guards.outcome(each, instances).stream()).findFirst();
@@ -477,7 +477,7 @@ final class Lowering {
         invariants.add(
             new Invariant(
                 unique("restart_leaves_" + instance.name()),
-                forAll(binary(Operator.IMPLIES, isAt(OVER, pos), rest, pos), pos),
+                forAll(binary(Operator.IMPLIES, locIs(OVER, pos), rest, pos), pos),
                 List.of(),
                 pos));
       }
