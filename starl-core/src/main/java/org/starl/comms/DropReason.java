@@ -56,7 +56,7 @@ public enum DropReason {
   /**
    * Whether it indicates a faulty or foreign sender: a network of correct robots never causes it.
    */
-  boolean isSuspicious() {
+  public boolean isSuspicious() {
     return suspicious;
   }
 

@@ -47,7 +47,7 @@ final class MotionClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    setup.place(gvh -> new MotionClient(gvh, setup));
+    setup.placeSilent(gvh -> new MotionClient(gvh, setup));
     setup.simulation().monitor(() -> new MotionSpec(setup.settings().motionParameters(0)));
     setup.promise(PROMPT_MS, true);
   }

@@ -66,6 +66,15 @@ public final class PrimitiveWorkloads {
               GeocastClient::setUp,
               GeocastClient::settings),
           new Workload(
+              "messages",
+              "robots send letters to one and to all, reliably and not, on channels that close",
+              Envelope.LOGICAL,
+              32,
+              Duration.ofSeconds(10),
+              parameters(10, "20s"),
+              Map.of(),
+              MessagesClient::setUp),
+          new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",
               Envelope.SPATIAL,

@@ -34,7 +34,7 @@ record Setup(
   private static final long RESEND_NS = 2 * Time.NS_PER_S;
 
   /** No request waits for more messages one after another. */
-  private static final int MESSAGES = 100;
+  static final int MESSAGES = 100;
 
   /** A probability so small that no campaign meets it. */
   private static final double NEVER = 1e-9;
@@ -56,8 +56,14 @@ record Setup(
     return SPACING_MM * Math.ceil(Math.sqrt(robots));
   }
 
-  /** Adds the robots. */
+  /** Adds the robots, and what every workload requires of their datagrams. */
   void place(Function<GlobalVarHolder, ? extends Client> client) {
+    simulation.monitor(WellFormedSpec::new);
+    placeSilent(client);
+  }
+
+  /** Adds robots that send nothing. */
+  void placeSilent(Function<GlobalVarHolder, ? extends Client> client) {
     int side = (int) Math.ceil(Math.sqrt(robots));
     for (int i = 0; i < robots; i++) {
       int row = i / side;

@@ -1,0 +1,292 @@
+package org.starl.workload;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.comms.Reliability;
+import org.starl.id.RobotId;
+import org.starl.primitives.mutex.MutexSpec;
+import org.starl.spec.FaultState;
+import org.starl.spec.LemmaMonitor;
+import org.starl.spec.Within;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+
+/**
+ * The promises of {@code gvh.comms}, for the letters of {@link MessagesClient}.
+ *
+ * <ul>
+ *   <li>{@code Genuine}: a letter that is handled was sent to this robot on this channel, which is
+ *       open, and advances the logical clock to its own.
+ *   <li>{@code Once}: a reliable letter is handled at most once in each start of the receiver.
+ *   <li>{@code Fresh}: no letter of a sender's earlier start is handled after one of a later start.
+ *   <li>{@code Handled}: a receipt that says delivered is true.
+ *   <li>{@code Settled}: while no fault is active and the sender is up, a reliable letter is
+ *       delivered or given up by its deadline; while the receiver is up, too, it is delivered within
+ *       the bound.
+ *   <li>{@code Received}: in a calm world each plain letter is handled by each receiver, once.
+ *   <li>{@code Paced}: no datagram is sent twice at one time.
+ * </ul>
+ */
+final class MessagesSpec extends LemmaMonitor {
+
+  /** A network that may lose letters without a fault. */
+  static final long NEVER = Long.MAX_VALUE;
+
+  private static final String GENUINE = "Genuine";
+  private static final String ONCE = "Once";
+  private static final String FRESH = "Fresh";
+  private static final String HANDLED = "Handled";
+  private static final String SETTLED = "Settled";
+  private static final String RECEIVED = "Received";
+  private static final String PACED = "Paced";
+
+  private static final String ALL = "*";
+  private static final String PLAIN = "none";
+  private static final String BRIEF = "brief";
+
+  /** By how much a deadline may be late: a timer set by a clock that a fault has just left. */
+  private static final long LATE_NS = 2 * Time.NS_PER_S;
+
+  private final FaultState faults = new FaultState();
+  private final Set<RobotId> robots = new TreeSet<>();
+  private final Map<RobotId, Program> programs = new TreeMap<>();
+  private final Map<LetterId, Sent> sent = new TreeMap<>();
+  private final Set<String> everHandled = new TreeSet<>();
+  private final Within<LetterId> deliveries;
+  private final Within<LetterId> brief =
+      new Within<>(MessagesClient.BRIEF.deadlineMs() * Time.NS_PER_MS + LATE_NS);
+  private final Within<LetterId> lasting =
+      new Within<>(Reliability.DEFAULT.deadlineMs() * Time.NS_PER_MS + LATE_NS);
+  private final @Nullable Within<Arrival> arrivals;
+
+  private record LetterId(RobotId from, int boot, int number) implements Comparable<LetterId> {
+    @Override
+    public int compareTo(LetterId other) {
+      int byRobot = from.compareTo(other.from);
+      int byBoot = byRobot != 0 ? byRobot : Integer.compare(boot, other.boot);
+      return byBoot != 0 ? byBoot : Integer.compare(number, other.number);
+    }
+
+    @Override
+    public String toString() {
+      return "letter " + number + " of " + from + "'s start " + boot;
+    }
+  }
+
+  private record Arrival(LetterId letter, RobotId to) {}
+
+  private record Sent(String to, String channel, boolean isPlain) {
+    boolean isTo(RobotId robot, LetterId letter) {
+      return to.equals(ALL) ? !robot.equals(letter.from) : to.equals(robot.name());
+    }
+  }
+
+  /** What a robot has done since its latest start. */
+  private static final class Program {
+    final Set<LetterId> handled = new TreeSet<>();
+    final Map<RobotId, Integer> newestBoots = new TreeMap<>();
+    final Set<String> open = new TreeSet<>();
+    final Set<Long> transmitted = new TreeSet<>();
+    long transmittedNs;
+  }
+
+  /**
+   * @param withinNs bound on a reliable letter's way, lost copies included
+   * @param arrivesNs bound on a plain letter's way; {@link #NEVER} if the network loses some
+   */
+  MessagesSpec(long withinNs, long arrivesNs) {
+    deliveries = new Within<>(withinNs);
+    arrivals = arrivesNs == NEVER ? null : new Within<>(arrivesNs);
+    lemma(GENUINE, "Every letter that is handled was sent to this robot on this open channel.");
+    lemma(ONCE, "No start of a robot handles a reliable letter twice.");
+    lemma(FRESH, "A robot that has heard of a sender's restart handles no letter from before.");
+    lemma(HANDLED, "A letter that was delivered by its receipt has been handled.");
+    lemma(SETTLED, "Every reliable letter is delivered, or given up by its deadline.");
+    lemma(RECEIVED, "In a calm world every plain letter is handled once by each receiver.");
+    lemma(PACED, "Between two transmissions of a letter time passes.");
+    if (arrivals == null) {
+      never(RECEIVED, "the network loses messages");
+    }
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    finish(event.timeNs(), report);
+    if (event instanceof Joined joined) {
+      robots.add(joined.robot());
+    }
+    if (faults.observe(event)) {
+      changed(event);
+    }
+    if (arrivals != null && !isCalm(event.timeNs())) {
+      arrivals.clear();
+    }
+    if (event instanceof TraceEvent.Sent datagram) {
+      transmitted(datagram, report);
+    } else if (event instanceof Action action && action.source().equals(MessagesClient.MAIL)) {
+      acted(action, report);
+    }
+  }
+
+  private void transmitted(TraceEvent.Sent datagram, Report report) {
+    RobotId robot = datagram.robot();
+    Program self = programs.computeIfAbsent(robot, any -> new Program());
+    if (datagram.timeNs() != self.transmittedNs) {
+      self.transmittedNs = datagram.timeNs();
+      self.transmitted.clear();
+    }
+    report.checked(PACED);
+    if (!self.transmitted.add(datagram.seq())) {
+      String detail = "sends its datagram " + datagram.seq() + " twice at once";
+      report.violated(PACED, datagram.timeNs(), List.of(robot), detail);
+    }
+  }
+
+  private boolean isCalm(long nowNs) {
+    return faults.isCalm(nowNs, MutexSpec.SETTLE_NS);
+  }
+
+  private void changed(TraceEvent event) {
+    RobotId robot = event.robot();
+    boolean isEnd =
+        event instanceof Left || event instanceof Fault fault && fault.name().equals(Fault.CRASH);
+    if (isEnd) {
+      programs.remove(robot);
+      for (Within<LetterId> each : List.of(deliveries, brief, lasting)) {
+        // A program that has ended settles nothing.
+        sent.keySet().stream().filter(id -> id.from.equals(robot)).forEach(each::stop);
+      }
+    }
+    long nowNs = event.timeNs();
+    boolean isFaultFree = faults.isFaultFree();
+    for (Within<LetterId> each : List.of(deliveries, brief, lasting)) {
+      each.assumeAll(isFaultFree, nowNs);
+    }
+    deliveries.assumeEach(this::isReceiverUp, nowNs);
+  }
+
+  private boolean isReceiverUp(LetterId letter) {
+    Sent known = sent.get(letter);
+    return known != null && faults.isUp(new RobotId(known.to));
+  }
+
+  private void acted(Action action, Report report) {
+    List<String> args = action.args();
+    Program self = programs.computeIfAbsent(action.robot(), any -> new Program());
+    switch (action.name()) {
+      case MessagesClient.OPEN -> self.open.add(args.get(0));
+      case MessagesClient.CLOSE -> self.open.remove(args.get(0));
+      case MessagesClient.SEND -> sent(action, id(action.robot(), args, 2));
+      case MessagesClient.HANDLE ->
+          handled(action, self, id(new RobotId(args.get(0)), args, 2), report);
+      case MessagesClient.DELIVERED -> settled(action, id(action.robot(), args, 1), true, report);
+      case MessagesClient.FAILED -> settled(action, id(action.robot(), args, 1), false, report);
+      default -> throw new IllegalStateException("unknown action " + action.name());
+    }
+  }
+
+  private static LetterId id(RobotId from, List<String> args, int at) {
+    return new LetterId(from, Integer.parseInt(args.get(at)), Integer.parseInt(args.get(at + 1)));
+  }
+
+  private void sent(Action action, LetterId letter) {
+    Sent what =
+        new Sent(action.args().get(0), action.args().get(1), action.args().get(4).equals(PLAIN));
+    sent.put(letter, what);
+    long nowNs = action.timeNs();
+    if (!what.isPlain) {
+      (action.args().get(4).equals(BRIEF) ? brief : lasting).start(letter, nowNs);
+      // The other channel is closed at times.
+      if (what.channel.endsWith("/letters")) {
+        deliveries.start(letter, nowNs);
+        deliveries.assume(letter, isReceiverUp(letter), nowNs);
+      }
+    } else if (arrivals != null && isCalm(nowNs)) {
+      for (RobotId robot : robots) {
+        if (what.isTo(robot, letter)) {
+          arrivals.start(new Arrival(letter, robot), nowNs);
+        }
+      }
+    }
+  }
+
+  private void handled(Action action, Program self, LetterId letter, Report report) {
+    List<String> args = action.args();
+    Sent known = sent.get(letter);
+    boolean isGenuine =
+        known != null
+            && known.channel.equals(args.get(1))
+            && known.isTo(action.robot(), letter)
+            && self.open.contains(args.get(1))
+            && Long.parseLong(args.get(5)) >= Long.parseLong(args.get(4));
+    check(GENUINE, isGenuine, action, letter + " on " + args.get(1) + ": not so sent", report);
+    boolean isFirst = self.handled.add(letter);
+    if (known != null && known.isPlain) {
+      if (arrivals != null && arrivals.stop(new Arrival(letter, action.robot()))) {
+        report.checked(RECEIVED);
+      } else if (!isFirst && isCalm(action.timeNs())) {
+        check(RECEIVED, false, action, letter + " a second time", report);
+      }
+    } else {
+      check(ONCE, isFirst, action, letter + " a second time", report);
+    }
+    int newest = self.newestBoots.merge(letter.from, letter.boot, Math::max);
+    check(FRESH, letter.boot == newest, action, letter + " after its start " + newest, report);
+    everHandled.add(letter + " by " + action.robot());
+  }
+
+  private void settled(Action action, LetterId letter, boolean isDelivered, Report report) {
+    if (isDelivered) {
+      boolean isHandled = everHandled.contains(letter + " by " + action.args().get(0));
+      check(HANDLED, isHandled, action, letter + " is told delivered, but is not", report);
+    }
+    deliveries.stop(letter);
+    if (brief.stop(letter) | lasting.stop(letter)) {
+      report.checked(SETTLED);
+    } else {
+      check(SETTLED, false, action, letter + " is settled a second time", report);
+    }
+  }
+
+  private static void check(
+      String lemma, boolean holds, Action action, String detail, Report report) {
+    report.checked(lemma);
+    if (!holds) {
+      report.violated(lemma, action.timeNs(), List.of(action.robot()), detail);
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    expire(deliveries, endNs, report);
+    expire(brief, endNs, report);
+    expire(lasting, endNs, report);
+    if (arrivals != null) {
+      arrivals.expire(
+          endNs,
+          (arrival, sinceNs, deadlineNs) -> {
+            report.checked(RECEIVED);
+            String detail = arrival.letter + " has not arrived";
+            report.overdue(RECEIVED, deadlineNs, List.of(arrival.to), detail);
+          });
+    }
+  }
+
+  private static void expire(Within<LetterId> letters, long endNs, Report report) {
+    letters.expire(
+        endNs,
+        (letter, sinceNs, deadlineNs) -> {
+          report.checked(SETTLED);
+          String detail = letter + " is not settled since " + Time.text(sinceNs, 3);
+          report.overdue(SETTLED, deadlineNs, List.of(letter.from), detail);
+        });
+  }
+}

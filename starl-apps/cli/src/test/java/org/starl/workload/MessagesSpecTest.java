@@ -1,0 +1,160 @@
+package org.starl.workload;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_S;
+
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+
+/** The specification on handwritten traces: letters of bot0 to bot1, within 5 s; plain ones 1 s. */
+class MessagesSpecTest {
+
+  private static final RobotId SENDER = new RobotId("bot0");
+  private static final RobotId RECEIVER = new RobotId("bot1");
+  private static final String LETTERS = "mail/letters";
+
+  private final Monitors monitors = new Monitors(List.of(new MessagesSpec(5 * NS_PER_S, NS_PER_S)));
+
+  @BeforeEach
+  void bothAreThere() {
+    for (RobotId robot : List.of(SENDER, RECEIVER)) {
+      monitors.observe(new TraceEvent.Joined(0, robot, new Pose(0, 0, 0), 165));
+      act(0, robot, "open", LETTERS);
+    }
+  }
+
+  private void act(long atS, RobotId robot, String name, String... args) {
+    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, robot, "mail", name, List.of(args)));
+  }
+
+  private void send(long atS, int boot, int number, String reliability) {
+    String text = Integer.toString(number);
+    act(atS, SENDER, "send", "bot1", LETTERS, Integer.toString(boot), text, reliability);
+  }
+
+  private void handle(long atS, int boot, int number) {
+    String text = Integer.toString(number);
+    act(atS, RECEIVER, "handle", "bot0", LETTERS, Integer.toString(boot), text, "7", "7");
+  }
+
+  private void fault(long atS, RobotId robot, String name) {
+    monitors.observe(new TraceEvent.Fault(atS * NS_PER_S, robot, name, ""));
+  }
+
+  /** The results so far: any event shows the time. */
+  private SpecReport at(long atS) {
+    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, SENDER, "app", "any", List.of()));
+    return monitors.report();
+  }
+
+  @Test
+  void aLetterThatIsHandledOnceAndToldDeliveredHolds() {
+    send(1, 1, 1, "default");
+    monitors.observe(new TraceEvent.Sent(NS_PER_S, SENDER, "bot1", LETTERS, 4, 60, "Letter"));
+    handle(2, 1, 1);
+    act(3, SENDER, "delivered", "bot1", "1", "1");
+    send(11, 1, 2, "none");
+    handle(12, 1, 2);
+    assertThat(at(99).holds()).as("%s", monitors.report()).isTrue();
+    assertThat(monitors.report().lemmas())
+        .allSatisfy(lemma -> assertThat(monitors.report().checks(lemma)).isPositive());
+  }
+
+  @Test
+  void aLetterThatWasNotSentViolatesGenuine() {
+    handle(2, 1, 1);
+    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterOnAClosedChannelViolatesGenuine() {
+    send(1, 1, 1, "default");
+    act(2, RECEIVER, "close", LETTERS);
+    handle(3, 1, 1);
+    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+  }
+
+  @Test
+  void aClockBehindTheLettersViolatesGenuine() {
+    send(1, 1, 1, "default");
+    act(2, RECEIVER, "handle", "bot0", LETTERS, "1", "1", "7", "6");
+    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+  }
+
+  @Test
+  void aReliableLetterThatIsHandledTwiceViolatesOnceUnlessTheReceiverRestarts() {
+    send(1, 1, 1, "default");
+    handle(2, 1, 1);
+    fault(3, RECEIVER, "crash");
+    fault(4, RECEIVER, "restart");
+    act(4, RECEIVER, "open", LETTERS);
+    handle(5, 1, 1);
+    assertThat(at(5).violations("Once")).isZero();
+    handle(6, 1, 1);
+    assertThat(at(6).violations("Once")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterOfAnEarlierStartAfterOneOfALaterStartViolatesFresh() {
+    send(1, 1, 1, "default");
+    fault(2, SENDER, "crash");
+    fault(2, SENDER, "restart");
+    send(3, 2, 1, "default");
+    handle(4, 2, 1);
+    handle(5, 1, 1);
+    assertThat(at(5).violations("Fresh")).isEqualTo(1);
+  }
+
+  @Test
+  void aFalseReceiptViolatesHandled() {
+    send(1, 1, 1, "default");
+    act(2, SENDER, "delivered", "bot1", "1", "1");
+    assertThat(at(3).violations("Handled")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterWithoutAnEndViolatesSettledWhileBothAreUp() {
+    send(1, 1, 1, "default");
+    fault(2, RECEIVER, "crash");
+    assertThat(at(8).violations("Settled")).isZero();
+    fault(9, RECEIVER, "restart");
+    assertThat(at(13).violations("Settled")).isZero();
+    assertThat(at(15).violations("Settled")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterAfterItsDeadlineViolatesSettledEvenIfTheReceiverIsDown() {
+    send(1, 1, 1, "brief");
+    fault(2, RECEIVER, "crash");
+    assertThat(at(7).violations("Settled")).isZero();
+    assertThat(at(9).violations("Settled")).isEqualTo(1);
+  }
+
+  @Test
+  void aDatagramThatIsSentTwiceAtOnceViolatesPaced() {
+    for (long atNs : List.of(1L, 2L, 2L)) {
+      monitors.observe(new TraceEvent.Sent(atNs, SENDER, "bot1", LETTERS, 4, 60, "Letter"));
+    }
+    assertThat(at(3).violations("Paced")).isEqualTo(1);
+  }
+
+  @Test
+  void aPlainLetterThatIsLostInACalmWorldViolatesReceived() {
+    send(11, 1, 1, "none");
+    assertThat(at(13).violations("Received")).isEqualTo(1);
+  }
+
+  @Test
+  void aPlainLetterThatArrivesTwiceInACalmWorldViolatesReceived() {
+    send(11, 1, 1, "none");
+    handle(11, 1, 1);
+    handle(11, 1, 1);
+    assertThat(at(13).violations("Received")).isEqualTo(1);
+  }
+}
