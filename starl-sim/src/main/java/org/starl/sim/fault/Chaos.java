@@ -59,6 +59,10 @@ final class Chaos {
     if (envelope == Envelope.HOSTILE && rng.nextBoolean(0.5)) {
       chaos.add(chaos.attacks().get(rng.nextInt(2)).get(), 0, chaos.untilMs);
     }
+    if (drives(envelope) && rng.nextBoolean(0.3)) {
+      // One at most: several would add up to more than geocasts allow for.
+      chaos.add(fault("skew", "any", chaos.ms(-20, 20)), 0, chaos.untilMs);
+    }
     if (chaos.faults.isEmpty()) {
       chaos.add(kinds.get(0).get(), 0, chaos.untilMs / 2);
     }
@@ -66,6 +70,10 @@ final class Chaos {
       chaos.addPermanentCrashes((robots - 1) / 2);
     }
     return new FaultPlan(chaos.faults);
+  }
+
+  private static boolean drives(Envelope envelope) {
+    return envelope == Envelope.SPATIAL || envelope == Envelope.PHYSICAL;
   }
 
   private void addFaults(List<Supplier<String>> kinds) {
@@ -177,12 +185,11 @@ final class Chaos {
       kinds.add(() -> fault("drift", "any", ppm(100_000)));
       kinds.add(() -> fault("skew", "any", ms(-1000, 1000)));
     }
-    boolean drives = envelope == Envelope.SPATIAL || envelope == Envelope.PHYSICAL;
-    if (drives || envelope == Envelope.MOVING) {
+    if (drives(envelope) || envelope == Envelope.MOVING) {
       kinds.add(() -> fault("drift", "any", ppm(200)));
       kinds.add(() -> fault("noise", anyOr("all"), rng.nextLong(1, 20) + "mm", angle()));
     }
-    if (drives) {
+    if (drives(envelope)) {
       kinds.add(() -> DROPOUT);
       kinds.add(() -> fault("slow", "any", percent(50, 100)));
       kinds.add(() -> "stuck(any)");
@@ -202,7 +209,7 @@ final class Chaos {
         () -> fault("loss", percent(5, 100), link()),
         () -> fault("burst", ms(200, 2000), ms(50, 1000), percent(50, 100), link()),
         () -> fault("delay", latency(), link()),
-        () -> fault("duplicate", percent(5, 80), ms(1, 1000), link()),
+        () -> fault("duplicate", percent(5, 80), isDrawn(0.6) ? ms(1, 1000) : stale(), link()),
         () -> fault("reorder", percent(5, 80), ms(1, 500), link()),
         () -> fault("partition", anyOr("half")),
         () -> fault("partition", anyOr("half") + ">" + (isDrawn(0.5) ? "all" : "half")));
@@ -213,6 +220,11 @@ final class Chaos {
     return Arrays.stream(arguments)
         .filter(argument -> !argument.isEmpty())
         .collect(Collectors.joining(",", name + "(", ")"));
+  }
+
+  /** Copies that outlast crashes, requests and terms, but not the time until the world is calm. */
+  private String stale() {
+    return ms(1000, 8000);
   }
 
   private String latency() {

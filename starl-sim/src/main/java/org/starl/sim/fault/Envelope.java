@@ -42,8 +42,9 @@ public enum Envelope {
   MORTAL("logical, and a minority of the robots crashes without restart"),
 
   /**
-   * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, fixes with
-   * up to 20 mm of additional, reported error, up to a second without fixes, slow and stuck wheels.
+   * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, one of them up
+   * to 20 ms off, fixes with up to 20 mm of additional, reported error, up to a second without fixes,
+   * slow and stuck wheels.
    * For primitives that rely on bounded drift and error: geocast, motion.
    */
   SPATIAL("network, and bounded faults of clocks, positioning and wheels"),

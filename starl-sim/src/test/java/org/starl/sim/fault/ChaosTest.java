@@ -69,11 +69,11 @@ class ChaosTest {
     assertThat(kinds(Envelope.PHYSICAL))
         .containsAll(kinds(Envelope.SPATIAL))
         .contains("crash", "forget", "disk")
-        .hasSize(network.size() + 8);
+        .hasSize(network.size() + 9);
     assertThat(kinds(Envelope.SPATIAL))
         .containsAll(network)
-        .contains("drift", "noise", "dropout", "slow", "stuck")
-        .hasSize(network.size() + 5);
+        .contains("drift", "noise", "dropout", "skew", "slow", "stuck")
+        .hasSize(network.size() + 6);
   }
 
   @Test
