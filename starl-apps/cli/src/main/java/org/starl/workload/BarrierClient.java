@@ -26,6 +26,13 @@ final class BarrierClient extends Client {
   private static final long PROMPT_MS = 12_000;
 
   static final long DEADLINE_MS = 10_000;
+  private static final long SILENCE_MS = 2_000;
+
+  /**
+   * A crashed member is given up by its silence, long before the deadline; members that arrived
+   * before they crashed may have the first turns to propose.
+   */
+  private static final long RELEASED_MS = 8_000;
 
   /**
    * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
@@ -43,7 +50,11 @@ final class BarrierClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new BarrierClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
-    setup.simulation().monitor(() -> new BarrierSpec(setup.withinNs(), TOLD_NS));
+    long releasedNs =
+        setup.isLossless()
+            ? RELEASED_MS * Time.NS_PER_MS + Setup.MESSAGES * setup.delayNs()
+            : setup.withinNs();
+    setup.simulation().monitor(() -> new BarrierSpec(releasedNs, TOLD_NS));
     setup.promise(PROMPT_MS, true);
   }
 
@@ -66,7 +77,8 @@ final class BarrierClient extends Client {
   }
 
   private Barrier barrier() {
-    BarrierSettings settings = BarrierSettings.DEFAULT.withDeadlineMs(DEADLINE_MS);
+    BarrierSettings settings =
+        BarrierSettings.DEFAULT.withSilenceMs(SILENCE_MS).withDeadlineMs(DEADLINE_MS);
     return new Barrier(gvh, XID, reg, settings);
   }
 }
