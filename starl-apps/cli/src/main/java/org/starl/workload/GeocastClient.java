@@ -42,6 +42,12 @@ final class GeocastClient extends Client {
   /** When the default settings repeat a copy, from the second one on. */
   private static final List<Long> COPIES_MS = List.of(100L, 250L, 475L, 812L, 1_318L);
 
+  /** How often a robot sends so many at once that receivers forget those that are over. */
+  private static final double MANY = 0.02;
+
+  private static final int MANY_CASTS = 80;
+  private static final long MANY_D_MS = 300;
+
   /** An interval that ends so soon after a copy may end before the copy arrives, or just after. */
   private static final long LAST_COPY_MS = 60;
 
@@ -90,6 +96,10 @@ final class GeocastClient extends Client {
     long dMs = rng.nextLong(MIN_D_MS, MAX_D_MS);
     if (endsWithCopies && rng.nextBoolean(0.5)) {
       dMs = COPIES_MS.get(rng.nextInt(COPIES_MS.size())) + rng.nextLong(0, LAST_COPY_MS);
+    }
+    int more = rng.nextBoolean(MANY) ? MANY_CASTS : 0;
+    for (int i = 0; i < more; i++) {
+      broadcast.BCast(i, MANY_D_MS);
     }
     GeocastReceipt receipt =
         round % 2 == 0 ? geocast.do_geocast(round, area(), dMs) : broadcast.BCast(round, dMs);

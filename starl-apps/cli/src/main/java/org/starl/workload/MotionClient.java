@@ -58,6 +58,7 @@ final class MotionClient extends Client {
     Rng drawn = new Rng(request.seed()).fork("motion");
     settings.set(Setting.COLLISION_POLICY, policies[drawn.nextInt(policies.length)]);
     errors(drawn, settings);
+    settings.set(Setting.DISCOVERY_ROBOTS, drawn.nextBoolean(0.5) ? 1 : 0);
   }
 
   /**
