@@ -63,12 +63,20 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
   @Option(names = "--kotlin", description = "Use Kotlin instead of Java.")
   private boolean isKotlin;
 
+  @Option(
+      names = "--starl",
+      description = "Begin with a program in StarL's language, of which the builds make Java.")
+  private boolean isProgram;
+
   @Override
   public Integer call() throws IOException {
     PrintWriter out = out();
     check(demos().names());
+    if (isProgram && isKotlin) {
+      throw new BadInput("--starl: expected no --kotlin beside it; its builds make Java");
+    }
     Map<String, ProjectTemplate.Written> files =
-        new ProjectTemplate(name, isKotlin ? "kotlin" : "java").files();
+        new ProjectTemplate(name, isProgram ? "starl" : isKotlin ? "kotlin" : "java").files();
     String shown = folder == null ? name : folder;
     write(Path.of(shown).toAbsolutePath().normalize(), shown, files);
     out.println(shown + ": " + files.size() + " files");

@@ -30,6 +30,7 @@ final class ProjectTemplate {
   private static final String SERVICES = "src/main/resources/META-INF/services/org.starl.apps.";
   private static final String FOLDER = "project/";
   private static final String SUFFIX = ".txt";
+  private static final String JAVA = "java/";
   private static final String WORDS = "words.properties";
   private static final Pattern WORD = Pattern.compile("@([A-Za-z-]+)@");
   private static final Pattern PART = Pattern.compile("@([a-z-]+)@\n", Pattern.MULTILINE);
@@ -45,11 +46,14 @@ final class ProjectTemplate {
 
   /**
    * @param name of the project: lower-case letters and digits, with single dashes between
-   * @param language java or kotlin
+   * @param language java or kotlin; or starl, for Java with a program in StarL's language
    */
   ProjectTemplate(String name, String language) {
     this.language = language;
     addWords(WORDS);
+    if (isProgram()) {
+      addWords(JAVA + WORDS);
+    }
     addWords(language + "/" + WORDS);
     words.put("name", name);
     words.put("Name", className(name));
@@ -71,14 +75,20 @@ final class ProjectTemplate {
   /** Every file of the project, by its path with slashes. */
   Map<String, Written> files() {
     Map<String, Written> files = new LinkedHashMap<>();
-    put(files, "README.md", "README.md");
+    put(files, "README.md", isProgram() ? own("README.md") : "README.md");
     put(files, "pom.xml", "pom.xml");
-    put(files, "build.gradle.kts", language + "/build.gradle.kts");
+    put(files, "build.gradle.kts", own("build.gradle.kts"));
     put(files, "settings.gradle.kts", "settings.gradle.kts");
     put(files, ".gitignore", "gitignore");
     put(files, "scenario.yaml", "scenario.yaml");
     put(files, "deployment.yaml", "deployment.yaml");
-    put(files, "dock.pvs", "dock.pvs");
+    if (isProgram()) {
+      put(files, "src/main/starl/@Name@App.starl", own("App.starl"));
+      put(files, "@sources@/Dock.java", own("Dock.java"));
+    } else {
+      put(files, "dock.pvs", "dock.pvs");
+      put(files, "@sources@/@Name@App.@ext@", own("App.@ext@"));
+    }
     put(files, "@name@", LAUNCHER);
     for (String file : List.of("settings.gradle.kts", "build.gradle.kts")) {
       put(files, "phone/" + file, "phone/" + file);
@@ -86,12 +96,22 @@ final class ProjectTemplate {
     put(files, "phone/src/main/AndroidManifest.xml", "phone/AndroidManifest.xml");
     put(files, SERVICES + "Demo", "demo-service");
     put(files, SERVICES + "AppFactory", "factory-service");
-    for (String part : List.of("App", "Factory", "Demo", "Main")) {
-      put(files, "@sources@/@Name@" + part + ".@ext@", language + "/" + part + ".@ext@");
+    for (String part : List.of("Factory", "Demo", "Main")) {
+      put(files, "@sources@/@Name@" + part + ".@ext@", own(part + ".@ext@"));
     }
-    put(files, "@sources@/AloneAtTheDock.@ext@", language + "/AloneAtTheDock.@ext@");
-    put(files, "@tests@/@Name@Test.@ext@", language + "/Test.@ext@");
+    put(files, "@sources@/AloneAtTheDock.@ext@", own("AloneAtTheDock.@ext@"));
+    put(files, "@tests@/@Name@Test.@ext@", own("Test.@ext@"));
     return files;
+  }
+
+  private boolean isProgram() {
+    return language.equals("starl");
+  }
+
+  /** The resource of the language; beside a program, of Java where the program needs no other. */
+  private String own(String resource) {
+    String its = withWords(language + "/" + resource);
+    return isProgram() && read(its + SUFFIX) == null ? withWords(JAVA + resource) : its;
   }
 
   private void put(Map<String, Written> files, String path, String resource) {
@@ -108,7 +128,7 @@ final class ProjectTemplate {
     if (words.containsKey(line.group(1))) {
       return line.group();
     }
-    String text = read(language + "/" + line.group(1) + SUFFIX);
+    String text = read(own(line.group(1)) + SUFFIX);
     return text == null ? "" : text;
   }
 

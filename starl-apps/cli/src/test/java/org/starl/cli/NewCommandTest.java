@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.regex.Matcher;
@@ -182,6 +183,44 @@ class NewCommandTest {
     assertThat(cli.err())
         .containsExactly(
             "starl: myrobots.MyRobotsDemo: its name 'hello' is taken; expected another");
+  }
+
+  @Test
+  void aProjectWithAProgramIsSimulatedExploredAndProvedAsItsReadmeSays(@TempDir Path temporary)
+      throws IOException {
+    UserProject programs = UserProject.written(temporary.resolve(NAME), NAME, "--starl").compiled();
+    assertThat(programs.test(TEST_CLASS)).isEmpty();
+    Cli run = programs.run("run", NAME, "--seed", "7");
+    assertThat(run.status()).as("%s", run).isZero();
+    assertThat(run.text()).contains("4 of 4 robots", "alone_at_the_dock");
+    String program = "src/main/starl/MyRobotsApp.starl";
+    String file = programs.root().resolve(program).toString();
+    String sizes = "--size Zones=1 --size Places=1 --nat 1 --robots 2";
+    assertThat(programs.text("README.md")).contains("check " + program + " " + sizes + "\n");
+    List<String> check = new ArrayList<>(List.of("check", file));
+    check.addAll(List.of(sizes.split(" ", -1)));
+    Cli checked = programs.run(check.toArray(String[]::new));
+    assertThat(checked.status()).as("%s", checked).isZero();
+    Matcher change =
+        Pattern.compile("write\n\n    (when .*)\n\n.*\n\n((    .*\n)+)\nIn `drive_out` take `(.*)` out")
+            .matcher(programs.text("README.md"));
+    assertThat(change.find()).isTrue();
+    programs.edit(program, "when moat.done do moat.do_move(home); goto drive_out", change.group(1));
+    programs.edit(program, "location drive_out\n", change.group(2) + "\nlocation drive_out\n");
+    programs.edit(program, change.group(4) + " made", "made");
+    Cli broken = programs.run(check.toArray(String[]::new));
+    assertThat(broken.status()).as("%s", broken).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(broken.text()).contains("Asks is false after");
+  }
+
+  @Test
+  void aProgramInKotlinIsRefusedInOneLine(@TempDir Path empty) throws IOException {
+    String folder = empty.resolve("x").toString();
+    Cli cli = Cli.run("new", NAME, "--starl", "--kotlin", "--folder", folder);
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err())
+        .containsExactly("starl: --starl: expected no --kotlin beside it; its builds make Java");
+    assertThat(empty).isEmptyDirectory();
   }
 
   @Test

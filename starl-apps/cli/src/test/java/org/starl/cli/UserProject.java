@@ -31,8 +31,10 @@ final class UserProject {
   }
 
   /** Writes it into a new folder. */
-  static UserProject written(Path root, String name) {
-    Cli cli = Cli.run("new", name, "--folder", root.toString());
+  static UserProject written(Path root, String name, String... options) {
+    List<String> command = new ArrayList<>(List.of("new", name, "--folder", root.toString()));
+    command.addAll(List.of(options));
+    Cli cli = Cli.run(command.toArray(String[]::new));
     assertThat(cli.status()).as("%s", cli).isZero();
     return new UserProject(root);
   }
@@ -54,10 +56,11 @@ final class UserProject {
 
   /** Compiles it as its own build does, with every warning an error. */
   UserProject compiled() throws IOException {
+    writePrograms();
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter said = new StringWriter();
     try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
-        Stream<Path> paths = Files.walk(root.resolve("src"))) {
+        Stream<Path> paths = Files.walk(root)) {
       List<String> options = new ArrayList<>(List.of("--release", "21", "-proc:none", "-Werror"));
       options.addAll(List.of("-Xlint:all,-processing,-path", "-d", classes.toString()));
       options.addAll(List.of("-cp", System.getProperty("java.class.path")));
@@ -74,6 +77,20 @@ final class UserProject {
           services.resolve(service), text("src/main/resources/META-INF/services/" + service));
     }
     return this;
+  }
+
+  /** Makes Java of its programs, as its builds do. */
+  private void writePrograms() throws IOException {
+    Path programs = root.resolve("src/main/starl");
+    if (Files.isDirectory(programs)) {
+      try (Stream<Path> sources = Files.list(programs)) {
+        for (Path source : sources.toList()) {
+          String folder = root.resolve("target/generated-sources/starl").toString();
+          Cli cli = Cli.run("compile", source.toString(), "--java", folder);
+          assertThat(cli.status()).as("%s", cli).isZero();
+        }
+      }
+    }
   }
 
   /** Runs its one test class; returns the messages of its failures. */
