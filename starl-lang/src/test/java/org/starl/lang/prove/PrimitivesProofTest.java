@@ -59,6 +59,14 @@ class PrimitivesProofTest {
   }
 
   @Test
+  void intersectionKeepsItsInvariants() throws IOException, SourceErrors {
+    Report report = prove(read("Traffic_decls", ""));
+    assertThat(report.isProved()).isTrue();
+    assertThat(report.claim("Held").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
+    assertThat(report.claim("Peers").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
+  }
+
+  @Test
   void mutexThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
     assertThat(caught(read("Mutex_decls", WAITS)))
         .containsExactly(
