@@ -5,20 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.lang.check.Mutants;
 import org.starl.lang.prove.Claim.Verdict;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
-import org.starl.lang.tree.Action;
-import org.starl.lang.tree.Action.Conjunct;
-import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Automaton;
-import org.starl.lang.tree.Expr;
 
 /** The primitives' automata, as they stand in {@code pvs/starl}, and wrong ones. */
 @Tag("long")
@@ -90,60 +86,10 @@ class PrimitivesProofTest {
 
   /** The automata with one condition dropped or denied, or one effect dropped, that are not proved. */
   private static List<String> caught(Automaton automaton) {
-    List<String> caught = new ArrayList<>();
-    for (Action action : automaton.actions()) {
-      for (int i = 0; i < action.pre().size(); i++) {
-        Conjunct conjunct = action.pre().get(i);
-        List<Conjunct> less = without(action.pre(), i);
-        tryOut(automaton, action, less, action.eff(), "without " + conjunct.text(), caught);
-        less.add(new Conjunct(new Expr.Not(conjunct.condition(), action.pos()), conjunct.text()));
-        tryOut(automaton, action, less, action.eff(), "with not " + conjunct.text(), caught);
-      }
-      for (int i = 0; i < action.eff().size(); i++) {
-        List<Effect> less = without(action.eff(), i);
-        tryOut(automaton, action, action.pre(), less, "without effect " + (i + 1), caught);
-      }
-    }
-    return caught;
-  }
-
-  private static <T> List<T> without(List<T> list, int index) {
-    List<T> less = new ArrayList<>(list);
-    less.remove(index);
-    return less;
-  }
-
-  private static void tryOut(
-      Automaton of,
-      Action action,
-      List<Conjunct> pre,
-      List<Effect> eff,
-      String what,
-      List<String> caught) {
-    List<Action> actions = new ArrayList<>(of.actions());
-    actions.set(
-        actions.indexOf(action),
-        new Action(action.name(), action.parameters(), pre, eff, List.of(), "", action.pos()));
-    Automaton mutant =
-        new Automaton(
-            of.name(),
-            of.typeParameters(),
-            of.valueParameters(),
-            of.assumptions(),
-            of.types(),
-            of.state(),
-            of.uses(),
-            of.functions(),
-            of.start(),
-            actions,
-            of.invariants(),
-            of.javaClass(),
-            of.javaTypes(),
-            of.comment(),
-            of.pos());
-    if (!prove(mutant).isProved()) {
-      caught.add(action.name() + " " + what);
-    }
+    return Mutants.of(automaton).stream()
+        .filter(mutant -> !prove(mutant.automaton()).isProved())
+        .map(Mutants.Mutant::toString)
+        .toList();
   }
 
   private static Report prove(Automaton automaton) {
