@@ -160,6 +160,6 @@ class CheckTest {
     assertThat(check("").err())
         .singleElement()
         .asString()
-        .contains("lamps.starl:1:1: no unit here; expected 'automaton' or 'program'");
+        .contains("lamps.starl:1:1: no automaton or program here");
   }
 }
