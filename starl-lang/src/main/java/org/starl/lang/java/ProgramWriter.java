@@ -77,7 +77,6 @@ final class ProgramWriter {
         program.name(),
         program.typeParameters(),
         program.given(),
-        List.of(),
         program.types(),
         List.copyOf(state),
         Map.of(),
@@ -257,7 +256,7 @@ final class ProgramWriter {
     }
     out.line(6, "}").line(6, "sleep(" + program.everyMs() + ");").line(4, "}");
     out.line(4, "return List.of();").line(2, "}");
-    over();
+    end();
     out.blank()
         .doc(2, List.of("Where it is, for people who ask why a run does not end."), List.of());
     out.line(2, "private String where() {");
@@ -266,7 +265,7 @@ final class ProgramWriter {
     out.returned(4, where).line(2, "}");
   }
 
-  private void over() {
+  private void end() {
     List<Code> ends =
         program.locations().stream()
             .filter(each -> each.branches().isEmpty())
