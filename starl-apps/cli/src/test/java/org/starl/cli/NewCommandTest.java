@@ -202,7 +202,8 @@ class NewCommandTest {
     Cli checked = programs.run(check.toArray(String[]::new));
     assertThat(checked.status()).as("%s", checked).isZero();
     Matcher change =
-        Pattern.compile("write\n\n    (when .*)\n\n.*\n\n((    .*\n)+)\nIn `drive_out` take `(.*)` out")
+        Pattern.compile(
+                "write\n\n    (when .*)\n\n.*\n\n((    .*\n)+)\nIn `drive_out` take `(.*)` out")
             .matcher(programs.text("README.md"));
     assertThat(change.find()).isTrue();
     programs.edit(program, "when moat.done do moat.do_move(home); goto drive_out", change.group(1));
