@@ -345,7 +345,14 @@ final class Lowering {
       Expr can =
           new Expr.Enabled(instance.name(), automaton, action, arguments, branch.guard().pos());
       pre.add(new Conjunct(can, instance.name() + "." + happened.outcome().name()));
-      eff.add(new Effect.Step(Optional.empty(), instance.name(), automaton, action, arguments, branch.guard().pos()));
+      eff.add(
+          new Effect.Step(
+              Optional.empty(),
+              instance.name(),
+              automaton,
+              action,
+              arguments,
+              branch.guard().pos()));
     }
 
     /** An outcome that is not taken says nothing. */
@@ -393,7 +400,9 @@ final class Lowering {
       Action action = call.call().action();
       List<Expr> asked = new ArrayList<>(call.call().pre().stream().map(lifting::lift).toList());
       asked.add(new Expr.Enabled(instance.name(), automaton, action, arguments, call.pos()));
-      eff.add(new Effect.Step(Optional.empty(), instance.name(), automaton, action, arguments, call.pos()));
+      eff.add(
+          new Effect.Step(
+              Optional.empty(), instance.name(), automaton, action, arguments, call.pos()));
       List<Expr> when = pre.stream().map(Conjunct::condition).toList();
       Expr may =
           binary(
@@ -428,7 +437,14 @@ final class Lowering {
                   new Conjunct(
                       new Expr.Enabled(instance.name(), automaton, step, arguments, instance.pos()),
                       text)),
-              List.of(new Effect.Step(Optional.empty(), instance.name(), automaton, step, arguments, instance.pos())),
+              List.of(
+                  new Effect.Step(
+                      Optional.empty(),
+                      instance.name(),
+                      automaton,
+                      step,
+                      arguments,
+                      instance.pos())),
               List.of(),
               "",
               instance.pos()));

@@ -103,16 +103,18 @@ final class TrafficSafety extends LemmaMonitor {
         zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot));
       }
     }
-    bodies.forEach(timeNs, (robot, pose, radiusMm, isMoving) -> {
-      Point at = pose.at();
-      for (Zone zone : zones) {
-        if (zone.region().distanceMm(at) < radiusMm) {
-          occupies(robot, zone, at, timeNs, report);
-        } else if (!zone.occupants().isEmpty()) {
-          zone.occupants().remove(robot);
-        }
-      }
-    });
+    bodies.forEach(
+        timeNs,
+        (robot, pose, radiusMm, isMoving) -> {
+          Point at = pose.at();
+          for (Zone zone : zones) {
+            if (zone.region().distanceMm(at) < radiusMm) {
+              occupies(robot, zone, at, timeNs, report);
+            } else if (!zone.occupants().isEmpty()) {
+              zone.occupants().remove(robot);
+            }
+          }
+        });
   }
 
   private void occupies(RobotId robot, Zone zone, Point at, long timeNs, Report report) {
