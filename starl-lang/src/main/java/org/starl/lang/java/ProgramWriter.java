@@ -77,6 +77,7 @@ final class ProgramWriter {
         program.name(),
         program.typeParameters(),
         program.given(),
+        List.of(),
         program.types(),
         List.copyOf(state),
         Map.of(),
