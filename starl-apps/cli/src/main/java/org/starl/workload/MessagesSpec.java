@@ -157,7 +157,7 @@ final class MessagesSpec extends LemmaMonitor {
   private void changed(TraceEvent event) {
     RobotId robot = event.robot();
     boolean isEnd =
-        event instanceof Left || event instanceof Fault fault && fault.name().equals(Fault.CRASH);
+        event instanceof Left || (event instanceof Fault fault && fault.name().equals(Fault.CRASH));
     if (isEnd) {
       programs.remove(robot);
       for (Within<LetterId> each : List.of(deliveries, brief, lasting)) {
@@ -249,7 +249,9 @@ final class MessagesSpec extends LemmaMonitor {
       check(HANDLED, isHandled, action, letter + " is told delivered, but is not", report);
     }
     deliveries.stop(letter);
-    if (brief.stop(letter) | lasting.stop(letter)) {
+    boolean wasBrief = brief.stop(letter);
+    boolean wasLasting = lasting.stop(letter);
+    if (wasBrief || wasLasting) {
       report.checked(SETTLED);
     } else {
       check(SETTLED, false, action, letter + " is settled a second time", report);
