@@ -82,7 +82,6 @@ final class Lowering {
   }
 
   // --- the automaton
-  // -------------------------------------------------------------------------------
 
   /**
    * The automaton.
@@ -234,7 +233,6 @@ final class Lowering {
   }
 
   // --- expressions
-  // ---------------------------------------------------------------------------------
 
   private static Expr self(Pos pos) {
     return new Expr.Variable(Program.SELF, IDS, pos);
@@ -287,7 +285,6 @@ final class Lowering {
   }
 
   // --- actions
-  // -------------------------------------------------------------------------------------
 
   private void addActions(Location at) {
     List<Branch> before = new ArrayList<>();
@@ -464,7 +461,6 @@ final class Lowering {
   }
 
   // --- invariants
-  // ----------------------------------------------------------------------------------
 
   /** The invariants of a primitive's automaton, and of those that it uses, hold here, too. */
   private void addInvariants(Instance instance) {
