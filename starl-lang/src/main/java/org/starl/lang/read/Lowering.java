@@ -320,13 +320,14 @@ final class Lowering {
       Optional<Guards.Happened> happened =
           rest.stream().flatMap(each -> Guards.outcome(each, instances).stream()).findFirst();
       rest.removeIf(each -> Guards.outcome(each, instances).isPresent());
+      if (happened.isEmpty()) {
+        before.forEach(
+            this::addNot); // first: the guard may have a value only where these are false
+      }
       happened.ifPresent(this::addOutcome);
       if (!rest.isEmpty()) {
         pre.add(
             new Conjunct(lower(Exprs.all(rest, branch.guard().pos()), Map.of()), branch.text()));
-      }
-      if (happened.isEmpty()) {
-        before.forEach(this::addNot);
       }
     }
 

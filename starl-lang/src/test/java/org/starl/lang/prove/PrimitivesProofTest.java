@@ -62,6 +62,16 @@ class PrimitivesProofTest {
     assertThat(report.claim("Peers").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
   }
 
+  /** The program of the intersection's second car. */
+  @Test
+  void carOfFigure3KeepsItsInvariants() throws IOException, SourceErrors {
+    Path file = Path.of("../starl-apps/src/main/starl/IcpProgram.starl").toAbsolutePath();
+    Report report = prove(new SourceReader().read(file).getLast());
+    assertThat(report.isProved()).isTrue();
+    assertThat(report.claim("Traffic_safety")).isPresent();
+    assertThat(report.claim("Occupied_is_held").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
+  }
+
   @Test
   void mutexThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
     assertThat(caught(read("Mutex_decls", WAITS)))

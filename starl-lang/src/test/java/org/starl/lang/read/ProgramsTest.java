@@ -187,8 +187,8 @@ class ProgramsTest {
               pre loc(self) = waiting, mux.crit_set(self) != {} and n(self) > 1
               eff loc(self) := inside, n(self) := m(self), m(self) := m(self)
             action waiting_to_inside_2(self: PIDS)
-              pre loc(self) = waiting, mux.crit_set(self) != {},
-                not (mux.crit_set(self) != {} and n(self) > 1)
+              pre loc(self) = waiting, not (mux.crit_set(self) != {} and n(self) > 1),
+                mux.crit_set(self) != {}
               eff loc(self) := inside
             action waiting_restarts(self: PIDS)
               pre loc(self) = waiting, mux.withdraw(self), n(self) > 0
