@@ -103,7 +103,7 @@ class MissionTest {
         SEALED.replace("figure7}", "figure7, floorWidth: 7m}"),
         "bot0",
         key(),
-        "my.yaml:2: floorWidth: '7m': expected one of [arrivals, debris, files, scenario] for"
+        "my.yaml:2: floorWidth: '7m': expected one of [arrivals, car, debris, files, scenario] for"
             + " intersection on a phone");
     isRefused(
         SEALED.replace("app: intersection", "app: race").replace("scenario: figure7", "drawn: 0"),
