@@ -2,7 +2,6 @@ package org.starl.robot.serial;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import org.starl.robot.create.StreamLink;
 
@@ -25,7 +24,7 @@ public final class PseudoTerminal {
           near, far = pty.openpty()
           tty.setraw(far)
           os.set_blocking(near, False)
-          path = os.ttyname(far)
+          terminal = path = os.ttyname(far)
           if name:
               if os.path.islink(name):
                   os.unlink(name)
@@ -50,7 +49,8 @@ public final class PseudoTerminal {
                       except BlockingIOError:
                           pass # no program reads: a serial line loses it too
       except (EOFError, BrokenPipeError):
-          if name and os.path.islink(name):
+          # a later terminal may have taken the name
+          if name and os.path.islink(name) and os.readlink(name) == terminal:
               os.unlink(name)
       """;
 
@@ -58,7 +58,8 @@ public final class PseudoTerminal {
 
   /**
    * Opens a pseudo terminal under {@code name}, a symbolic link that is made, or replaced, for it; the
-   * empty name stands for the system's own.
+   * empty name stands for the system's own. When the link's {@code close} returns, the name is gone,
+   * unless a later terminal has taken it.
    *
    * @throws IOException if there is no python3, or the link cannot be made
    */
@@ -78,8 +79,18 @@ public final class PseudoTerminal {
     if (path.startsWith("!")) {
       throw new IOException("no pseudo terminal " + name + ": " + path.substring(1));
     }
-    // The end of its input ends the process, which removes the name.
-    OutputStream output = process.getOutputStream();
-    return new StreamLink(path, process.getInputStream(), output, output);
+    return new StreamLink(
+        path, process.getInputStream(), process.getOutputStream(), () -> end(process));
+  }
+
+  /** The end of its input, or a write that nobody reads, ends the process, which removes the name. */
+  private static void end(Process process) throws IOException {
+    process.getOutputStream().close();
+    process.getInputStream().close();
+    try {
+      process.waitFor();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // it ends by itself, later
+    }
   }
 }

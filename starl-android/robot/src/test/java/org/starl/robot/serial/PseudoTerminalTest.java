@@ -1,6 +1,7 @@
 package org.starl.robot.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
@@ -32,6 +33,26 @@ class PseudoTerminalTest {
         StreamLink second = PseudoTerminal.open(name)) {
       assertThat(second.name()).isEqualTo(first.name());
     }
+  }
+
+  @Test
+  void aClosedTerminalLeavesTheNameToALaterOne() throws IOException {
+    Path name = folder.resolve("port");
+    StreamLink first = PseudoTerminal.open(name.toString());
+    try (StreamLink second = PseudoTerminal.open(name.toString())) {
+      Path terminal = Files.readSymbolicLink(name);
+      assertThatCode(first::close).doesNotThrowAnyException();
+      assertThat(name).isSymbolicLink();
+      assertThat(Files.readSymbolicLink(Path.of(second.name()))).isEqualTo(terminal);
+    }
+  }
+
+  @Test
+  void aClosedTerminalHasNoName() throws IOException {
+    Path name = folder.resolve("port");
+    PseudoTerminal.open(name.toString()).close();
+    assertThat(name).doesNotExist();
+    assertThat(folder).isEmptyDirectory();
   }
 
   @Test
