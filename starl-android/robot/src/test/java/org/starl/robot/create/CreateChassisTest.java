@@ -30,6 +30,7 @@ class CreateChassisTest {
 
       robot.body.senses = Senses.NOTHING;
       robot.await("drives on", () -> robot.body.leftMmPerS == 200);
+      robot.await("told", () -> robot.heard.size() == 2); // the wheels do not wait for this
       assertThat(robot.heard).containsExactly(Bumps.BOTH, Bumps.NONE);
       assertThat(robot.troubles).noneMatch(told -> told.startsWith("no link"));
     }
