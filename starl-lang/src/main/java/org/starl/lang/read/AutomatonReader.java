@@ -67,13 +67,7 @@ final class AutomatonReader extends PartsReader {
     }
     each( // before there are other names: it may speak of parameters alone
         StarlParser.AssumePartContext.class,
-        at ->
-            assumptions.add(
-                new Invariant(
-                    newName(at.name),
-                    expressions.bool(at.expression()),
-                    source.before(at),
-                    pos(at))));
+        at -> assumptions.add(condition(at, at.name, at.expression())));
     each(StarlParser.StatePartContext.class, at -> at.component().forEach(this::component));
     each(StarlParser.UsesPartContext.class, this::use);
     readJava();
@@ -148,13 +142,7 @@ final class AutomatonReader extends PartsReader {
         new Component(
             name, new Type.StateOf(instance), source.before(at), source.after(at.getStop())));
     assumptions.addAll(instance.assumptions());
-    knowTypes(instance);
-  }
-
-  /** The types of a used automaton are known by their names, if these are free. */
-  private void knowTypes(Automaton used) {
-    used.types().forEach(each -> scope.types.putIfAbsent(each.type().toString(), each.type()));
-    used.uses().values().forEach(this::knowTypes);
+    scope.knowTypes(instance);
   }
 
   /** The used automaton, with this one's types for its parameters; these must have the same names. */
@@ -176,8 +164,7 @@ final class AutomatonReader extends PartsReader {
   }
 
   private Action action(StarlParser.ActionPartContext at) {
-    List<Field> parameters =
-        at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
+    List<Field> parameters = fields(at.binders(), false);
     scope.push(parameters);
     try {
       List<Conjunct> pre = new ArrayList<>();
@@ -234,18 +221,7 @@ final class AutomatonReader extends PartsReader {
                 + "' is no used automaton; expected 'place := value', or one of "
                 + scope.uses.keySet());
       }
-      Action action =
-          automaton
-              .action(step.action.getText())
-              .orElseThrow(() ->
-                  expressions.wrong(
-                      step.action,
-                      "'"
-                          + step.action.getText()
-                          + "' is no action of "
-                          + automaton.name()
-                          + "; expected one of "
-                          + automaton.actions().stream().map(Action::name).toList()));
+      Action action = action(step.action, automaton);
       return new Effect.Step(
           Optional.ofNullable(step.condition).map(expressions::bool),
           used,

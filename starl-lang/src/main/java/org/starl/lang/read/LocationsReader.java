@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.antlr.v4.runtime.ParserRuleContext;
-import org.starl.input.NearMatches;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.BranchContext;
 import org.starl.lang.grammar.StarlParser.LocationPartContext;
@@ -184,7 +183,7 @@ final class LocationsReader {
       LocationPartContext location = parts.get(name);
       if (location == null) {
         throw expressions.wrong(
-            at.to, "'" + name + "' is no location; expected " + oneOf(name, parts.keySet()));
+            at.to, "'" + name + "' is no location; " + oneOf(name, parts.keySet()));
       }
       entered.add(name);
       problems.refer(at.to, "location " + name, pos(location.name));
@@ -211,7 +210,7 @@ final class LocationsReader {
         List<String> known =
             scope.state.keySet().stream().filter(each -> !instances.containsKey(each)).toList();
         throw expressions.wrong(
-            at.name, "'" + name + "' is no variable; expected " + oneOf(name, known));
+            at.name, "'" + name + "' is no variable; " + oneOf(name, known));
       }
       problems.refer(at.name, name + ": " + type, scope.place(name, at.name));
       return new Statement.Assign(name, read(at.expression(), type), SourceText.of(at), pos(at));
@@ -226,7 +225,7 @@ final class LocationsReader {
         }
         throw expressions.wrong(
             at.used,
-            "'" + name + "' is no primitive here; expected " + oneOf(name, instances.keySet()));
+            "'" + name + "' is no primitive here; " + oneOf(name, instances.keySet()));
       }
       List<Primitive.Call> calls = instance.primitive().calls();
       String wanted = at.name.getText();
@@ -241,7 +240,7 @@ final class LocationsReader {
                           + wanted
                           + "' is no call of "
                           + instance.primitive().name()
-                          + "; expected "
+                          + "; "
                           + oneOf(wanted, calls.stream().map(Primitive.Call::name).toList())));
       problems.refer(at.used, name + ": " + instance.primitive().name(), instance.pos());
       problems.refer(
@@ -267,13 +266,9 @@ final class LocationsReader {
     }
 
     private static String oneOf(String name, java.util.Collection<String> known) {
-      if (known.isEmpty()) {
-        return "a declaration of it before";
-      }
-      List<String> near = NearMatches.of(name, known);
-      return "one of "
-          + String.join(", ", known)
-          + (near.isEmpty() ? "" : "; is it " + near.getFirst() + "?");
+      return known.isEmpty()
+          ? "expected a declaration of it before"
+          : Problems.oneOf(name, known);
     }
   }
 }

@@ -11,11 +11,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.PartContext;
+import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Automaton.JavaType;
@@ -87,19 +91,42 @@ class PartsReader {
     List<Invariant> invariants = new ArrayList<>();
     each(
         StarlParser.InvariantPartContext.class,
-        at ->
-            invariants.add(
-                new Invariant(
-                    newName(at.name),
-                    expressions.bool(at.expression()),
-                    source.before(at),
-                    pos(at))));
+        at -> invariants.add(condition(at, at.name, at.expression())));
     requireUnique(invariants.stream().map(Invariant::name).toList(), "invariant");
     return List.copyOf(invariants);
   }
 
-  final <P extends PartContext> void each(Class<P> kind, java.util.function.Consumer<P> read) {
-    for (PartContext part : parts) {
+  final Invariant condition(
+      PartContext at, StarlParser.IdContext name, StarlParser.ExpressionContext condition) {
+    return new Invariant(newName(name), expressions.bool(condition), source.before(at), pos(at));
+  }
+
+  final List<Field> fields(StarlParser.@Nullable BindersContext at, boolean mayShadow) {
+    return at == null ? List.of() : types.fields(at.binderGroup(), mayShadow);
+  }
+
+  final Action action(StarlParser.IdContext at, Automaton automaton) {
+    return automaton
+        .action(at.getText())
+        .orElseThrow(() ->
+            expressions.wrong(
+                at,
+                "'"
+                    + at.getText()
+                    + "' is no action of "
+                    + automaton.name()
+                    + "; expected one of "
+                    + automaton.actions().stream().map(Action::name).toList()));
+  }
+
+  final <P extends PartContext> void each(Class<P> kind, Consumer<P> read) {
+    each(parts, kind, read);
+  }
+
+  /** Reads the parts of one kind, and goes on after an error in one. */
+  final <P extends ParserRuleContext> void each(
+      List<? extends ParserRuleContext> parts, Class<P> kind, Consumer<P> read) {
+    for (ParserRuleContext part : parts) {
       if (kind.isInstance(part)) {
         orTold(() -> {
           read.accept(kind.cast(part));
@@ -162,8 +189,7 @@ class PartsReader {
     for (StarlParser.FunPartContext at : parts) {
       orTold(() -> {
         String name = newName(at.name);
-        List<Field> parameters =
-            at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), false);
+        List<Field> parameters = fields(at.binders(), false);
         Type result = types.type(at.type());
         scope.functions.put(
             name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));

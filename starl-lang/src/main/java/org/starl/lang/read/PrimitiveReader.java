@@ -5,7 +5,6 @@ import static org.starl.lang.read.Problems.pos;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -71,7 +70,7 @@ final class PrimitiveReader extends PartsReader {
     scope.enter(automaton);
     Field self = new Field(Program.SELF, new Type.Opaque(Program.IDS));
     scope.push(List.of(self));
-    List<Field> parameters = fields(unit.binders());
+    List<Field> parameters = fields(unit.binders(), true);
     unit.face().forEach(face -> orTold(() -> read(face, automaton)));
     return new Primitive(
         unit.name.getText(),
@@ -89,10 +88,6 @@ final class PrimitiveReader extends PartsReader {
         pos(unit));
   }
 
-  private List<Field> fields(StarlParser.@Nullable BindersContext at) {
-    return at == null ? List.of() : types.fields(at.binderGroup(), true);
-  }
-
   private boolean read(StarlParser.FaceContext face, Automaton automaton) {
     return switch (face) {
       case StarlParser.JavaFaceContext at -> {
@@ -101,7 +96,7 @@ final class PrimitiveReader extends PartsReader {
         yield true;
       }
       case StarlParser.CallFaceContext at -> {
-        List<Field> parameters = fields(at.binders());
+        List<Field> parameters = fields(at.binders(), true);
         scope.push(parameters);
         try {
           List<Expr> pre =
@@ -146,19 +141,5 @@ final class PrimitiveReader extends PartsReader {
 
   private List<Expr> arguments(StarlParser.UsedStepContext at, Action action) {
     return expressions.arguments(action.name(), action.parameters(), at.expression(), at);
-  }
-
-  private Action action(StarlParser.IdContext at, Automaton automaton) {
-    return automaton
-        .action(at.getText())
-        .orElseThrow(() ->
-            expressions.wrong(
-                at,
-                "'"
-                    + at.getText()
-                    + "' is no action of "
-                    + automaton.name()
-                    + "; expected one of "
-                    + automaton.actions().stream().map(Action::name).toList()));
   }
 }

@@ -1,10 +1,12 @@
 package org.starl.lang.read;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.starl.input.NearMatches;
 import org.starl.lang.tree.Pos;
 
 /** Collects what is wrong in one source, and what its names mean. */
@@ -61,6 +63,14 @@ final class Problems {
             Comparator.comparingInt((SourceError e) -> e.pos().line())
                 .thenComparingInt(e -> e.pos().column()))
         .toList();
+  }
+
+  /** What was expected in place of {@code name}, with the known one that looks like it. */
+  static String oneOf(String name, Collection<String> known) {
+    List<String> near = NearMatches.of(name, known);
+    return "expected one of "
+        + String.join(", ", known)
+        + (near.isEmpty() ? "" : "; is it " + near.getFirst() + "?");
   }
 
   static Pos pos(Token token) {

@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
-import org.starl.input.NearMatches;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.PartContext;
 import org.starl.lang.grammar.StarlParser.ProgramPartContext;
@@ -107,14 +106,7 @@ final class ProgramReader extends PartsReader {
   }
 
   private <P extends ProgramPartContext> void every(Class<P> kind, Consumer<P> read) {
-    for (ProgramPartContext part : unit.programPart()) {
-      if (kind.isInstance(part)) {
-        orTold(() -> {
-          read.accept(kind.cast(part));
-          return true;
-        });
-      }
-    }
+    each(unit.programPart(), kind, read);
   }
 
   private List<StarlParser.LocationPartContext> locationParts() {
@@ -160,7 +152,12 @@ final class ProgramReader extends PartsReader {
     }
     for (ProgramPartContext part : unit.programPart()) {
       if (part instanceof StarlParser.InstancePartContext at) {
-        primitive(at.of.getText()).ifPresent(each -> enter(each.automaton()));
+        primitive(at.of.getText())
+            .map(Primitive::automaton)
+            .ifPresent(each -> {
+              enter(each);
+              scope.knowTypes(each);
+            });
       }
     }
     scope.types.put(Lowering.LOCATION, new Type.Opaque(Lowering.LOCATION));
@@ -173,7 +170,6 @@ final class ProgramReader extends PartsReader {
 
   private void enter(Automaton automaton) {
     automaton.typeParameters().forEach(this::addOpaque);
-    automaton.types().forEach(each -> scope.types.putIfAbsent(each.type().toString(), each.type()));
     automaton.valueParameters().forEach(each -> scope.values.put(each.name(), each.type()));
     automaton.uses().values().forEach(this::enter);
   }
@@ -195,8 +191,7 @@ final class ProgramReader extends PartsReader {
   private void javaFunction(StarlParser.JavaFunPartContext at) {
     String name = freshName(at.name);
     scope.wrong.add(name);
-    List<Field> parameters =
-        at.binders() == null ? List.of() : types.fields(at.binders().binderGroup(), true);
+    List<Field> parameters = fields(at.binders(), true);
     Type result = types.type(at.type());
     scope.wrong.remove(name);
     String method = unquoted(at.of);
@@ -242,14 +237,9 @@ final class ProgramReader extends PartsReader {
         primitive(at.of.getText())
             .orElseThrow(() -> {
               List<String> known = primitives.stream().map(Primitive::name).toList();
-              List<String> near = NearMatches.of(at.of.getText(), known);
+              String wanted = at.of.getText();
               return expressions.wrong(
-                  at.of,
-                  "'"
-                      + at.of.getText()
-                      + "' is no primitive; expected one of "
-                      + String.join(", ", known)
-                      + (near.isEmpty() ? "" : "; is it " + near.getFirst() + "?"));
+                  at.of, "'" + wanted + "' is no primitive; " + Problems.oneOf(wanted, known));
             });
     problems.refer(
         at.of,

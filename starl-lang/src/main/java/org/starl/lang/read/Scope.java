@@ -62,6 +62,12 @@ final class Scope {
     known.functions().forEach(f -> functions.put(f.signature().name(), f.signature()));
   }
 
+  /** The types of a used automaton are known by their names, if these are free. */
+  void knowTypes(Automaton used) {
+    used.types().forEach(each -> types.putIfAbsent(each.type().toString(), each.type()));
+    used.uses().values().forEach(this::knowTypes);
+  }
+
   private void addTypes(Automaton known) {
     known.typeParameters().forEach(name -> types.put(name, new Type.Opaque(name)));
     known.types().forEach(each -> add(each.type()));

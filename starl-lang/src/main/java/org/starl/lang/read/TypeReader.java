@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.starl.input.NearMatches;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.BinderGroupContext;
 import org.starl.lang.grammar.StarlParser.IdContext;
@@ -46,14 +45,8 @@ final class TypeReader {
   private Type named(IdContext at) {
     Type known = scope.types.get(at.getText());
     if (known == null) {
-      List<String> near = NearMatches.of(at.getText(), scope.types.keySet());
-      problems.add(
-          at,
-          "'"
-              + at.getText()
-              + "' is no type; expected one of "
-              + String.join(", ", scope.types.keySet())
-              + (near.isEmpty() ? "" : "; is it " + near.getFirst() + "?"));
+      String expected = Problems.oneOf(at.getText(), scope.types.keySet());
+      problems.add(at, "'" + at.getText() + "' is no type; " + expected);
       throw new Wrong();
     }
     Pos place = scope.places.get(at.getText());
