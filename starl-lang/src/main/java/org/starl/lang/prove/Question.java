@@ -18,7 +18,7 @@ final class Question {
 
   final Automaton automaton;
   private final Script script = new Script();
-  final Machine machine;
+  final AutomatonScript machine;
   private final Translator translator;
 
   /** The parameters of the action, and those for which an invariant fails. */
@@ -34,7 +34,7 @@ final class Question {
     this.automaton = automaton;
     String sizes = size == 0 ? "any number of elements" : size + " elements each";
     machine =
-        new Machine(
+        new AutomatonScript(
             automaton,
             new Sorts(automaton, size),
             script,

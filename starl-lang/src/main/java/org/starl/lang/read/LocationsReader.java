@@ -209,8 +209,7 @@ final class LocationsReader {
       if (type == null || instances.containsKey(name)) {
         List<String> known =
             scope.state.keySet().stream().filter(each -> !instances.containsKey(each)).toList();
-        throw expressions.wrong(
-            at.name, "'" + name + "' is no variable; " + oneOf(name, known));
+        throw expressions.wrong(at.name, "'" + name + "' is no variable; " + oneOf(name, known));
       }
       problems.refer(at.name, name + ": " + type, scope.place(name, at.name));
       return new Statement.Assign(name, read(at.expression(), type), SourceText.of(at), pos(at));
@@ -224,8 +223,7 @@ final class LocationsReader {
           throw new Wrong();
         }
         throw expressions.wrong(
-            at.used,
-            "'" + name + "' is no primitive here; " + oneOf(name, instances.keySet()));
+            at.used, "'" + name + "' is no primitive here; " + oneOf(name, instances.keySet()));
       }
       List<Primitive.Call> calls = instance.primitive().calls();
       String wanted = at.name.getText();
@@ -266,9 +264,7 @@ final class LocationsReader {
     }
 
     private static String oneOf(String name, java.util.Collection<String> known) {
-      return known.isEmpty()
-          ? "expected a declaration of it before"
-          : Problems.oneOf(name, known);
+      return known.isEmpty() ? "expected a declaration of it before" : Problems.oneOf(name, known);
     }
   }
 }

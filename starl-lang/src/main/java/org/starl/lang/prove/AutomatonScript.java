@@ -17,7 +17,7 @@ import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** An automaton in one script: its state before, {@code s}, and after an action, {@code t}. */
-final class Machine {
+final class AutomatonScript {
 
   private final Automaton automaton;
   private final Script script;
@@ -29,7 +29,7 @@ final class Machine {
   /**
    * @param title says what the script is about
    */
-  Machine(Automaton automaton, Sorts sorts, Script script, String title) {
+  AutomatonScript(Automaton automaton, Sorts sorts, Script script, String title) {
     this.automaton = automaton;
     this.script = script;
     script.comment(title);
