@@ -15,9 +15,10 @@ dependencyResolutionManagement {
     }
 }
 
-// The modules of pom.xml: starl-sim/view is :starl-sim-view. That for Spark is there with -Pspark alone.
+// The modules of pom.xml: starl-sim/view is :starl-sim-view. Those of Spark and JMH are there with -Pspark, -Pjmh alone.
 Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).map { it.groupValues[1] }.filter {
-    it != "starl-apps/spark" || providers.gradleProperty("spark").isPresent
+    it !in listOf("starl-apps/spark", "starl-apps/jmh") ||
+        providers.gradleProperty(it.substringAfterLast('/')).isPresent
 }.forEach { folder ->
     val name = ":" + folder.replace('/', '-')
     include(name)

@@ -2,6 +2,7 @@ package org.starl.build;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -30,6 +31,10 @@ final class GradleBuild {
   private static final Pattern LIBRARY =
       Pattern.compile("([\\w-]+) = \\{ module = \"([^\"]+)\", version\\.ref = \"([^\"]+)\" \\}");
   private static final Pattern DEPENDENCIES = Pattern.compile("(?ms)^dependencies \\{\\n(.*?)^\\}");
+
+  /** Configurations of tools of the build. */
+  private static final Set<String> TOOLS = Set.of("antlr", "annotationProcessor");
+
   private static final Pattern DEPENDENCY =
       Pattern.compile(
           "(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+)"
@@ -124,8 +129,8 @@ final class GradleBuild {
         continue;
       }
       Matcher dependency = match(DEPENDENCY, line);
-      if (dependency.group(1).equals("antlr")) {
-        continue; // a tool of the build; Maven has it as a plugin
+      if (TOOLS.contains(dependency.group(1))) {
+        continue; // Maven has them as plugins
       }
       String scope = scope(dependency.group(1));
       if (dependency.group(2) != null) {

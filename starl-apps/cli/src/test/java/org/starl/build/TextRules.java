@@ -2,6 +2,8 @@ package org.starl.build;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Predicate;
 
 /** What every file of the project keeps to, whatever language it is in. */
@@ -97,19 +99,18 @@ final class TextRules {
     return isWhole ? List.of() : List.of(1);
   }
 
-  /** Folders with shipped Java that have no package-info. */
-  static List<String> packagesWithoutInfo(List<SourceFile> files) {
-    List<String> paths = files.stream().map(SourceFile::path).toList();
-    List<String> found = new ArrayList<>();
+  /** Packages of shipped Java that have no package-info, in any module. */
+  static Set<String> packagesWithoutInfo(List<SourceFile> files) {
+    Set<String> without = new TreeSet<>();
+    Set<String> with = new TreeSet<>();
     for (SourceFile file : files) {
-      String folder = file.path().substring(0, file.path().lastIndexOf('/') + 1);
-      if (file.isMain()
-          && file.isJava()
-          && !paths.contains(folder + "package-info.java")
-          && !found.contains(folder)) {
-        found.add(folder);
+      if (file.isMain() && file.isJava()) {
+        int end = file.path().lastIndexOf('/');
+        String name = file.path().substring(file.path().indexOf("java/"), end);
+        (file.path().endsWith("/package-info.java") ? with : without).add(name);
       }
     }
-    return found;
+    without.removeAll(with);
+    return without;
   }
 }
