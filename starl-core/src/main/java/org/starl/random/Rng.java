@@ -15,10 +15,36 @@ public final class Rng {
   private static final long FNV_PRIME = 0x100000001B3L;
 
   private final long seed;
+  private final Redraw redraw;
   private long state;
 
+  /** Lets all generators that share it draw other numbers from now on. Not thread-safe. */
+  public static final class Redraw {
+
+    private static final Redraw NEVER = new Redraw();
+
+    private long salt;
+
+    /**
+     * From now on the generators draw as if they had another seed, which depends on their own one and
+     * on {@code number}.
+     */
+    public void with(long number) {
+      salt = new Rng(number).nextLong();
+    }
+  }
+
   public Rng(long seed) {
+    this(seed, Redraw.NEVER);
+  }
+
+  /**
+   * A generator which draws other numbers after {@code redraw}. Until then they are those of {@code
+   * new Rng(seed)}.
+   */
+  public Rng(long seed, Redraw redraw) {
     this.seed = seed;
+    this.redraw = redraw;
     this.state = mix(seed);
   }
 
@@ -28,12 +54,17 @@ public final class Rng {
     for (int i = 0; i < name.length(); i++) {
       hash = (hash ^ name.charAt(i)) * FNV_PRIME;
     }
-    return new Rng(mix(seed + GOLDEN_GAMMA) ^ mix(hash));
+    return withSeed(mix(seed + GOLDEN_GAMMA) ^ mix(hash));
+  }
+
+  /** A generator with another seed, which is drawn anew together with this one. */
+  public Rng withSeed(long newSeed) {
+    return new Rng(newSeed, redraw);
   }
 
   public long nextLong() {
     state += GOLDEN_GAMMA;
-    return mix(state);
+    return mix(state ^ redraw.salt);
   }
 
   /** Uniform in {@code [0, bound)}, without bias. */

@@ -43,6 +43,7 @@ import org.starl.trace.TraceEvent.Fault;
 final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   final SimulationPlan plan;
+  private final Rng.Redraw redraw = new Rng.Redraw();
   private final Rng behaviourRng;
   private final Kernel kernel;
   private final RunObservers observers;
@@ -70,7 +71,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   Engine(SimulationPlan plan) {
     this.plan = plan;
     sessions = new RunSessions(plan.key());
-    behaviourRng = new Rng(plan.header().behaviourSeed());
+    behaviourRng = new Rng(plan.header().behaviourSeed(), redraw);
     kernel = new Kernel(plan.carriers());
     observers =
         new RunObservers(
@@ -93,6 +94,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     observers.started(plan.header());
     try {
       plan.robots().forEach(this::join);
+      plan.settings().get(Setting.REDRAWS).install(this, redraw);
       FaultRun faultRun = plan.faults().install(this, behaviourRng.fork("faults"));
       Director director = plan.director();
       if (director != null) {
@@ -492,6 +494,11 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   Obstacles knownObstacles() {
     return knownObstacles;
+  }
+
+  /** What stays the same for {@code robot} in all its incarnations, also after a redraw. */
+  Rng lastingRng(RobotId robot) {
+    return new Rng(plan.header().behaviourSeed()).fork(robot.name());
   }
 
   /** The generator of all random numbers of {@code robot}. */

@@ -143,6 +143,16 @@ public final class Setting<T> {
   public static final Setting<Duration> CHAOS_FOR =
       duration("chaosFor", "time after which chaos has ended; 0ms: half of the run, at most 60s");
 
+  /** In a trace's header only if it was given: traces without it are as before. */
+  public static final Setting<Redraws> REDRAWS =
+      own(
+          "redraws",
+          SettingType.unlimited(
+              Redraws.class, Redraws::parse, Redraws::toString, new Form.Text(Redraws.PATTERN)),
+          Redraws.NONE,
+          "times at which the run begins to draw other random numbers: 12.3s#17; with ; between"
+              + " them");
+
   // What robots learn of hidden obstacles.
   public static final Setting<Double> CONTACT_MARK =
       size(

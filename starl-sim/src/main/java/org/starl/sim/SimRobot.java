@@ -85,7 +85,7 @@ final class SimRobot implements TraceSink {
     long reactionNs = settings.get(Setting.REACTION).toNanos();
     chassis =
         new SimChassis(strand, rng.fork("chassis"), settings.speedError(), kernel, reactionNs);
-    positioning = positioning(settings, kernel, robotRng, rng);
+    positioning = positioning(settings, kernel, rng);
     if (incarnation == 1) {
       positioning.onNeeds(engine::require);
     }
@@ -136,12 +136,13 @@ final class SimRobot implements TraceSink {
   }
 
   private SimPositioning positioning(
-      SimSettings settings, Kernel kernel, Rng robotRng, Rng incarnationRng) {
+      SimSettings settings, Kernel kernel, Rng incarnationRng) {
     long periodNs = settings.positionPeriodNs();
     long phaseNs =
         settings.get(Setting.POSITION_IN_PHASE)
             ? 0
-            : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs);
+            : SimPositioning.drawnPhaseNs(
+                engine.lastingRng(spec.id()).fork("positioning"), periodNs);
     Rng noise = incarnationRng.fork("positioning");
     return new SimPositioning(
         spec.id(),

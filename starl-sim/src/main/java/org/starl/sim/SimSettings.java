@@ -95,13 +95,14 @@ public final class SimSettings {
 
   /**
    * Every key with its value as text, which {@code set} reads back: the simulator's keys in the
-   * order of {@link Setting#all}, {@link Setting#REACTION} only if it was set, then other keys that
-   * were set.
+   * order of {@link Setting#all}, {@link Setting#REACTION} and {@link Setting#REDRAWS} only if they were
+   * set, then other keys that were set.
    */
   public Map<String, String> asText() {
     Map<String, String> text = new LinkedHashMap<>();
     for (Setting<?> setting : Setting.all()) {
-      if (setting != Setting.REACTION || has(setting)) {
+      boolean isOptional = setting == Setting.REACTION || setting == Setting.REDRAWS;
+      if (!isOptional || has(setting)) {
         text.put(setting.key(), setting.text(get(setting)));
       }
     }
@@ -390,6 +391,10 @@ public final class SimSettings {
 
     public Builder chaosFor(Duration time) {
       return set(Setting.CHAOS_FOR, time);
+    }
+
+    public Builder redraws(Redraws times) {
+      return set(Setting.REDRAWS, times);
     }
 
     public Builder contactMark(double sideMm) {

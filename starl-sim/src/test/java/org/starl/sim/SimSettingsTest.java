@@ -109,9 +109,11 @@ final class SimSettingsTest {
       assertThat(setting.meaning()).isNotBlank();
       SimSettings.builder().set(setting.key(), setting.defaultText());
     }
-    SimSettings withReaction = SimSettings.builder().reaction(Duration.ZERO).build();
-    assertThat(withReaction.asText().keySet()).isEqualTo(keys);
+    SimSettings withOptional =
+        SimSettings.builder().reaction(Duration.ZERO).redraws(Redraws.NONE).build();
+    assertThat(withOptional.asText().keySet()).isEqualTo(keys);
     keys.remove(Setting.REACTION.key());
+    keys.remove(Setting.REDRAWS.key());
     assertThat(SimSettings.defaults().asText().keySet())
         .as("traces without it are as before")
         .isEqualTo(keys);

@@ -34,7 +34,8 @@ import picocli.CommandLine.Option;
       "",
       "Example: starl campaign intersection --seeds 1..500 --loss 0.3",
       "         starl campaign mutex --seeds 1..100 --chaos --shrink",
-      "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html"
+      "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html",
+      "         starl campaign mutex --seeds 1..200 --chaos --split fault.restart,fault.restart"
     })
 final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
@@ -63,6 +64,20 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           "Stop as soon as the runs show, with this confidence, that a run is bad with a probability"
               + " below P, or that these seeds cannot show it. The status is then 1.")
   private String until = "";
+
+  @Option(
+      names = "--split",
+      paramLabel = "EVENTS",
+      description =
+          "Estimate the probability of rare bad runs: a run goes on as --copies runs after each of"
+              + " these events, such as fault.restart,mutex.withdraw. Prints nothing else.")
+  private @Nullable String split;
+
+  @Option(
+      names = "--copies",
+      paramLabel = "N",
+      description = "With --split: runs after each event (default: ${DEFAULT-VALUE}).")
+  private String copies = "4";
 
   @Mixin private ShardOptions shards = new ShardOptions();
 
@@ -103,6 +118,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     request.plan(range.first()).simulation().build();
     request.unusedRobots(range.first()).ifPresent(err()::println);
+    if (split != null) {
+      requireAlone();
+      return new SplitRuns(request, range, split, copies).run(this, threads.count(), json.isOn());
+    }
     if (shards.printJob(this, work)) {
       return ExitStatus.GOOD;
     }
@@ -111,6 +130,21 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     }
     try (ReportFile page = ReportFile.of(report, range)) {
       return run(work, page);
+    }
+  }
+
+  /** Runs that split have shares, which a table, a part or a search for the first one does not. */
+  private void requireAlone() {
+    String[] others =
+        OptionValues.given(
+            "--stop", stop,
+            "--until", until.isEmpty() ? null : until,
+            "--out", shards.isShared(),
+            "--on", engine.isOn(),
+            "--shrink", shrink,
+            "--report", report);
+    if (others.length > 0) {
+      throw new BadInput(others[0] + " cannot be used with --split");
     }
   }
 

@@ -43,7 +43,8 @@ class ScenarioSchemaTest {
           "0ms 100ms 1.5s 2min 1h 60 5sec -3s 0mm 20mm 2.5cm 3m 5miles 0.5m/s 500mm/s 3deg 0.05rad",
           "uniform(10ms,20ms) normal(100ms,20ms) exponential(50ms) constant(5ms) uniform banana(1)",
           "uniform(10ms STOP_ON_COLLISION BUMPERCARS logical hostile none logica half crash(bot1)",
-          "crash(bot1,at=12s,restart=5s) loss(0.3);crash(any) sight crush(bot1) robot_1.a 1s2 ms m");
+          "crash(bot1,at=12s,restart=5s) loss(0.3);crash(any) sight crush(bot1) robot_1.a 1s2 ms m",
+          "1s#17 12.3s#17;14s#4 1s# #17");
 
   private static final JsonSchema SCHEMA =
       schema(new ObjectMapper().valueToTree(ScenarioSchema.json(Main.ALL)));

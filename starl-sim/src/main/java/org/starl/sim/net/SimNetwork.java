@@ -186,7 +186,7 @@ public final class SimNetwork {
 
   private void transmitByRules(SimRadio from, RobotId to, Packet packet, long datagram) {
     // Rules have their own generator: a rule that draws and passes does not change the base delay.
-    Rng rng = new Rng(~from.copySeed(key(to), datagram));
+    Rng rng = root.withSeed(~from.copySeed(key(to), datagram));
     Transmission copy =
         new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
     long laterNs = 0;
@@ -234,7 +234,7 @@ public final class SimNetwork {
     if (loss.isCertain() && latency.isConstant()) {
       return loss.probability() > 0 ? LOST : ((Latency.Constant) latency).ns();
     }
-    Rng rng = new Rng(from.copySeed(key(to), datagram));
+    Rng rng = root.withSeed(from.copySeed(key(to), datagram));
     return loss.strikes(rng) ? LOST : latency.drawNs(rng);
   }
 
