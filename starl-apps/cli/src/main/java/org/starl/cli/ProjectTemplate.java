@@ -84,6 +84,7 @@ final class ProjectTemplate {
     put(files, "deployment.yaml", "deployment.yaml");
     if (isProgram()) {
       put(files, "src/main/starl/@Name@App.starl", own("App.starl"));
+      put(files, "@Name@App_safety.pvs", own("App_safety.pvs"));
       put(files, "@sources@/Dock.java", own("Dock.java"));
     } else {
       put(files, "dock.pvs", "dock.pvs");

@@ -118,6 +118,17 @@ class NewCommandTest {
     assertThat(theory).containsOnlyOnce(guard.group(1));
   }
 
+  /** The names of a theory's parameters. */
+  private static List<String> parameters(String theory) {
+    Matcher head = Pattern.compile("(?s)\n\\w+ \\[(.*?)]: THEORY").matcher(theory);
+    assertThat(head.find()).isTrue();
+    return Pattern.compile("(\\w+): (?:\\[.*?]|\\w+)")
+        .matcher(head.group(1))
+        .results()
+        .map(found -> found.group(1))
+        .toList();
+  }
+
   private static List<String> names(String text, String pattern) {
     Matcher list = Pattern.compile(pattern).matcher(text);
     assertThat(list.find()).isTrue();
@@ -201,6 +212,12 @@ class NewCommandTest {
     check.addAll(List.of(sizes.split(" ", -1)));
     Cli checked = programs.run(check.toArray(String[]::new));
     assertThat(checked.status()).as("%s", checked).isZero();
+    Cli compiled = programs.run("compile", file, "--pvs", programs.root().toString());
+    assertThat(compiled.status()).as("%s", compiled).isZero();
+    String proof = programs.text("MyRobotsApp_safety.pvs");
+    assertThat(names(proof, "IMPORTING MyRobotsApp\\[([^\\]]*)]"))
+        .isEqualTo(parameters(programs.text("MyRobotsApp.pvs")))
+        .isEqualTo(parameters(proof));
     Matcher change =
         Pattern.compile(
                 "write\n\n    (when .*)\n\n.*\n\n((    .*\n)+)\nIn `drive_out` take `(.*)` out")
