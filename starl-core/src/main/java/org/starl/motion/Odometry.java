@@ -38,11 +38,32 @@ final class Odometry {
     @Nullable Knot older;
     @Nullable Knot newer;
 
+    // Of the heading, once asked for: while the robot drives straight on, it stays the same.
+    private double cosine = Double.NaN;
+    private double sine;
+
     Knot(long atNs, WheelCommand command, boolean touching) {
       this.atNs = atNs;
       this.linear = command.linearMmPerS();
       this.angular = command.angularRadPerS();
       this.touching = touching;
+    }
+
+    /** The cosine of {@code rad}. Computes it once for {@link #heading}. */
+    double cos(double rad) {
+      if (Double.compare(rad, heading) != 0) {
+        return StrictMath.cos(rad);
+      }
+      if (Double.isNaN(cosine)) {
+        cosine = StrictMath.cos(heading);
+        sine = StrictMath.sin(heading);
+      }
+      return cosine;
+    }
+
+    /** The sine of {@code rad}; call {@link #cos} before. */
+    double sin(double rad) {
+      return Double.compare(rad, heading) == 0 ? sine : StrictMath.sin(rad);
     }
   }
 
@@ -134,7 +155,7 @@ final class Odometry {
 
   /** Computes the motion between two times, relative to the pose at the first. */
   void locate(long fromNs, long toNs) {
-    seek(fromNs);
+    Knot from = seek(fromNs);
     double fromX = atX;
     double fromY = atY;
     double fromHeading = atHeading;
@@ -148,8 +169,8 @@ final class Odometry {
       forwardMm = 0;
       leftMm = 0;
     } else {
-      double cos = StrictMath.cos(fromHeading);
-      double sin = StrictMath.sin(fromHeading);
+      double cos = from.cos(fromHeading);
+      double sin = from.sin(fromHeading);
       forwardMm = cos * dx + sin * dy;
       leftMm = cos * dy - sin * dx;
     }
@@ -159,7 +180,8 @@ final class Odometry {
     turnedRad = atTurned - fromTurned;
   }
 
-  private void seek(long timeNs) {
+  /** Returns the command at that time, the latest one. */
+  private Knot seek(long timeNs) {
     Knot knot = newest;
     while (knot.older != null && knot.atNs > timeNs) {
       knot = knot.older;
@@ -178,14 +200,15 @@ final class Odometry {
         linger(knot, timeNs);
       }
     }
+    return knot;
   }
 
   private void drive(Knot knot, double seconds) {
     double turn = knot.angular * seconds;
     double chord = Kinematics.chordMm(knot.linear, turn, seconds);
     if (chord != 0) {
-      atX += chord * StrictMath.cos(atHeading + turn / 2);
-      atY += chord * StrictMath.sin(atHeading + turn / 2);
+      atX += chord * knot.cos(atHeading + turn / 2);
+      atY += chord * knot.sin(atHeading + turn / 2);
     }
     atHeading += turn;
     atTurned += Math.abs(turn);

@@ -21,6 +21,11 @@ final class PoseEstimate {
   private double radiusMm;
   private double spreadRad;
 
+  // Of the heading for which they were asked last.
+  private double directionRad = Double.NaN;
+  private double cosine;
+  private double sine;
+
   /** The estimate from one fix alone. */
   PoseEstimate(Fix fix) {
     atNs = fix.timeNs();
@@ -52,16 +57,34 @@ final class PoseEstimate {
     return odometry.forwardMm() == 0 && odometry.leftMm() == 0
         ? xMm
         : xMm
-            + StrictMath.cos(headingRad) * odometry.forwardMm()
-            - StrictMath.sin(headingRad) * odometry.leftMm();
+            + cosine() * odometry.forwardMm()
+            - sine() * odometry.leftMm();
   }
 
   double aheadYMm(Odometry odometry) {
     return odometry.forwardMm() == 0 && odometry.leftMm() == 0
         ? yMm
         : yMm
-            + StrictMath.sin(headingRad) * odometry.forwardMm()
-            + StrictMath.cos(headingRad) * odometry.leftMm();
+            + sine() * odometry.forwardMm()
+            + cosine() * odometry.leftMm();
+  }
+
+  private double cosine() {
+    updateDirection();
+    return cosine;
+  }
+
+  private double sine() {
+    updateDirection();
+    return sine;
+  }
+
+  private void updateDirection() {
+    if (Double.compare(directionRad, headingRad) != 0) {
+      directionRad = headingRad;
+      cosine = StrictMath.cos(headingRad);
+      sine = StrictMath.sin(headingRad);
+    }
   }
 
   double aheadRad(Odometry odometry) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 class AnglesTest {
@@ -29,6 +30,24 @@ class AnglesTest {
     assertThat(normal).isGreaterThan(-StrictMath.PI).isLessThanOrEqualTo(StrictMath.PI);
     assertThat(StrictMath.cos(normal)).isCloseTo(StrictMath.cos(angle), within(1e-9));
     assertThat(StrictMath.sin(normal)).isCloseTo(StrictMath.sin(angle), within(1e-9));
+  }
+
+  @Property
+  void normalizingIsTheRemainderToTheLastBit(
+      @ForAll @DoubleRange(min = -20, max = 20) double angle,
+      @ForAll @IntRange(min = -9, max = 9) int quarters,
+      @ForAll @IntRange(min = -3, max = 3) int steps) {
+    double edge = quarters * (StrictMath.PI / 2);
+    for (int i = 0; i < Math.abs(steps); i++) {
+      edge = steps > 0 ? Math.nextUp(edge) : Math.nextDown(edge);
+    }
+    for (double one : new double[] {angle, edge, -edge}) {
+      double rest = StrictMath.IEEEremainder(one, 2 * StrictMath.PI);
+      double expected = rest <= -StrictMath.PI ? StrictMath.PI : rest;
+      assertThat(Double.doubleToRawLongBits(Angles.normalize(one)))
+          .as("%s", one)
+          .isEqualTo(Double.doubleToRawLongBits(expected));
+    }
   }
 
   @Property
