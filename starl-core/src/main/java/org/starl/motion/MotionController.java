@@ -104,6 +104,31 @@ public final class MotionController {
         MotionRun.turnTo(target.at(), retreatAvoid, parameters, rng, clock.nowNs()));
   }
 
+  /**
+   * Drives with this command until the next call, without a target; cancels any motion. Call it in
+   * each step of the app: real wheels stop if the program is silent. Nothing watches the way but the
+   * app, which reads {@link #bumps}.
+   */
+  public void doDrive(WheelCommand command) {
+    if (!command.equals(commanded) && trace.isOn()) {
+      trace.action(SOURCE, "doDrive", command.linearMmPerS(), command.angularRadPerS());
+    }
+    if (run != null || inUse != parameters) {
+      run = null;
+      timer.cancel();
+      inUse = parameters;
+      gps.assume(inUse);
+      task.set(new MotionTask.None());
+      motionflag.set(MotionFlag.IDLE);
+    }
+    drive(command);
+  }
+
+  /** The bump sensors now. */
+  public Bumps bumps() {
+    return chassis.bumps();
+  }
+
   /** Stops the wheels and cancels the motion. */
   public void motion_stop() {
     trace.action(SOURCE, "motion_stop");

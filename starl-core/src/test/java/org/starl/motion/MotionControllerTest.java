@@ -54,6 +54,27 @@ class MotionControllerTest {
   }
 
   @Test
+  void drivingByCommandCancelsTheMotion() {
+    fix(0, 0, 0);
+    moat.doMove(AHEAD);
+    WheelCommand arc = new WheelCommand(120, 0.5);
+    moat.doDrive(arc);
+    assertThat(last()).isEqualTo(arc);
+    assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
+    assertThat(moat.target().get()).isInstanceOf(MotionTask.None.class);
+    int before = robot.driven.size();
+    world.runMs(1000);
+    assertThat(robot.driven).as("no step of the cancelled motion").hasSize(before);
+    moat.doDrive(arc);
+    assertThat(robot.driven).as("repeated for the watchdog").hasSize(before + 1);
+    assertThat(traced()).containsOnlyOnce("doDrive");
+    fix(0, 0, 0);
+    double startMm = gvh.gps.pose().xMm();
+    world.runMs(100);
+    assertThat(gvh.gps.pose().xMm() - startMm).isBetween(11.0, 12.0);
+  }
+
+  @Test
   void aStartingProgramStopsTheWheels() {
     assertThat(robot.driven).containsExactly(WheelCommand.STOP);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
