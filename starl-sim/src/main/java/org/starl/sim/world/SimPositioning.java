@@ -35,8 +35,8 @@ public final class SimPositioning implements Positioning {
   private double offXMm;
   private double offYMm;
   private boolean isOn = true;
-  private final RobotId self;
   private final MeasuredRobots measured;
+  private final MeasuredRobots.Newest own;
   private Consumer<StartNeeds> needsListener = needs -> {};
   private @Nullable Receiver receiver;
   private boolean hasMeasured;
@@ -66,8 +66,8 @@ public final class SimPositioning implements Positioning {
       throw new IllegalArgumentException(
           "period " + periodNs + " ns, phase " + phaseNs + " ns: expected 0 <= phase < period");
     }
-    this.self = self;
     this.measured = measured;
+    this.own = measured.of(self);
     this.trueClock = trueClock;
     this.robotClock = robotClock;
     this.rng = rng;
@@ -154,8 +154,12 @@ public final class SimPositioning implements Positioning {
     if (isOn && receiver != null && body != null) {
       hasMeasured = true;
       Pose pose = drawn(body.pose());
-      measured.measured(self, new Fix(pose, nowNs, noise.boundMm(), noise.boundRad()));
-      receiver.fixed(new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
+      Fix fix = new Fix(pose, nowNs, noise.boundMm(), noise.boundRad());
+      own.fix = fix;
+      receiver.fixed(
+          robotClock == trueClock
+              ? fix
+              : new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
     }
   }
 
