@@ -25,6 +25,7 @@ final class Contradictions {
     all.checkTypes(robots);
     all.checkMotion();
     all.checkStarts(starts);
+    all.checkRadio();
     all.checkFaults(endNs);
   }
 
@@ -65,6 +66,12 @@ final class Contradictions {
           "positionNoise=%s: expected at most %s: with a larger error no robot moves"
               .formatted(
                   Quantities.distanceText(noiseMm), Quantities.distanceText(motion.maxErrorMm())));
+    }
+  }
+
+  private void checkRadio() {
+    if (settings.get(Setting.RADIO_SIGHT) && settings.get(Setting.RADIO_RANGE) == 0) {
+      throw new BadInput("radioSight=true: expected a radioRange above 0, such as 3m");
     }
   }
 

@@ -49,6 +49,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final RunObservers observers;
   private final World world;
   private final SimNetwork network;
+  // Null if radios have no limits.
+  private final @Nullable RadioField radioField;
   private final @Nullable OrderObserver order;
   private final Participants deployment;
   private final StartNeedsCheck startNeeds;
@@ -83,6 +85,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
+    radioField = RadioField.of(settings, world);
+    if (radioField != null) {
+      network.limit(radioField);
+    }
     order = plan.orderObserver();
     network.watch(order);
     deployment = plan.deployment();
@@ -242,6 +248,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     joined++;
     robots.put(spec.id(), robot);
     running++;
+    placeRadio(spec.id(), null);
     if (spec.onFloor() && !putOnFloor(spec.id())) {
       throw new BadInput("robot " + spec.id() + ": its start " + spec.start() + " is not free");
     }
@@ -370,8 +377,16 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     if (!isFree(start)) {
       return false;
     }
-    robot.putOnFloor(world.add(id, start, plan.settings().robotRadiusMm()));
+    Body body = world.add(id, start, plan.settings().robotRadiusMm(), network.number(id));
+    robot.putOnFloor(body);
+    placeRadio(id, body);
     return true;
+  }
+
+  private void placeRadio(RobotId id, @Nullable Body body) {
+    if (radioField != null) {
+      radioField.place(network.number(id), body);
+    }
   }
 
   @Override
@@ -383,6 +398,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   @Override
   public void takeOffFloor(RobotId id) {
     robot(id).takeOffFloor(world);
+    placeRadio(id, null);
   }
 
   @Override

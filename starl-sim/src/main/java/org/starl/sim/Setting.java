@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
@@ -122,6 +123,17 @@ public final class Setting<T> {
           "delay of a datagram: 100ms, uniform(..), normal(..), exponential(..)");
   public static final Setting<Double> MESSAGE_LOSS =
       probability("messageLoss", "probability that a datagram is lost, for each recipient");
+
+  /** In a trace's header only if it was given, as the next one. */
+  public static final Setting<Double> RADIO_RANGE =
+      own(
+          "radioRange",
+          SettingType.DISTANCE,
+          0.0,
+          "range of a radio, between centres; 0 for no limit");
+
+  public static final Setting<Boolean> RADIO_SIGHT =
+      flag("radioSight", false, "with radioRange: radios need a line of sight, free of walls and bodies");
   public static final Setting<Boolean> SEALED =
       flag("sealed", false, "seal datagrams with a key that all robots of the run share");
 
@@ -159,6 +171,10 @@ public final class Setting<T> {
           "contactMark",
           MotionParameters.DEFAULT.contactMarkMm(),
           "side of the square that a bump adds to a robot's map");
+
+  /** Those that a trace's header has only if they were given: traces without them are as before. */
+  static final Set<Setting<?>> HEADER_IF_GIVEN =
+      Set.of(REACTION, REDRAWS, RADIO_RANGE, RADIO_SIGHT);
 
   private final String key;
   private final SettingType<T> type;

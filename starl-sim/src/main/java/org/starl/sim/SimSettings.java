@@ -95,14 +95,13 @@ public final class SimSettings {
 
   /**
    * Every key with its value as text, which {@code set} reads back: the simulator's keys in the
-   * order of {@link Setting#all}, {@link Setting#REACTION} and {@link Setting#REDRAWS} only if they were
-   * set, then other keys that were set.
+   * order of {@link Setting#all}, {@link Setting#HEADER_IF_GIVEN} only if they were set, then other
+   * keys that were set.
    */
   public Map<String, String> asText() {
     Map<String, String> text = new LinkedHashMap<>();
     for (Setting<?> setting : Setting.all()) {
-      boolean isOptional = setting == Setting.REACTION || setting == Setting.REDRAWS;
-      if (!isOptional || has(setting)) {
+      if (!Setting.HEADER_IF_GIVEN.contains(setting) || has(setting)) {
         text.put(setting.key(), setting.text(get(setting)));
       }
     }
@@ -375,6 +374,14 @@ public final class SimSettings {
 
     public Builder messageLoss(double probability) {
       return set(Setting.MESSAGE_LOSS, probability);
+    }
+
+    public Builder radioRange(double mm) {
+      return set(Setting.RADIO_RANGE, mm);
+    }
+
+    public Builder radioSight(boolean on) {
+      return set(Setting.RADIO_SIGHT, on);
     }
 
     public Builder sealed(boolean on) {

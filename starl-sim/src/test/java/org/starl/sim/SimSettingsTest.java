@@ -109,13 +109,17 @@ final class SimSettingsTest {
       assertThat(setting.meaning()).isNotBlank();
       SimSettings.builder().set(setting.key(), setting.defaultText());
     }
-    SimSettings withOptional =
-        SimSettings.builder().reaction(Duration.ZERO).redraws(Redraws.NONE).build();
-    assertThat(withOptional.asText().keySet()).isEqualTo(keys);
-    keys.remove(Setting.REACTION.key());
-    keys.remove(Setting.REDRAWS.key());
+    SimSettings withAll =
+        SimSettings.builder()
+            .reaction(Duration.ZERO)
+            .radioRange(0)
+            .radioSight(false)
+            .redraws(Redraws.NONE)
+            .build();
+    assertThat(withAll.asText().keySet()).isEqualTo(keys);
+    Setting.HEADER_IF_GIVEN.forEach(setting -> keys.remove(setting.key()));
     assertThat(SimSettings.defaults().asText().keySet())
-        .as("traces without it are as before")
+        .as("traces without them are as before")
         .isEqualTo(keys);
   }
 

@@ -105,6 +105,9 @@ final class ProcessOptions {
       throw new BadInput(
           "--chaos cannot be used with --processes; expected --loss, --delay or --kill");
     }
+    if (plan.settings().get(Setting.RADIO_RANGE) > 0) {
+      throw new BadInput("radioRange cannot be used with --processes; expected --loss or --delay");
+    }
     int count = rounds == null ? 1 : OptionValues.whole("--rounds", rounds, 1, 1_000_000);
     return new LaunchSettings(count, all, limit(plan), LaunchSettings.DEFAULT_QUIET);
   }

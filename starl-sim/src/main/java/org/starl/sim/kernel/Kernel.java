@@ -21,6 +21,8 @@ public final class Kernel implements Clock, AutoCloseable {
   /** The time limit for an app that blocks outside the kernel, in real time. */
   public static final Duration FOREIGN_WAIT_LIMIT = Duration.ofSeconds(10);
 
+  private static final Runnable NOTHING = () -> {};
+
   final EventQueue queue = new EventQueue();
 
   private final CarrierKind carrierKind;
@@ -92,6 +94,27 @@ public final class Kernel implements Clock, AutoCloseable {
    */
   public void schedule(long atNs, SimStrand strand, Runnable piece) {
     add(atNs, strand, piece);
+  }
+
+  /**
+   * Runs {@code piece} on {@code strand} inside the running event of the world, unless the strand is
+   * closed: for an event that happens to several robots at once.
+   */
+  public void runNow(SimStrand strand, Runnable piece) {
+    if (current != null) {
+      throw new IllegalStateException(current + " runs: only an event of the world may do this");
+    }
+    if (!strand.isClosed()) {
+      strand.run(piece);
+    }
+  }
+
+  /**
+   * Prefetches what pieces of {@code strand} use ({@link Cache}), for events of the world that run
+   * pieces on several strands.
+   */
+  public static int prefetch(SimStrand strand) {
+    return strand.touch(NOTHING);
   }
 
   /** The name of the strand of the last event; empty for an event of the world. */

@@ -1,6 +1,6 @@
 package org.starl.sim.net;
 
-/** Is told of each copy of a datagram that a robot sends; has no effect on it. */
+/** Is told of each copy of a datagram that a robot sends to one in range; has no effect on it. */
 @FunctionalInterface
 public interface CopyWatch {
 

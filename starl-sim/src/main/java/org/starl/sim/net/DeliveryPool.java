@@ -3,6 +3,7 @@ package org.starl.sim.net;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.kernel.Cache;
+import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.Prefetchable;
 
 /**
@@ -16,6 +17,7 @@ final class DeliveryPool {
 
   private @Nullable Delivery freeDeliveries;
   private @Nullable Packet freePackets;
+  private @Nullable BroadcastDelivery freeBroadcasts;
 
   Packet packet(byte[] buffer, int length) {
     Packet packet = freePackets;
@@ -44,6 +46,24 @@ final class DeliveryPool {
     delivery.from = from;
     delivery.to = to;
     return delivery;
+  }
+
+  /** A delivery of one broadcast, to which the caller adds the recipients. */
+  BroadcastDelivery broadcast(Kernel kernel, RobotId from, Packet packet) {
+    BroadcastDelivery delivery = freeBroadcasts;
+    if (delivery == null) {
+      delivery = new BroadcastDelivery(kernel, this);
+    } else {
+      freeBroadcasts = delivery.nextFree;
+      delivery.nextFree = null;
+    }
+    delivery.begin(from, packet);
+    return delivery;
+  }
+
+  void takeBack(BroadcastDelivery delivery) {
+    delivery.nextFree = freeBroadcasts;
+    freeBroadcasts = delivery;
   }
 
   void takeBack(Packet packet) {

@@ -19,6 +19,9 @@ public final class SimNetwork {
 
   private static final long LOST = CopyWatch.LOST;
 
+  /** The delay of a copy that draws its own. */
+  private static final long OWN = -2;
+
   private final Kernel kernel;
 
   private final TraceSink trace;
@@ -28,6 +31,10 @@ public final class SimNetwork {
   private final List<LinkRule> rules = new ArrayList<>();
   private final List<NetworkTap> taps = new ArrayList<>();
   private @Nullable CopyWatch watch;
+  // By number; null while the robot has no radio.
+  private final List<@Nullable SimRadio> byNumber = new ArrayList<>();
+  private @Nullable Coverage coverage;
+  private final Hearers hearers = new Hearers();
   private final DeliveryPool pool = new DeliveryPool();
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
@@ -73,10 +80,42 @@ public final class SimNetwork {
       throw new IllegalStateException(id + " already has a radio");
     }
     SimRadio radio =
-        new SimRadio(this, id, stations.key(slot), stations.datagrams(slot), strand, gate);
+        new SimRadio(
+            this,
+            id,
+            stations.number(slot),
+            stations.key(slot),
+            stations.datagrams(slot),
+            strand,
+            gate);
     stations.attach(slot, radio, strand);
     attached.add(radio);
+    if (radio.number() == byNumber.size()) {
+      byNumber.add(radio);
+    } else {
+      byNumber.set(radio.number(), radio);
+    }
     return radio;
+  }
+
+  /**
+   * The number of robots that got their first radio before this one: the same in all its
+   * incarnations.
+   */
+  public int number(RobotId id) {
+    int number = stations.number(stations.slot(id));
+    if (number == StationTable.NONE) {
+      throw new IllegalArgumentException(id + " never had a radio");
+    }
+    return number;
+  }
+
+  /**
+   * Limits the radios. A broadcast is then one event: it has one delay, reaches the robots that
+   * {@code newCoverage} finds in the order of their numbers, and the others do not count as losses.
+   */
+  public void limit(Coverage newCoverage) {
+    coverage = newCoverage;
   }
 
   /**
@@ -89,6 +128,7 @@ public final class SimNetwork {
     if (radio != null) {
       radio.close();
       attached.remove(radio);
+      byNumber.set(radio.number(), null);
       stations.detach(slot, radio.datagrams());
     }
   }
@@ -135,20 +175,72 @@ public final class SimNetwork {
   void send(SimRadio from, RobotId to, byte[] buffer, int length) {
     long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
-    transmit(from, to, packet, datagram);
+    String obstacle =
+        coverage == null ? "" : obstacle(coverage, from, to);
+    if (obstacle.isEmpty()) {
+      transmit(from, to, packet, datagram, OWN);
+    } else {
+      dropped(from.id(), to, obstacle);
+    }
     packet.release();
   }
 
   void broadcast(SimRadio from, byte[] buffer, int length) {
     long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
-    for (int i = 0; i < attached.size(); i++) {
-      SimRadio to = attached.get(i);
-      if (to != from) {
-        transmit(from, to.id(), packet, datagram);
+    if (coverage == null) {
+      for (int i = 0; i < attached.size(); i++) {
+        SimRadio to = attached.get(i);
+        if (to != from) {
+          transmit(from, to.id(), packet, datagram, OWN);
+        }
       }
+    } else {
+      hearers.clear();
+      coverage.find(from.number(), hearers);
+      hearers.sort();
+      broadcastToHearers(from, packet, datagram);
     }
     packet.release();
+  }
+
+  private String obstacle(Coverage limits, SimRadio from, RobotId to) {
+    int number = stations.number(stations.slot(to));
+    return number == StationTable.NONE ? "" : limits.obstacle(from.number(), number);
+  }
+
+  private void broadcastToHearers(SimRadio from, Packet packet, long datagram) {
+    // All hear it at once: the delay is that of the sender.
+    long delayNs =
+        latency.isConstant()
+            ? ((Latency.Constant) latency).ns()
+            : latency.drawNs(root.withSeed(from.copySeed(from.key(), datagram)));
+    boolean isShared = rules.isEmpty() && watch == null;
+    BroadcastDelivery delivery = pool.broadcast(kernel, from.id(), packet);
+    for (int i = 0; i < hearers.size(); i++) {
+      SimRadio to = byNumber.get(hearers.number(i));
+      if (to == null || to == from) {
+        continue;
+      }
+      if (!isShared) {
+        transmit(from, to.id(), packet, datagram, delayNs);
+      } else if (isLost(from, to, datagram)) {
+        dropped(from.id(), to.id(), "loss");
+      } else {
+        delivery.add(to);
+      }
+    }
+    if (delivery.isEmpty()) {
+      delivery.end();
+    } else {
+      kernel.schedule(kernel.nowNs() + delayNs, delivery);
+    }
+  }
+
+  private boolean isLost(SimRadio from, SimRadio to, long datagram) {
+    return loss.isCertain()
+        ? loss.probability() > 0
+        : loss.strikes(root.withSeed(from.copySeed(to.key(), datagram)));
   }
 
   void delivered() {
@@ -171,12 +263,16 @@ public final class SimNetwork {
     return from.nextDatagram();
   }
 
-  private void transmit(SimRadio from, RobotId to, Packet packet, long datagram) {
+  /**
+   * @param sharedNs the delay that all copies of a broadcast have, or {@link #OWN}
+   */
+  private void transmit(
+      SimRadio from, RobotId to, Packet packet, long datagram, long sharedNs) {
     if (!rules.isEmpty() || watch != null) {
-      transmitByRules(from, to, packet, datagram);
+      transmitByRules(from, to, packet, datagram, sharedNs);
       return;
     }
-    long delayNs = baseDelayNs(from, to, datagram);
+    long delayNs = baseDelayNs(from, to, datagram, sharedNs);
     if (delayNs == LOST) {
       dropped(from.id(), to, "loss");
     } else {
@@ -184,7 +280,8 @@ public final class SimNetwork {
     }
   }
 
-  private void transmitByRules(SimRadio from, RobotId to, Packet packet, long datagram) {
+  private void transmitByRules(
+      SimRadio from, RobotId to, Packet packet, long datagram, long sharedNs) {
     // Rules have their own generator: a rule that draws and passes does not change the base delay.
     Rng rng = root.withSeed(~from.copySeed(key(to), datagram));
     Transmission copy =
@@ -206,7 +303,7 @@ public final class SimNetwork {
         }
       }
     }
-    long delayNs = exactNs == LOST ? baseDelayNs(from, to, datagram) : exactNs;
+    long delayNs = exactNs == LOST ? baseDelayNs(from, to, datagram, sharedNs) : exactNs;
     if (delayNs == LOST) {
       tellWatch(copy, LOST);
       dropped(from.id(), to, "loss");
@@ -230,12 +327,15 @@ public final class SimNetwork {
   }
 
   /** The delay in ns, or {@link #LOST}. */
-  private long baseDelayNs(SimRadio from, RobotId to, long datagram) {
+  private long baseDelayNs(SimRadio from, RobotId to, long datagram, long sharedNs) {
     if (loss.isCertain() && latency.isConstant()) {
       return loss.probability() > 0 ? LOST : ((Latency.Constant) latency).ns();
     }
     Rng rng = root.withSeed(from.copySeed(key(to), datagram));
-    return loss.strikes(rng) ? LOST : latency.drawNs(rng);
+    if (loss.strikes(rng)) {
+      return LOST;
+    }
+    return sharedNs == OWN ? latency.drawNs(rng) : sharedNs;
   }
 
   private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {

@@ -10,6 +10,7 @@ final class SimRadio implements Radio {
 
   private final SimNetwork network;
   private final RobotId id;
+  private final int number;
   private final long key;
   private final SimStrand strand;
   private final @Nullable ArrivalGate gate;
@@ -18,6 +19,7 @@ final class SimRadio implements Radio {
   private boolean closed;
 
   /**
+   * @param number see {@link SimNetwork#number}
    * @param key seeds its random numbers
    * @param datagrams number of datagrams sent in the robot's earlier incarnations
    * @param strand the strand on which it receives
@@ -26,12 +28,14 @@ final class SimRadio implements Radio {
   SimRadio(
       SimNetwork network,
       RobotId id,
+      int number,
       long key,
       long datagrams,
       SimStrand strand,
       @Nullable ArrivalGate gate) {
     this.network = network;
     this.id = id;
+    this.number = number;
     this.key = key;
     this.datagrams = datagrams;
     this.strand = strand;
@@ -80,6 +84,15 @@ final class SimRadio implements Radio {
 
   RobotId id() {
     return id;
+  }
+
+  int number() {
+    return number;
+  }
+
+  /** The key of its random numbers. */
+  long key() {
+    return key;
   }
 
   SimStrand strand() {

@@ -23,6 +23,7 @@ final class StationTable {
   private @Nullable SimRadio[] radios = new SimRadio[LEAST_SLOTS];
   private @Nullable SimStrand[] strands = new SimStrand[LEAST_SLOTS];
   private long[] datagrams = new long[LEAST_SLOTS];
+  private int[] numbers = new int[LEAST_SLOTS];
   private int size;
 
   /** The robot's slot, valid until another robot is added; or {@link #NONE}. */
@@ -38,6 +39,7 @@ final class StationTable {
 
   /** Adds a robot that is not in the table, and returns its slot. */
   int add(RobotId id, long key) {
+    int number = size;
     size++;
     if (3 * size > 2 * ids.length) {
       grow();
@@ -45,6 +47,7 @@ final class StationTable {
     int slot = freeSlot(id);
     ids[slot] = id;
     keys[slot] = key;
+    numbers[slot] = number;
     return slot;
   }
 
@@ -59,6 +62,11 @@ final class StationTable {
     datagrams[slot] = datagramsSent;
     radios[slot] = null;
     strands[slot] = null;
+  }
+
+  /** The number of robots that were added before this one; {@link #NONE} for {@link #NONE}. */
+  int number(int slot) {
+    return slot == NONE ? NONE : numbers[slot];
   }
 
   /** The key of the robot's random numbers. */
@@ -95,12 +103,14 @@ final class StationTable {
     @Nullable SimRadio[] oldRadios = radios;
     @Nullable SimStrand[] oldStrands = strands;
     long[] oldDatagrams = datagrams;
+    int[] oldNumbers = numbers;
     int slots = 2 * oldIds.length;
     ids = new RobotId[slots];
     keys = new long[slots];
     radios = new SimRadio[slots];
     strands = new SimStrand[slots];
     datagrams = new long[slots];
+    numbers = new int[slots];
     for (int old = 0; old < oldIds.length; old++) {
       RobotId id = oldIds[old];
       if (id != null) {
@@ -110,6 +120,7 @@ final class StationTable {
         radios[slot] = oldRadios[old];
         strands[slot] = oldStrands[old];
         datagrams[slot] = oldDatagrams[old];
+        numbers[slot] = oldNumbers[old];
       }
     }
   }

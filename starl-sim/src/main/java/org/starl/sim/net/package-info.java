@@ -7,8 +7,8 @@
  * broadcast. Faults are {@link org.starl.sim.net.LinkRule}s, which can be installed and removed
  * during a run; a rule may drop, delay or repeat a copy. All randomness is a function of the run's seed, the sender, the recipient and
  * the sender's count of datagrams, so that neither an additional robot nor an additional rule
- * changes the random numbers of other robots. The network does not depend on specific faults or on
- * positions.
+ * changes the random numbers of other robots. With a {@link org.starl.sim.net.Coverage} a radio has a limited range. The
+ * network does not depend on specific faults or on positions.
  *
  * <p>May import: {@code org.starl} core, {@code org.starl.sim.kernel}, {@code org.starl.input}.
  */

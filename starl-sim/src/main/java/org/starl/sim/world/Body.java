@@ -18,6 +18,9 @@ import org.starl.time.Time;
  */
 public final class Body {
 
+  /** The number of a body without one. */
+  public static final int NO_NUMBER = -1;
+
   static final long NEVER = Long.MAX_VALUE;
 
   static final double LONGEST_NS = 1e18;
@@ -25,6 +28,7 @@ public final class Body {
   private final World world;
   private final RobotId id;
   private final double radiusMm;
+  private final int number;
   private final Timer timer;
   private long timerNs = NEVER;
   private boolean gone;
@@ -64,10 +68,11 @@ public final class Body {
   @Nullable Body nextInBucket;
   @Nullable Body previousInBucket;
 
-  Body(World world, RobotId id, Pose pose, double radiusMm, long nowNs) {
+  Body(World world, RobotId id, Pose pose, double radiusMm, int number, long nowNs) {
     this.world = world;
     this.id = id;
     this.radiusMm = radiusMm;
+    this.number = number;
     this.timer = world.timer(this::expired);
     anchorNs = nowNs;
     anchorXMm = pose.xMm();
@@ -88,6 +93,11 @@ public final class Body {
 
   public double radiusMm() {
     return radiusMm;
+  }
+
+  /** The number that the run gave it; {@link #NO_NUMBER} if none. */
+  public int number() {
+    return number;
   }
 
   /** The true pose now. */

@@ -15,6 +15,9 @@ final class BodyGrid {
 
   private static final int LEAST_BUCKETS = 64;
 
+  /** A search of more cells than this visits all bodies instead. */
+  private static final double MOST_CELLS_A_BUCKET = 4;
+
   private final double cellMm;
   private @Nullable Body[] buckets = new Body[LEAST_BUCKETS];
   private int size;
@@ -57,6 +60,11 @@ final class BodyGrid {
   void forEachNear(double xMm, double yMm, double rangeMm, Visitor visitor) {
     int lastX = cell(xMm + rangeMm);
     int lastY = cell(yMm + rangeMm);
+    double cellsASide = 2 * rangeMm / cellMm + 1;
+    if (cellsASide * cellsASide > MOST_CELLS_A_BUCKET * buckets.length) {
+      forEach(visitor);
+      return;
+    }
     for (int cellX = cell(xMm - rangeMm); cellX <= lastX; cellX++) {
       for (int cellY = cell(yMm - rangeMm); cellY <= lastY; cellY++) {
         Body body = buckets[bucket(cellX, cellY)];
@@ -67,6 +75,14 @@ final class BodyGrid {
           }
           body = body.nextInBucket;
         }
+      }
+    }
+  }
+
+  private void forEach(Visitor visitor) {
+    for (Body first : buckets) {
+      for (Body body = first; body != null; body = body.nextInBucket) {
+        visitor.visit(body);
       }
     }
   }

@@ -38,6 +38,7 @@ public final class World {
   private final List<Body> bodies = new ArrayList<>();
   private final Timer wallTimer;
   private double greatestRadiusMm;
+  private long changes;
 
   public World(
       Clock clock, Timers timers, TraceSink trace, WorldLimits limits, Obstacles obstacles) {
@@ -79,6 +80,11 @@ public final class World {
    *     the radius is not above 0
    */
   public Body add(RobotId id, Pose pose, double radiusMm) {
+    return add(id, pose, radiusMm, Body.NO_NUMBER);
+  }
+
+  /** As above, with the body's number in the run, for the caller's use. */
+  public Body add(RobotId id, Pose pose, double radiusMm, int number) {
     if (!(radiusMm > 0)) {
       throw new IllegalArgumentException(id + " with radius " + radiusMm + " mm: expected above 0");
     }
@@ -88,8 +94,9 @@ public final class World {
           id + " with radius " + radiusMm + " mm at " + pose + " would overlap " + obstacle);
     }
     greatestRadiusMm = Math.max(greatestRadiusMm, radiusMm);
-    Body body = new Body(this, id, pose, radiusMm, nowNs());
+    Body body = new Body(this, id, pose, radiusMm, number, nowNs());
     bodies.add(body);
+    changes++;
     grid.put(body);
     if (trace.isOn()) {
       trace.record(new TraceEvent.Joined(nowNs(), id, body.pose(), radiusMm));
@@ -106,6 +113,7 @@ public final class World {
     if (!bodies.remove(body)) {
       return;
     }
+    changes++;
     grid.take(body);
     body.leave();
     collider.forget(body);
@@ -134,6 +142,11 @@ public final class World {
         });
   }
 
+  /** Finds the bodies around a body, again and again. */
+  public Surroundings surroundings() {
+    return new Surroundings(this, grid, walls);
+  }
+
   /** Whether no wall and no other body cuts the straight line between two bodies' centres. */
   public boolean sees(Body from, Body to) {
     Segment line = new Segment(from.pose().at(), to.pose().at());
@@ -151,6 +164,20 @@ public final class World {
                     && body != to
                     && line.distanceMm(new Point(body.xMm(), body.yMm())) < body.radiusMm());
     return !isCut[0];
+  }
+
+  /** All bodies, not a copy. */
+  List<Body> all() {
+    return bodies;
+  }
+
+  int size() {
+    return bodies.size();
+  }
+
+  /** How often a body came or left. */
+  long changes() {
+    return changes;
   }
 
   long nowNs() {
