@@ -8,7 +8,12 @@ public interface Workload {
 
   /** All workloads. */
   static List<Workload> all() {
-    return List.of(new KernelWorkload(), new PatrolWorkload());
+    return List.of(
+        new KernelWorkload(),
+        new PatrolWorkload(),
+        new SwarmWorkload(SwarmWorkload.Variant.RADIO),
+        new SwarmWorkload(SwarmWorkload.Variant.SIGHT),
+        new SwarmWorkload(SwarmWorkload.Variant.DISCS));
   }
 
   /** Name in {@code starl bench NAME}. */
@@ -16,6 +21,11 @@ public interface Workload {
 
   /** One line for people. */
   String summary();
+
+  /** The style of its apps unless another one is asked for. */
+  default Style style() {
+    return Style.BLOCKING;
+  }
 
   /** The style of the robots' apps. */
   enum Style {

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.bench.Measurement;
 import org.starl.bench.MutexCost;
@@ -39,7 +41,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "WORKLOAD",
-      description = "b1, b2, mutex, view or apps; see 'starl list'.")
+      description = "b1, b2, b3, b3a, b3b, b3c, mutex, view or apps; see 'starl list'.")
   private String name = "";
 
   @Option(
@@ -53,9 +55,8 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--style",
       paramLabel = "STYLE",
-      defaultValue = "blocking",
-      description = "blocking or step (default: ${DEFAULT-VALUE}).")
-  private Workload.Style style = Workload.Style.BLOCKING;
+      description = "blocking or step (default: blocking; b3: step).")
+  private Workload.@Nullable Style style;
 
   @Option(
       names = "--runs",
@@ -109,23 +110,37 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private void showSpeed() {
-    Workload workload =
+    // b3 stands for b3a, b3b and b3c.
+    List<Workload> workloads =
         Workload.all().stream()
-            .filter(one -> one.name().equals(name))
-            .findFirst()
-            .orElseThrow(() ->
-                new BadInput(
-                    "no workload is called %s: expected b1, b2, mutex, view or apps"
-                        .formatted(BadInput.quote(name))));
+            .filter(one -> one.name().matches(Pattern.quote(name) + "[a-z]?"))
+            .toList();
+    if (workloads.isEmpty()) {
+      throw new BadInput(
+          "no workload is called %s: expected %s, mutex, view or apps"
+              .formatted(
+                  BadInput.quote(name),
+                  Workload.all().stream().map(Workload::name).collect(Collectors.joining(", "))));
+    }
     Carriers.select(null, err());
+    workloads.forEach(this::showSpeed);
+  }
+
+  private void showSpeed(Workload workload) {
     int planned = OptionValues.whole("--runs", runs, 1, 1000);
     int count = robots(256, 1, 10_000_000);
     ProgressLine progress = new ProgressLine(err(), "runs");
     List<Measurement> taken =
         Measurement.take(
-            workload, count, style, planned, Seeds.of(seed), done -> progress.show(done, planned));
+            workload,
+            count,
+            style == null ? workload.style() : style,
+            planned,
+            Seeds.of(seed),
+            done -> progress.show(done, planned));
     progress.end();
     taken.forEach(run -> json.print(out(), run.asMap(), List.of(line(run))));
+    out().flush();
   }
 
   private int robots(int otherwise, int min, int max) {
