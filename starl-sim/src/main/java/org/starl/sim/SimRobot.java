@@ -116,6 +116,7 @@ final class SimRobot implements TraceSink {
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (impairment.equals(Impairment.NONE)) {
+      positioning.setOffset(0 - spec.origin().xMm(), 0 - spec.origin().yMm());
       // A fault may have ended while the program was down.
       applyToStorageAndClock(impairment);
     } else {
@@ -161,7 +162,8 @@ final class SimRobot implements TraceSink {
     SimSettings settings = engine.settings();
     chassis.impair(impairment.wheels(), impairment.wheels());
     positioning.setNoise(settings.positionNoise().plus(impairment.noise()));
-    positioning.setOffset(impairment.offXMm(), impairment.offYMm());
+    positioning.setOffset(
+        impairment.offXMm() - spec.origin().xMm(), impairment.offYMm() - spec.origin().yMm());
     positioning.turn(!impairment.isBlind());
     applyToStorageAndClock(impairment);
   }
@@ -180,7 +182,7 @@ final class SimRobot implements TraceSink {
 
   /** Sets the pose at which its body is put on the floor. */
   void startAt(Pose start) {
-    spec = new RobotSpec(spec.id(), start, spec.onFloor(), spec.app());
+    spec = new RobotSpec(spec.id(), start, spec.onFloor(), spec.app(), spec.origin());
   }
 
   /** Whether its program has had a position fix. */
