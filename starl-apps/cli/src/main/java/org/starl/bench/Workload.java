@@ -13,7 +13,8 @@ public interface Workload {
         new PatrolWorkload(),
         new SwarmWorkload(SwarmWorkload.Variant.RADIO),
         new SwarmWorkload(SwarmWorkload.Variant.SIGHT),
-        new SwarmWorkload(SwarmWorkload.Variant.DISCS));
+        new SwarmWorkload(SwarmWorkload.Variant.DISCS),
+        new TownWorkload());
   }
 
   /** Name in {@code starl bench NAME}. */

@@ -2,14 +2,16 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.starl.bench.CheckSpeed;
+import org.starl.bench.CrossingRules;
 import org.starl.bench.Measurement;
 import org.starl.bench.MutexCost;
 import org.starl.bench.PatrolWorkload;
@@ -38,10 +40,13 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   /** Real seconds for each number of robots. */
   private static final double VIEW_S = 8;
 
+  /** How long cars arrive in b4a. */
+  private static final Duration ARRIVALS = Duration.ofMinutes(10);
+
   @Parameters(
       index = "0",
       paramLabel = "WORKLOAD",
-      description = "b1, b2, b3, b3a, b3b, b3c, mutex, view or apps; see 'starl list'.")
+      description = "b1, b2, b3a, b3b, b3c, b3 for all three, b4a, b4b, b5, mutex, view or apps; see 'starl list'.")
   private String name = "";
 
   @Option(
@@ -61,9 +66,8 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--runs",
       paramLabel = "N",
-      defaultValue = "5",
-      description = "Number of runs (default: ${DEFAULT-VALUE}).")
-  private String runs = "5";
+      description = "Number of runs (default: 5; b5: 100).")
+  private @Nullable String runs;
 
   @Option(
       names = "--seed",
@@ -100,6 +104,8 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     switch (name) {
       case MutexCost.NAME -> showMutexCost();
+      case CrossingRules.NAME -> showCrossingRules();
+      case CheckSpeed.NAME -> showCheckSpeed();
       case VIEW -> showView();
       case AppsTable.NAME -> {
         return showApps() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
@@ -113,11 +119,11 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     // b3 stands for b3a, b3b and b3c.
     List<Workload> workloads =
         Workload.all().stream()
-            .filter(one -> one.name().matches(Pattern.quote(name) + "[a-z]?"))
+            .filter(one -> one.name().equals(name) || one.name().matches("b3.") && name.equals("b3"))
             .toList();
     if (workloads.isEmpty()) {
       throw new BadInput(
-          "no workload is called %s: expected %s, mutex, view or apps"
+          "no workload is called %s: expected %s, b4a, b5, mutex, view or apps"
               .formatted(
                   BadInput.quote(name),
                   Workload.all().stream().map(Workload::name).collect(Collectors.joining(", "))));
@@ -127,7 +133,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private void showSpeed(Workload workload) {
-    int planned = OptionValues.whole("--runs", runs, 1, 1000);
+    int planned = runs(5);
     int count = robots(256, 1, 10_000_000);
     ProgressLine progress = new ProgressLine(err(), "runs");
     List<Measurement> taken =
@@ -141,6 +147,10 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     progress.end();
     taken.forEach(run -> json.print(out(), run.asMap(), List.of(line(run))));
     out().flush();
+  }
+
+  private int runs(int otherwise) {
+    return runs == null ? otherwise : OptionValues.whole("--runs", runs, 1, 100_000);
   }
 
   private int robots(int otherwise, int min, int max) {
@@ -187,6 +197,54 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       json.print(out(), object, List.of(line));
       out().flush();
     }
+  }
+
+  /** In Markdown, for the docs. */
+  private void showCrossingRules() {
+    PrintWriter out = out();
+    ProgressLine progress = new ProgressLine(err(), "rows");
+    List<Map<String, Object>> rows =
+        CrossingRules.take(
+            ARRIVALS, Seeds.of(seed), done -> progress.show(done, CrossingRules.rows()));
+    progress.end();
+    if (json.isOn()) {
+      rows.forEach(row -> out.println(Json.line(row)));
+      return;
+    }
+    out.println(
+        "| arrivals/min | rule | arrived | crossed | crossed/min | wait, median | wait, 95 %"
+            + " | contacts |");
+    out.println("|---|---|---|---|---|---|---|---|");
+    for (Map<String, Object> row : rows) {
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "| %d | %s | %d | %d | %.1f | %.1f s | %.1f s | %d |",
+              row.values().toArray()));
+    }
+  }
+
+  private void showCheckSpeed() {
+    Carriers.select(null, err());
+    int planned = runs(100);
+    ProgressLine progress = new ProgressLine(err(), "runs");
+    Map<String, Object> row =
+        CheckSpeed.take(planned, Seeds.of(seed), done -> progress.show(done, 3 * planned));
+    progress.end();
+    String line =
+        String.format(
+            Locale.ROOT,
+            "%s n=%s: %d steps/CPU-s, %.1f runs/CPU-s, %.0f simulated s/CPU-s; %d steps a run,"
+                + " %d of %d runs violated a specification",
+            row.get("workload"),
+            row.get("n"),
+            row.get("steps_per_cpu_s"),
+            row.get("runs_per_cpu_s"),
+            row.get("rtf"),
+            (long) row.get("steps") / planned,
+            row.get("violations"),
+            planned);
+    json.print(out(), row, List.of(line));
   }
 
   /** In Markdown, for the docs. */

@@ -10,6 +10,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
+import org.starl.bench.CheckSpeed;
+import org.starl.bench.CrossingRules;
 import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
 import org.starl.sim.Setting;
@@ -135,6 +137,8 @@ final class ListCommand extends BaseCommand implements Runnable {
     for (Workload workload : Workload.all()) {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }
+    items.add(new Item("bench", "", CrossingRules.NAME, "", CrossingRules.SUMMARY));
+    items.add(new Item("bench", "", CheckSpeed.NAME, "", CheckSpeed.SUMMARY));
     items.add(new Item("bench", "", BenchCommand.VIEW, "", BenchCommand.VIEW_SUMMARY));
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
     items.add(new Item("bench", "", AppsTable.NAME, "", AppsTable.SUMMARY));

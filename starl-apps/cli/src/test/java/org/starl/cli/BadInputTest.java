@@ -59,7 +59,11 @@ class BadInputTest {
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
       run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
-      bench b9 | 'b9' | expected b1, b2, mutex, view or apps
+      bench b9 | 'b9' | expected b1, b2, b3a, b3b, b3c, b4b, b4a, b5, mutex, view or apps
+      run mutex --processes --set radioRange=3m | radioRange | --processes | expected --loss or --delay
+      run mutex --set radioSight=true | radioSight | expected a radioRange
+      bench b3a --style blocking | b3a | blocking | expected step
+      bench b4b --robots 3 | b4b | 3 robots | expected a multiple of 4
       bench apps | expected --inputs FOLDER
       bench apps --inputs . --app race --input nope | --input | 'nope' | four.wpt
       bench apps --inputs /no/such | --inputs | /no/such | expected a folder

@@ -104,15 +104,17 @@ class HelpTest {
       strings = {
         "b1 --robots 10 --style blocking",
         "b1 --robots 10 --style step",
-        "b2 --robots 10 --style blocking"
+        "b2 --robots 10 --style blocking",
+        "b3a --robots 10 --style step",
+        "b4b --robots 8 --style blocking"
       })
   void benchMeasures(String args) throws IOException {
     Cli cli = Cli.run(("bench --runs 1 --json " + args).split(" "));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.out()).hasSize(1);
     JsonNode json = new ObjectMapper().readTree(cli.text());
-    assertThat(json.get("workload").asText()).isEqualTo(args.substring(0, 2));
-    assertThat(json.get("n").asInt()).isEqualTo(10);
+    assertThat(json.get("workload").asText()).isEqualTo(args.split(" ")[0]);
+    assertThat(json.get("n").asText()).isEqualTo(args.split(" ")[2]);
     assertThat(json.get("events").asLong()).isPositive();
     assertThat(json.get("cpu_s").isNumber()).isTrue();
   }

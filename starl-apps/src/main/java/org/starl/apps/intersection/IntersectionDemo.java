@@ -18,6 +18,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
 import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarMaker;
 import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.robot.IntersectionFactory;
@@ -134,6 +135,17 @@ public final class IntersectionDemo implements Demo {
         ? plan.open(
             rateHz(request), request.robots().orElse(Integer.MAX_VALUE), rng.fork("arrivals"))
         : plan.closed(cars);
+  }
+
+  /**
+   * An open road with cars of another program, without specifications, for comparisons.
+   *
+   * @param rateHz average number of cars that arrive per second, on all arms together; above 0
+   */
+  public static Plan openRoad(CarMaker car, double rateHz, SimSettings settings, long seed) {
+    Rng rng = new Rng(seed).fork(FACTORY.name());
+    return new IntersectionPlan(Floor.kerbs(), settings, car)
+        .openUnchecked(rateHz, rng.fork("arrivals"));
   }
 
   /** The scenario; {@code open} if the user gives arrivals and no scenario. */

@@ -14,7 +14,7 @@ import org.starl.apps.intersection.logic.RoadsideUnit;
 import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.robot.Car;
-import org.starl.apps.intersection.robot.CarProgram;
+import org.starl.apps.intersection.robot.CarMaker;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
@@ -36,7 +36,7 @@ import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
 
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
-record IntersectionPlan(Obstacles floor, SimSettings settings, CarProgram program) {
+record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program) {
 
   private static final String UNIT = "roadside";
 
@@ -79,6 +79,23 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarProgram progra
    * mostCars}.
    */
   Plan open(double rateHz, int mostCars, Rng rng) {
+    return open(rateHz, mostCars, rng, simulation(openSpec()));
+  }
+
+  /** Without specifications, which other rules of the way would violate. */
+  Plan openUnchecked(double rateHz, Rng rng) {
+    return open(
+        rateHz,
+        Integer.MAX_VALUE,
+        rng,
+        Simulation.builder().settings(settings).obstacles(floor));
+  }
+
+  private IntersectionSpec openSpec() {
+    return new IntersectionSpec(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
+  }
+
+  private Plan open(double rateHz, int mostCars, Rng rng, Simulation.Builder simulation) {
     long untilNs = settings.endNs();
     SortedMap<RobotId, Pose> posts = new TreeMap<>();
     for (Point at : Floor.roadsideUnits()) {
@@ -94,9 +111,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarProgram progra
             units,
             (car, traffic) -> robot(car, true, gvh -> units, traffic),
             story);
-    IntersectionSpec spec =
-        new IntersectionSpec(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
-    Simulation.Builder simulation = simulation(spec).endNs(untilNs + spec.drainNs());
+    simulation.endNs(untilNs + openSpec().drainNs());
     posts.forEach((id, pose) ->
         simulation.robot(new RobotSpec(id, pose, true, gvh -> new RoadsideUnit(gvh, XID, units))));
     return plan(simulation, road, story, new IntersectionLayer(units));

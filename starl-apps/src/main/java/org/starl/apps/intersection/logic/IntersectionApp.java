@@ -2,6 +2,7 @@ package org.starl.apps.intersection.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
@@ -76,10 +77,24 @@ public final class IntersectionApp extends LogicThread {
    *     car may arrive, the roadside units
    */
   public IntersectionApp(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
+    this(gvh, xid, trip, acceptors, zones -> zones);
+  }
+
+  /**
+   * A car that asks for its zones in another way, for comparisons.
+   *
+   * @param rule makes the object that it asks, from the mutex over the zones
+   */
+  public IntersectionApp(
+      GlobalVarHolder gvh,
+      String xid,
+      Trip trip,
+      Participants acceptors,
+      UnaryOperator<MutexPrim> rule) {
     super(gvh);
     Registration registration = new Registration(gvh, xid, acceptors);
     reg = registration;
-    mutex = new M_Mutex(gvh, xid, registration);
+    mutex = rule.apply(new M_Mutex(gvh, xid, registration));
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
     location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));

@@ -10,7 +10,7 @@ import org.starl.id.Participants;
 import org.starl.input.BadInput;
 
 /** The programs that a car may run. Cars of different programs can meet at one intersection. */
-public enum CarProgram {
+public enum CarProgram implements CarMaker {
   /** {@link IntersectionApp}, after Figure 4. */
   APP,
   /** {@link IcpProgram}, after Figure 3, made of {@code IcpProgram.starl}. */
@@ -26,11 +26,7 @@ public enum CarProgram {
     };
   }
 
-  /**
-   * A car's program.
-   *
-   * @param acceptors of the registrations
-   */
+  @Override
   public LogicThread of(GlobalVarHolder gvh, Trip trip, Participants acceptors) {
     return switch (this) {
       case APP -> new IntersectionApp(gvh, IntersectionFactory.XID, trip, acceptors);
