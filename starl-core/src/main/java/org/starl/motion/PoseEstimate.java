@@ -56,17 +56,13 @@ final class PoseEstimate {
   double aheadXMm(Odometry odometry) {
     return odometry.forwardMm() == 0 && odometry.leftMm() == 0
         ? xMm
-        : xMm
-            + cosine() * odometry.forwardMm()
-            - sine() * odometry.leftMm();
+        : xMm + cosine() * odometry.forwardMm() - sine() * odometry.leftMm();
   }
 
   double aheadYMm(Odometry odometry) {
     return odometry.forwardMm() == 0 && odometry.leftMm() == 0
         ? yMm
-        : yMm
-            + sine() * odometry.forwardMm()
-            + cosine() * odometry.leftMm();
+        : yMm + sine() * odometry.forwardMm() + cosine() * odometry.leftMm();
   }
 
   private double cosine() {

@@ -34,9 +34,7 @@ final class RadioField implements Coverage {
   /** Null if the settings do not limit the range. */
   static @Nullable RadioField of(SimSettings settings, World world) {
     double rangeMm = settings.get(Setting.RADIO_RANGE);
-    return rangeMm == 0
-        ? null
-        : new RadioField(world, rangeMm, settings.get(Setting.RADIO_SIGHT));
+    return rangeMm == 0 ? null : new RadioField(world, rangeMm, settings.get(Setting.RADIO_SIGHT));
   }
 
   /** Tells where a robot is: on the floor with this body, or off it. */

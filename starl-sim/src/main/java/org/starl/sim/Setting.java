@@ -133,7 +133,10 @@ public final class Setting<T> {
           "range of a radio, between centres; 0 for no limit");
 
   public static final Setting<Boolean> RADIO_SIGHT =
-      flag("radioSight", false, "with radioRange: radios need a line of sight, free of walls and bodies");
+      flag(
+          "radioSight",
+          false,
+          "with radioRange: radios need a line of sight, free of walls and bodies");
   public static final Setting<Boolean> SEALED =
       flag("sealed", false, "seal datagrams with a key that all robots of the run share");
 

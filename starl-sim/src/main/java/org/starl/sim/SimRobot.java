@@ -136,8 +136,7 @@ final class SimRobot implements TraceSink {
     return rng;
   }
 
-  private SimPositioning positioning(
-      SimSettings settings, Kernel kernel, Rng incarnationRng) {
+  private SimPositioning positioning(SimSettings settings, Kernel kernel, Rng incarnationRng) {
     long periodNs = settings.positionPeriodNs();
     long phaseNs =
         settings.get(Setting.POSITION_IN_PHASE)

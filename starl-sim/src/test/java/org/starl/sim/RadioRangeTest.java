@@ -48,14 +48,12 @@ final class RadioRangeTest {
       rng = gvh.plat.entropy.fork("drive");
       endpoint =
           gvh.comms.open(
-              CHANNEL,
-              (from, tick) -> heard.add(from + " " + tick + " " + gvh.plat.clock.nowNs()));
+              CHANNEL, (from, tick) -> heard.add(from + " " + tick + " " + gvh.plat.clock.nowNs()));
     }
 
     @Override
     protected boolean step() {
-      gvh.plat.moat.doDrive(
-          new WheelCommand(500 * rng.nextDouble(), rng.nextBoolean(0.5) ? 0 : 2));
+      gvh.plat.moat.doDrive(new WheelCommand(500 * rng.nextDouble(), rng.nextBoolean(0.5) ? 0 : 2));
       endpoint.broadcast(tick);
       tick++;
       return tick < TICKS;
@@ -151,7 +149,8 @@ final class RadioRangeTest {
     SimResult all = run(5, true, settings().radioRange(40_000).messageLoss(0.25).build());
     assertThat(all.network().sent()).isEqualTo(40 * TICKS);
     assertThat(all.network().delivered() + all.network().lost()).isEqualTo(40 * TICKS * 39);
-    assertThat((double) all.network().lost()).isBetween(0.2 * 40 * TICKS * 39, 0.3 * 40 * TICKS * 39);
+    assertThat((double) all.network().lost())
+        .isBetween(0.2 * 40 * TICKS * 39, 0.3 * 40 * TICKS * 39);
   }
 
   @Test

@@ -95,8 +95,7 @@ class RedrawsTest {
         .observer(observer);
   }
 
-  private static List<TraceEvent> events(
-      long seed, String redraws, Predicate<TraceEvent> which) {
+  private static List<TraceEvent> events(long seed, String redraws, Predicate<TraceEvent> which) {
     List<TraceEvent> events = new ArrayList<>();
     SimObserver observer =
         new SimObserver() {
@@ -233,8 +232,7 @@ class RedrawsTest {
   void theTextOfRedrawsReadsBack() {
     Redraws two = Redraws.parse(" 12.3s#17 ; 12300000001ns # 4");
     assertThat(two.all())
-        .containsExactly(
-            new Redraws.One(12_300_000_000L, 17), new Redraws.One(12_300_000_001L, 4));
+        .containsExactly(new Redraws.One(12_300_000_000L, 17), new Redraws.One(12_300_000_001L, 4));
     assertThat(Redraws.parse(two.toString())).isEqualTo(two);
   }
 }

@@ -65,8 +65,7 @@ public final class CrossingRules {
    *
    * @param afterRow called with the number of rows so far
    */
-  public static List<Map<String, Object>> take(
-      Duration arrivals, long seed, IntConsumer afterRow) {
+  public static List<Map<String, Object>> take(Duration arrivals, long seed, IntConsumer afterRow) {
     List<Map<String, Object>> rows = new ArrayList<>();
     for (int rate : RATES) {
       for (Rule rule : Rule.values()) {
@@ -115,8 +114,6 @@ public final class CrossingRules {
   }
 
   private static double percentile(double[] sorted, int percent) {
-    return sorted.length == 0
-        ? 0
-        : sorted[Percentile.index(sorted.length, percent)];
+    return sorted.length == 0 ? 0 : sorted[Percentile.index(sorted.length, percent)];
   }
 }

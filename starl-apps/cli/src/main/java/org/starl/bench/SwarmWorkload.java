@@ -15,7 +15,6 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.SimSettings;
@@ -139,9 +138,7 @@ public final class SwarmWorkload implements Workload {
         .seed(seed)
         .settings(settings.build())
         .obstacles(walls(robots, seed))
-        .robots(
-            robots,
-            gvh -> collide ? new Disc(gvh, ticks) : new Talker(gvh, ticks, sideMm));
+        .robots(robots, gvh -> collide ? new Disc(gvh, ticks) : new Talker(gvh, ticks, sideMm));
   }
 
   /** Those around the floor and, where they cut the sight, some on it, drawn by seed. */

@@ -46,7 +46,8 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "WORKLOAD",
-      description = "b1, b2, b3a, b3b, b3c, b3 for all three, b4a, b4b, b5, mutex, view or apps; see 'starl list'.")
+      description =
+          "b1, b2, b3a, b3b, b3c, b3 for all three, b4a, b4b, b5, mutex, view or apps; see 'starl list'.")
   private String name = "";
 
   @Option(
@@ -63,10 +64,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       description = "blocking or step (default: blocking; b3: step).")
   private Workload.@Nullable Style style;
 
-  @Option(
-      names = "--runs",
-      paramLabel = "N",
-      description = "Number of runs (default: 5; b5: 100).")
+  @Option(names = "--runs", paramLabel = "N", description = "Number of runs (default: 5; b5: 100).")
   private @Nullable String runs;
 
   @Option(
@@ -119,7 +117,8 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     // b3 stands for b3a, b3b and b3c.
     List<Workload> workloads =
         Workload.all().stream()
-            .filter(one -> one.name().equals(name) || one.name().matches("b3.") && name.equals("b3"))
+            .filter(
+                one -> one.name().equals(name) || one.name().matches("b3.") && name.equals("b3"))
             .toList();
     if (workloads.isEmpty()) {
       throw new BadInput(

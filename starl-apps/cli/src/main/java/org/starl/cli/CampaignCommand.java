@@ -137,12 +137,18 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   private void requireAlone() {
     String[] others =
         OptionValues.given(
-            "--stop", stop,
-            "--until", until.isEmpty() ? null : until,
-            "--out", shards.isShared(),
-            "--on", engine.isOn(),
-            "--shrink", shrink,
-            "--report", report);
+            "--stop",
+            stop,
+            "--until",
+            until.isEmpty() ? null : until,
+            "--out",
+            shards.isShared(),
+            "--on",
+            engine.isOn(),
+            "--shrink",
+            shrink,
+            "--report",
+            report);
     if (others.length > 0) {
       throw new BadInput(others[0] + " cannot be used with --split");
     }

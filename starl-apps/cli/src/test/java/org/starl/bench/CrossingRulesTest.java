@@ -22,10 +22,14 @@ final class CrossingRulesTest {
       Flow flow = CrossingRules.run(rule, 8, Duration.ofSeconds(120), 3);
       assertThat(flow.contacts()).as("%s", rule).isZero();
       assertThat(flow.arrived()).isGreaterThan(8);
-      assertThat(flow.crossed()).isEqualTo(flow.waitsS().length).isBetween(flow.arrived() - 4, flow.arrived());
+      assertThat(flow.crossed())
+          .isEqualTo(flow.waitsS().length)
+          .isBetween(flow.arrived() - 4, flow.arrived());
       flows.put(rule, flow);
     }
-    assertThat(flows.values()).extracting(Flow::arrived).containsOnly(flows.get(Rule.MUTEX).arrived());
+    assertThat(flows.values())
+        .extracting(Flow::arrived)
+        .containsOnly(flows.get(Rule.MUTEX).arrived());
     assertThat(total(flows.get(Rule.MUTEX))).isLessThan(total(flows.get(Rule.LOCK)));
     assertThat(flows.get(Rule.STOP).waitsS()[0]).as("the stop").isGreaterThanOrEqualTo(2);
   }

@@ -37,7 +37,9 @@ final class SwarmWorkloadTest {
     // 14 robots in a disc of 3 m, less at the edges of a floor of 11 m, and a tenth lost.
     double each = (double) heard.get(Variant.RADIO) / ROBOTS / TICKS;
     assertThat(each).isBetween(7.0, 12.7);
-    assertThat(heard.get(Variant.SIGHT)).as("what bodies and walls hide").isLessThan(heard.get(Variant.RADIO));
+    assertThat(heard.get(Variant.SIGHT))
+        .as("what bodies and walls hide")
+        .isLessThan(heard.get(Variant.RADIO));
   }
 
   @Test
@@ -45,7 +47,9 @@ final class SwarmWorkloadTest {
     SimResult result = run(Variant.DISCS, ROBOTS, 1000);
     assertThat(result.unfinished()).isEmpty();
     assertThat(result.collisions().ofRobots()).isPositive();
-    assertThat(total(result)).as("robots that never come free bump in most ticks").isBetween(1L, ROBOTS * 1000L / 5);
+    assertThat(total(result))
+        .as("robots that never come free bump in most ticks")
+        .isBetween(1L, ROBOTS * 1000L / 5);
   }
 
   @Test

@@ -1,6 +1,5 @@
 package org.starl.build;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;

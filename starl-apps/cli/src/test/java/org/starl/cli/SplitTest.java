@@ -62,8 +62,7 @@ class SplitTest {
             "unlucky: 40 seeds, 200 runs, 5 copies at each level",
             "  level 1: reached by 40 seeds");
     assertThat(one.out().getLast())
-        .isEqualTo(
-            "bad runs: of 29 seeds; probability 1.9e-01, from 1.3e-01 to 2.7e-01 at 95 %");
+        .isEqualTo("bad runs: of 29 seeds; probability 1.9e-01, from 1.3e-01 to 2.7e-01 at 95 %");
   }
 
   @Test
@@ -76,8 +75,7 @@ class SplitTest {
         assertThat(replay).startsWith("replay: ./starl run unlucky --seed " + seed);
         redrawn += replay.contains("redraws=") ? 1 : 0;
         String command = replay.substring("replay: ./starl ".length()).replace("'", "");
-        Cli again =
-            Cli.line(UNLUCKY, command, "--png", folder.resolve("replay.png").toString());
+        Cli again = Cli.line(UNLUCKY, command, "--png", folder.resolve("replay.png").toString());
         assertThat(again.status()).as(command).isEqualTo(ExitStatus.VIOLATED);
         String violation = cli.messages().get(cli.messages().size() - 2);
         assertThat(again.out())

@@ -85,10 +85,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
   /** Without specifications, which other rules of the way would violate. */
   Plan openUnchecked(double rateHz, Rng rng) {
     return open(
-        rateHz,
-        Integer.MAX_VALUE,
-        rng,
-        Simulation.builder().settings(settings).obstacles(floor));
+        rateHz, Integer.MAX_VALUE, rng, Simulation.builder().settings(settings).obstacles(floor));
   }
 
   private IntersectionSpec openSpec() {

@@ -58,8 +58,12 @@ public record Splitting(int levels, int copies) {
   public Splitting {
     if (levels < 1 || copies < 2 || StrictMath.pow(copies, levels) > MOST_RUNS) {
       throw new IllegalArgumentException(
-          levels + " levels, " + copies + " copies: expected at least 1 and 2, and at most "
-              + MOST_RUNS + " runs of a seed");
+          levels
+              + " levels, "
+              + copies
+              + " copies: expected at least 1 and 2, and at most "
+              + MOST_RUNS
+              + " runs of a seed");
     }
   }
 

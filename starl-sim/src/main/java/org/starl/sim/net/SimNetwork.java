@@ -175,8 +175,7 @@ public final class SimNetwork {
   void send(SimRadio from, RobotId to, byte[] buffer, int length) {
     long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
-    String obstacle =
-        coverage == null ? "" : obstacle(coverage, from, to);
+    String obstacle = coverage == null ? "" : obstacle(coverage, from, to);
     if (obstacle.isEmpty()) {
       transmit(from, to, packet, datagram, OWN);
     } else {
@@ -266,8 +265,7 @@ public final class SimNetwork {
   /**
    * @param sharedNs the delay that all copies of a broadcast have, or {@link #OWN}
    */
-  private void transmit(
-      SimRadio from, RobotId to, Packet packet, long datagram, long sharedNs) {
+  private void transmit(SimRadio from, RobotId to, Packet packet, long datagram, long sharedNs) {
     if (!rules.isEmpty() || watch != null) {
       transmitByRules(from, to, packet, datagram, sharedNs);
       return;

@@ -86,7 +86,9 @@ class SplittingTest {
       double mean = sum / REPETITIONS;
       double error = StrictMath.sqrt((squares / REPETITIONS - mean * mean) / REPETITIONS);
       assertThat(Math.abs(mean - exact)).as("%s of %s", mean, exact).isLessThan(3 * error);
-      assertThat(within).as("%s: intervals that contain it", splitting).isGreaterThan(95 * REPETITIONS / 100);
+      assertThat(within)
+          .as("%s: intervals that contain it", splitting)
+          .isGreaterThan(95 * REPETITIONS / 100);
     }
   }
 }
