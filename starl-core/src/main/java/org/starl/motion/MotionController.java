@@ -113,11 +113,11 @@ public final class MotionController {
     if (!command.equals(commanded) && trace.isOn()) {
       trace.action(SOURCE, "doDrive", command.linearMmPerS(), command.angularRadPerS());
     }
-    if (run != null || inUse != parameters) {
+    inUse = parameters;
+    gps.assume(inUse);
+    if (run != null) {
       run = null;
       timer.cancel();
-      inUse = parameters;
-      gps.assume(inUse);
       task.set(new MotionTask.None());
       motionflag.set(MotionFlag.IDLE);
     }

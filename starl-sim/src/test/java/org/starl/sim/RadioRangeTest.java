@@ -54,9 +54,12 @@ final class RadioRangeTest {
     @Override
     protected boolean step() {
       gvh.plat.moat.doDrive(new WheelCommand(500 * rng.nextDouble(), rng.nextBoolean(0.5) ? 0 : 2));
-      endpoint.broadcast(tick);
+      if (tick < TICKS) {
+        endpoint.broadcast(tick);
+      }
       tick++;
-      return tick < TICKS;
+      // One step more, so that the last broadcasts arrive.
+      return tick <= TICKS;
     }
 
     @Override
