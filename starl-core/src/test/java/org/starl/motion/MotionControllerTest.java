@@ -155,6 +155,19 @@ class MotionControllerTest {
   }
 
   @Test
+  void theErrorBoundAllowsForWheelsThatReactAsLateAsTheParametersSay() {
+    fix(0, 0, 0);
+    moat.setParameters(moat.parameters().toBuilder().reactionMs(300).build());
+    moat.doMove(new ItemPosition("far", 9000, 0));
+    world.runMs(120);
+    moat.motion_stop();
+    double beforeMm = gvh.gps.errorMm();
+    world.runMs(200);
+    // It may have driven on for 50 mm.
+    assertThat(gvh.gps.errorMm() - beforeMm).isGreaterThan(49);
+  }
+
+  @Test
   void aSensorThatOpensWaitsForTheNextStep() {
     fix(0, 0, 0);
     moat.setParameters(

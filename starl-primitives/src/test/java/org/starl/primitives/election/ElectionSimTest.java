@@ -49,7 +49,7 @@ class ElectionSimTest {
         election.do_election();
         await(() -> election.failed().get(), (endNs - gvh.plat.clock.nowNs()) / 1_000_000 + 1);
       }
-      return List.of(election.Leader().get());
+      return List.of(election.Leader().get(), election.isLeader(), election.me());
     }
   }
 
@@ -81,9 +81,14 @@ class ElectionSimTest {
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     assertThat(result.spec().checks(ElectionSpec.ELECTED)).isPositive();
     assertThat(result.results()).hasSize(4);
-    assertThat(result.results().values().stream().distinct()).hasSize(1);
+    assertThat(result.results().values().stream().map(ended -> ended.get(0)).distinct()).hasSize(1);
     assertThat(result.results().values())
-        .allSatisfy(ended -> assertThat(((Leader) ended.get(0)).isElected()).isTrue());
+        .allSatisfy(ended -> assertThat(((Leader) ended.get(0)).isElected()).isTrue())
+        .allSatisfy(
+            ended -> {
+              boolean isNamed = ((Leader.Name) ended.get(0)).id().equals(ended.get(2));
+              assertThat(ended.get(1)).isEqualTo(isNamed);
+            });
   }
 
   @Test

@@ -11,6 +11,7 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.comms.WireFormatException;
@@ -25,6 +26,8 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
 import org.starl.geometry.Union;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 class RegionCodecTest {
 
@@ -89,7 +92,7 @@ class RegionCodecTest {
   @Property
   void messagesAreReadAsTheyWereWritten(@ForAll("regions") Region region, @ForAll boolean ack) {
     GeocastId id =
-        new GeocastId(new org.starl.id.ProcessId(new org.starl.id.RobotId("bot7"), 1L << 32), 9);
+        new GeocastId(new ProcessId(new RobotId("bot7"), 1L << 32), 9);
     GeocastMessage<List<Byte>> message =
         ack
             ? new GeocastMessage.Ack<>(id)
@@ -101,6 +104,20 @@ class RegionCodecTest {
     WireReader reader = new WireReader(Arrays.copyOf(buffer, writer.length()));
     assertThat(messages.read(reader)).isEqualTo(message);
     assertThat(reader.remaining()).isZero();
+  }
+
+  @Test
+  void aGeocastWithoutANumberIsRefused() {
+    GeocastCodec<List<Byte>> messages = new GeocastCodec<>(new OneByte());
+    byte[] buffer = new byte[100];
+    WireWriter writer = new WireWriter(buffer);
+    messages.write(
+        new GeocastMessage.Ack<>(new GeocastId(new ProcessId(new RobotId("bot7"), 1L << 32), 1)),
+        writer);
+    buffer[writer.length() - 1] = 0;
+    assertThatThrownBy(() -> messages.read(new WireReader(Arrays.copyOf(buffer, writer.length()))))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessage("geocast number 0");
   }
 
   private static final class OneByte implements org.starl.comms.Codec<List<Byte>> {
