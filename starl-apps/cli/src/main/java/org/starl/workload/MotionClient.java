@@ -4,6 +4,7 @@ import java.time.Duration;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Request;
 import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -23,9 +24,6 @@ import org.starl.sim.SimSettings;
 final class MotionClient extends Client {
 
   private static final long THINK_MS = 500;
-
-  /** Well above the longest wait in 1000 runs. */
-  private static final long PROMPT_MS = 90_000;
 
   /** Far enough to meet robots that start beside it. */
   private static final double REACH_MM = 2_500;
@@ -48,8 +46,23 @@ final class MotionClient extends Client {
 
   static void setUp(Setup setup) {
     setup.placeSilent(gvh -> new MotionClient(gvh, setup));
-    setup.simulation().monitor(() -> new MotionSpec(setup.settings().motionParameters(0)));
-    setup.promise(PROMPT_MS, true);
+    MotionParameters parameters = setup.settings().motionParameters(0);
+    setup.simulation().monitor(() -> new MotionSpec(parameters));
+    setup.promise(promptMs(parameters), true);
+  }
+
+  /**
+   * The time to turn around and to drive the longest way at the speeds of a motion that nothing is in
+   * the way of, and twice the time after which it fails without progress: once it may take nearly so
+   * long to get around another robot, and once it may fail. So 64 s, or 70 s with errors of the wheels;
+   * the longest wait in 600 runs was 53 s. The contract, {@link MotionParameters#longestMs}, is 222 s.
+   */
+  private static long promptMs(MotionParameters p) {
+    double slowTurnS = p.slowTurnAngleRad() / p.turnSpeedMinRadPerS();
+    double turnS = slowTurnS + (Math.PI - p.slowTurnAngleRad()) / p.turnSpeedMaxRadPerS();
+    double slowS = p.slowFwdRadiusMm() / p.linSpeedMinMmPerS();
+    double driveS = slowS + (2 * REACH_MM - p.slowFwdRadiusMm()) / p.linSpeedMaxMmPerS();
+    return 2 * p.noProgressMs() + (long) Math.ceil(1e3 * (turnS + driveS) / (1 - p.speedError()));
   }
 
   /** One of the reactions to a bump, and {@link #errors}. */
