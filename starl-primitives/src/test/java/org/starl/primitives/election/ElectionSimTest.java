@@ -84,11 +84,10 @@ class ElectionSimTest {
     assertThat(result.results().values().stream().map(ended -> ended.get(0)).distinct()).hasSize(1);
     assertThat(result.results().values())
         .allSatisfy(ended -> assertThat(((Leader) ended.get(0)).isElected()).isTrue())
-        .allSatisfy(
-            ended -> {
-              boolean isNamed = ((Leader.Name) ended.get(0)).id().equals(ended.get(2));
-              assertThat(ended.get(1)).isEqualTo(isNamed);
-            });
+        .allSatisfy(ended -> {
+          boolean isNamed = ((Leader.Name) ended.get(0)).id().equals(ended.get(2));
+          assertThat(ended.get(1)).isEqualTo(isNamed);
+        });
   }
 
   @Test

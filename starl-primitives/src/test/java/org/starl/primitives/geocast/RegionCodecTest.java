@@ -91,8 +91,7 @@ class RegionCodecTest {
 
   @Property
   void messagesAreReadAsTheyWereWritten(@ForAll("regions") Region region, @ForAll boolean ack) {
-    GeocastId id =
-        new GeocastId(new ProcessId(new RobotId("bot7"), 1L << 32), 9);
+    GeocastId id = new GeocastId(new ProcessId(new RobotId("bot7"), 1L << 32), 9);
     GeocastMessage<List<Byte>> message =
         ack
             ? new GeocastMessage.Ack<>(id)
