@@ -21,8 +21,6 @@ public final class Kernel implements Clock, AutoCloseable {
   /** The time limit for an app that blocks outside the kernel, in real time. */
   public static final Duration FOREIGN_WAIT_LIMIT = Duration.ofSeconds(10);
 
-  private static final Runnable NOTHING = () -> {};
-
   final EventQueue queue = new EventQueue();
 
   private final CarrierKind carrierKind;
@@ -114,7 +112,7 @@ public final class Kernel implements Clock, AutoCloseable {
    * pieces on several strands.
    */
   public static int prefetch(SimStrand strand) {
-    return strand.touch(NOTHING);
+    return strand.touch(() -> {});
   }
 
   /** The name of the strand of the last event; empty for an event of the world. */
