@@ -56,7 +56,7 @@ public final class CrossingRules {
   /**
    * @param waitsS time from a car's arrival to the grant of its zones, sorted, in s
    */
-  record Flow(int arrived, int crossed, double crossedPerMin, double[] waitsS, long contacts) {}
+  record Flow(int arrived, int crossed, double crossedPerMin, List<Double> waitsS, long contacts) {}
 
   private CrossingRules() {}
 
@@ -109,11 +109,11 @@ public final class CrossingRules {
         measures.figures().getOrDefault("arrived", 0.0).intValue(),
         measures.completed(),
         measures.figures().getOrDefault("crossed_per_min", 0.0),
-        measures.waitsNs().stream().mapToDouble(Time::seconds).sorted().toArray(),
+        measures.waitsNs().stream().map(Time::seconds).sorted().toList(),
         result.collisions().ofRobots());
   }
 
-  private static double percentile(double[] sorted, int percent) {
-    return sorted.length == 0 ? 0 : sorted[Percentile.index(sorted.length, percent)];
+  private static double percentile(List<Double> sorted, int percent) {
+    return sorted.isEmpty() ? 0 : sorted.get(Percentile.index(sorted.size(), percent));
   }
 }

@@ -3,7 +3,6 @@ package org.starl.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -23,7 +22,7 @@ final class CrossingRulesTest {
       assertThat(flow.contacts()).as("%s", rule).isZero();
       assertThat(flow.arrived()).isGreaterThan(8);
       assertThat(flow.crossed())
-          .isEqualTo(flow.waitsS().length)
+          .isEqualTo(flow.waitsS().size())
           .isBetween(flow.arrived() - 4, flow.arrived());
       flows.put(rule, flow);
     }
@@ -31,11 +30,11 @@ final class CrossingRulesTest {
         .extracting(Flow::arrived)
         .containsOnly(flows.get(Rule.MUTEX).arrived());
     assertThat(total(flows.get(Rule.MUTEX))).isLessThan(total(flows.get(Rule.LOCK)));
-    assertThat(flows.get(Rule.STOP).waitsS()[0]).as("the stop").isGreaterThanOrEqualTo(2);
+    assertThat(flows.get(Rule.STOP).waitsS().getFirst()).as("the stop").isGreaterThanOrEqualTo(2);
   }
 
   private static double total(Flow flow) {
-    return Arrays.stream(flow.waitsS()).sum();
+    return flow.waitsS().stream().mapToDouble(wait -> wait).sum();
   }
 
   @Test
