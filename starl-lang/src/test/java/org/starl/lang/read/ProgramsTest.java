@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -22,6 +23,7 @@ import org.starl.lang.check.Finding;
 import org.starl.lang.check.Search;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Sizes;
+import org.starl.lang.java.JavaSources;
 import org.starl.lang.prove.Claim;
 import org.starl.lang.prove.Claim.Verdict;
 import org.starl.lang.prove.Prover;
@@ -34,6 +36,8 @@ class ProgramsTest {
   private static final Pattern BLOCK = Pattern.compile("\n```\n(.*?)```", Pattern.DOTALL);
   private static final Pattern ROW =
       Pattern.compile("\n\\| `([^`]*)` \\| `([^`]*)` \\| `(\\d+:\\d+: [^`]*)` \\|");
+  private static final Pattern JAVA_LINES =
+      Pattern.compile("\n((?:    java .*\n)+)\n`starl compile crossing\\.starl --java");
   private static final int MOST_STATES = 1_000_000;
   private static final long LIMIT = 10_000_000;
 
@@ -139,6 +143,33 @@ class ProgramsTest {
     assertThat(new Prover(crossing, LIMIT, (title, text) -> {}).prove().claims())
         .extracting(Claim::verdict)
         .containsOnly(Verdict.PROVED);
+  }
+
+  @Test
+  void javaOfTheManualIsThatOfItsProgram() throws IOException, SourceErrors {
+    Matcher lines = JAVA_LINES.matcher(manual());
+    assertThat(lines.find()).isTrue();
+    String head = "program Crossing[Zones]\n";
+    String text = safe().replace(head, head + lines.group(1).stripIndent());
+    Source source = new SourceReader().look("crossing.starl", text, null);
+    assertThat(source.errors()).isEmpty();
+    Map<String, String> files = JavaSources.of(source, "crossing.starl");
+    assertThat(files.get("crossing/Crossing.java")).contains(java(manual()));
+  }
+
+  @Test
+  void javaOfTheIntersectionsPageIsThatOfItsCar() throws IOException {
+    Path car =
+        Path.of("../starl-apps/src/main/java/org/starl/apps/intersection/logic/IcpProgram.java");
+    String page = Files.readString(Path.of("../docs/apps/intersection.md"));
+    assertThat(Files.readString(car)).contains(java(page));
+  }
+
+  /** The first excerpt of a page, indented as in its file. */
+  private static String java(String page) {
+    Matcher found = Pattern.compile("(?s)\n```java\n(case .*?)```").matcher(page);
+    assertThat(found.find()).isTrue();
+    return found.group(1).indent(8);
   }
 
   @Test
