@@ -570,7 +570,7 @@ final class ExpressionReader {
               + "; expected a type of several forms");
     }
     List<Expr.Case> cases = new ArrayList<>();
-    Type type = hint;
+    Type type = null; // the widest of the cases' types
     for (StarlParser.MatchCaseContext each : at.matchCase()) {
       Constructor constructor = constructor(sum, each.name);
       List<StarlParser.IdContext> names = each.id().subList(1, each.id().size());
@@ -588,12 +588,12 @@ final class ExpressionReader {
       for (int i = 0; i < names.size(); i++) {
         variables.add(new Field(names.get(i).getText(), constructor.fields().get(i).type()));
       }
-      Type known = type;
+      Type known = hint != null ? hint : type;
       Expr value =
           under(
               variables,
               () -> known == null ? any(each.expression(), null) : read(each.expression(), known));
-      type = type == null ? value.type() : type;
+      type = type == null || type.isA(value.type()) ? value.type() : type;
       cases.add(new Expr.Case(constructor, List.copyOf(variables), value));
     }
     List<String> missing =

@@ -48,6 +48,15 @@ class SourceReaderTest {
     assertThat(((Type.Sum) lamp.types().getFirst().type()).isEnum()).isTrue();
   }
 
+  @Test
+  void matchHasTheTypeOfItsCases() throws SourceErrors {
+    String text =
+        LAMP.replace("state\n", "state\n  n: nat\n")
+            .replace(
+                "by := some(i)", "by := some(i), n := (match shows { red -> 0, green -> n }) + n");
+    assertThat(new SourceReader().read("lamp.starl", text)).hasSize(1);
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
