@@ -339,9 +339,13 @@ final class ExpressionWriter {
         boolean isTrue = (left instanceof Expr.Bool a ? a : (Expr.Bool) right).value();
         return isTrue ? other : Code.not(other);
       }
-      return isBoxed(left) && isBoxed(right)
-          ? of(left).then("equals", of(right))
-          : Code.infix("==", number(left), number(right));
+      if (!isBoxed(left) || !isBoxed(right)) {
+        return Code.infix("==", number(left), number(right));
+      }
+      if (!isObject(left)) {
+        return Code.call(types.use("java.util.Objects") + ".equals", of(left), of(right));
+      }
+      return of(left).then("equals", of(right));
     }
     if (left.type().base() instanceof Type.Sum sum && sum.isEnum()) {
       return Code.infix("==", of(left), of(right));
@@ -375,6 +379,14 @@ final class ExpressionWriter {
             || at instanceof Expr.Component
             || at instanceof Expr.Call
             || at instanceof Expr.Get);
+  }
+
+  /** Whether it is certainly no primitive value: a variable may be one. */
+  private boolean isObject(Expr at) {
+    return own.apply(at) != null
+        || at instanceof Expr.At
+        || (at instanceof Expr.BuiltIn of
+            && (of.name() == Expr.BuiltIn.Name.THE || of.name() == Expr.BuiltIn.Name.HEAD));
   }
 
   private Code in(Expr element, Expr set) {

@@ -104,6 +104,20 @@ final class Compiled {
     return state.toString();
   }
 
+  /** The state after an action, which is not taken. */
+  Object after(String name, Object... arguments) {
+    return automaton.trans(action(name, arguments), state);
+  }
+
+  /** Goes to a state. */
+  void go(Object to) {
+    state = to;
+  }
+
+  Object value() {
+    return state;
+  }
+
   ClassLoader loader() {
     return loader;
   }

@@ -39,6 +39,7 @@ class JavaSourcesTest {
       action same(t: T, u: T) pre both(t).right != none, the(both(t).right) = u
       action forms(f: Form) pre size(f) > 1 eff form := f
       action sums(n: nat, m: nat) pre sum(n) = m
+      action equal(n: nat, m: nat) pre n = m, (n < m) <=> (m < n)
       action queued(t: T) pre queue != [], head(queue) = t eff queue := tail(queue)
       action enqueue(t: T) eff queue := [t, t]
       """;
@@ -79,6 +80,13 @@ class JavaSourcesTest {
     assertThat(pair.enabled("sums", 3L, 7L).falseConjunct())
         .isEqualTo("sum(n) = m is false: sum(3) = 6");
     assertThat(pair.enabled("sums", 3L, 6L).isTrue()).isTrue();
+  }
+
+  @Test
+  void argumentsThatArePrimitiveAreCompared() {
+    assertThat(pair.enabled("equal", 300L, 300L).isTrue()).isTrue();
+    assertThat(pair.enabled("equal", 300L, 301L).falseConjunct())
+        .isEqualTo("n = m is false: n = 300, m = 301");
   }
 
   @Test
