@@ -82,7 +82,8 @@ public final class TownWorkload implements Workload {
       crossed = new int[crossings];
       int side = (int) Math.ceil(Math.sqrt(crossings));
       for (int i = 0; i < crossings; i++) {
-        Point origin = new Point(APART_MM * (i % side), APART_MM * (i / side));
+        int row = i / side;
+        Point origin = new Point(APART_MM * (i % side), APART_MM * row);
         String xid = "crossing" + i;
         Participants posts = addUnits(i, xid, origin);
         for (Zone zone : Zone.values()) {
