@@ -100,7 +100,7 @@ public class Within<K> {
    * Removes every deadline that passed before {@code nowNs}, and reports each to {@code expired}.
    */
   public void expire(long nowNs, Expired<? super K> expired) {
-    if (allSuspended) {
+    if (allSuspended || sinceNs.isEmpty()) {
       return;
     }
     Iterator<Map.Entry<K, Long>> oldestFirst = sinceNs.entrySet().iterator();

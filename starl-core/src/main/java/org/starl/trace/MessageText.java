@@ -37,11 +37,14 @@ public final class MessageText {
     return found;
   }
 
+  // Monitors read most messages field by field: this makes no list of the others.
   private static @Nullable String fieldOrNull(String message, String name) {
-    for (String part : parts(message)) {
-      if (part.startsWith(name) && part.startsWith("=", name.length())) {
-        return part.substring(name.length() + 1);
+    int from = first(message);
+    for (int end = end(message, from); end >= 0; end = end(message, from)) {
+      if (message.startsWith(name, from) && message.startsWith("=", from + name.length())) {
+        return message.substring(from + name.length() + 1, end);
       }
+      from = end + 2;
     }
     return null;
   }
@@ -49,7 +52,22 @@ public final class MessageText {
   /** The elements of a list, {@code [a, b]}, or the fields of a record with their names. */
   public static List<String> parts(String text) {
     List<String> parts = new ArrayList<>();
-    int from = text.indexOf('[') + 1;
+    int from = first(text);
+    for (int end = end(text, from); end >= 0; end = end(text, from)) {
+      if (end > from) {
+        parts.add(text.substring(from, end));
+      }
+      from = end + 2;
+    }
+    return parts;
+  }
+
+  private static int first(String text) {
+    return text.indexOf('[') + 1;
+  }
+
+  /** The end of the element that begins at {@code from}; negative if there is none. */
+  private static int end(String text, int from) {
     int depth = 0;
     for (int i = from; i < text.length(); i++) {
       char c = text.charAt(i);
@@ -58,12 +76,9 @@ public final class MessageText {
       } else if (depth > 0 && c == ']') {
         depth--;
       } else if (depth == 0 && (c == ']' || text.startsWith(", ", i))) {
-        if (i > from) {
-          parts.add(text.substring(from, i));
-        }
-        from = i + 2;
+        return i;
       }
     }
-    return parts;
+    return -1;
   }
 }

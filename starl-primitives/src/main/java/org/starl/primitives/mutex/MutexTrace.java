@@ -92,7 +92,7 @@ public final class MutexTrace {
   }
 
   /** Whether a mutex's action concerns requests and access, and not the agreement protocol. */
-  static boolean isOfAccess(TraceEvent.Action action) {
+  public static boolean isOfAccess(TraceEvent.Action action) {
     return switch (action.name()) {
       case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN -> true;
       default -> false;

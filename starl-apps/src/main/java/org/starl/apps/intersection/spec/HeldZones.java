@@ -1,5 +1,6 @@
 package org.starl.apps.intersection.spec;
 
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Map;
 import java.util.Set;
@@ -33,7 +34,9 @@ public final class HeldZones {
 
   /** Takes the next event of the trace. */
   public void observe(TraceEvent event) {
-    MutexTrace.read(event).ifPresent(e -> observe(((Action) event).source(), e));
+    if (event instanceof Action action && MutexTrace.isOfAccess(action)) {
+      MutexTrace.read(event).ifPresent(e -> observe(action.source(), e));
+    }
   }
 
   private void observe(String mutex, MutexEvent event) {
@@ -74,6 +77,11 @@ public final class HeldZones {
   /** Whether {@code robot} has access to {@code zone}. */
   boolean holds(RobotId robot, String zone) {
     return held.getOrDefault(robot, Collections.emptySortedMap()).containsKey(zone);
+  }
+
+  /** Whether {@code robot} has access to all of {@code zones}. */
+  boolean holdsAll(RobotId robot, Collection<String> zones) {
+    return held.getOrDefault(robot, Collections.emptySortedMap()).keySet().containsAll(zones);
   }
 
   /** All robots that hold something, in order. */

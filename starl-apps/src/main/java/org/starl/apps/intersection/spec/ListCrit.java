@@ -81,6 +81,7 @@ public final class ListCrit extends LemmaMonitor {
       CrossingTrace.myseq(event).ifPresent(myseq -> state.myseq = myseq);
       if (event instanceof Action action
           && action.source().equals(mutex)
+          && MutexTrace.isOfAccess(action)
           && MutexTrace.read(action).orElseThrow() instanceof MutexEvent.DoMutex request) {
         state.requested = request.want();
       }
@@ -118,7 +119,7 @@ public final class ListCrit extends LemmaMonitor {
               ? ""
               : myseq(state) + " is not the latest request " + state.requested;
       case MOVE_WAIT ->
-          state.myseq.stream().allMatch(zone -> zones.holds(robot, zone))
+          zones.holdsAll(robot, state.myseq)
               ? ""
               : myseq(state) + " is not all held, " + zones.held(robot);
       case RESUME, MUTEX_S, S_1, UNREGISTER_WAIT, DONE -> "";

@@ -1,6 +1,7 @@
 package org.starl.apps.intersection.spec;
 
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -64,7 +65,7 @@ final class TrafficProgress extends LemmaMonitor {
         }
       }
     }
-    boolean isHeldUp = !dead.isEmpty() || stray.stream().anyMatch(held.holders()::contains);
+    boolean isHeldUp = !dead.isEmpty() || !Collections.disjoint(stray, held.holders());
     departures.assumeAll(faults.isFaultFree() && !isHeldUp, event.timeNs());
     if (event instanceof Left
         || CrossingTrace.location(event).filter(Location.DONE::equals).isPresent()) {

@@ -13,6 +13,10 @@ import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
 
 /**
  * {@code traffic_safety} (paper, section 3): no two cars occupy the same zone at the same time, nor the
@@ -46,20 +50,32 @@ final class TrafficSafety extends LemmaMonitor {
   private final SortedSet<String> reported = new TreeSet<>();
   private long checkedNs;
 
-  private record Zone(String name, Region region, SortedSet<RobotId> occupants) {}
+  // Whether a standing body, or what a robot holds, may differ from the last check.
+  private boolean hasChanged;
+
+  // Occupants are few: a list costs less than a sorted set.
+  private record Zone(String name, Region region, List<RobotId> occupants) {}
 
   TrafficSafety(SortedMap<String, ? extends Region> zones) {
     lemma(SAFETY, "No two cars are in one zone at the same time, with any part of their bodies.");
     lemma(HELD, "A car that is in a zone, with any part of its body, holds that zone.");
     lemma(MUX, "No two cars hold the same zone.");
-    zones.forEach((name, region) -> this.zones.add(new Zone(name, region, new TreeSet<>())));
+    zones.forEach((name, region) -> this.zones.add(new Zone(name, region, new ArrayList<>())));
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     checkUntil(event.timeNs(), report);
     bodies.observe(event);
-    if (!(event instanceof TraceEvent.Action)) {
+    hasChanged |=
+        switch (event) {
+          case Moved moved -> moved.linearMmPerS() == 0;
+          case Action action -> true;
+          case Joined joined -> true;
+          case Left left -> true;
+          default -> false;
+        };
+    if (!(event instanceof Action)) {
       return; // cannot be a grant
     }
     SortedSet<String> before = held.held(event.robot());
@@ -98,32 +114,44 @@ final class TrafficSafety extends LemmaMonitor {
   private void check(long timeNs, Report report) {
     report.checked(SAFETY);
     report.checked(HELD);
-    for (Zone zone : zones) {
-      if (!zone.occupants().isEmpty()) {
-        zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot));
-      }
+    if (hasChanged) {
+      zones.forEach(zone -> zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot)));
+    } else if (!bodies.isAnyMoving()) {
+      return;
     }
     bodies.forEach(
         timeNs,
         (robot, pose, radiusMm, isMoving) -> {
-          Point at = pose.at();
-          for (Zone zone : zones) {
-            if (zone.region().distanceMm(at) < radiusMm) {
-              occupies(robot, zone, at, timeNs, report);
-            } else if (!zone.occupants().isEmpty()) {
-              zone.occupants().remove(robot);
-            }
+          if (isMoving || hasChanged) {
+            check(robot, pose.at(), radiusMm, timeNs, report);
           }
         });
+    hasChanged = false;
+  }
+
+  private void check(RobotId robot, Point at, double radiusMm, long timeNs, Report report) {
+    for (Zone zone : zones) {
+      if (zone.region().distanceMm(at) < radiusMm) {
+        occupies(robot, zone, at, timeNs, report);
+      } else {
+        zone.occupants().remove(robot);
+      }
+    }
   }
 
   private void occupies(RobotId robot, Zone zone, Point at, long timeNs, Report report) {
-    SortedSet<RobotId> robots = zone.occupants();
-    if (robots.add(robot) && robots.size() > 1) {
-      String detail = "all of them are in zone " + zone.name();
-      report.violatedIn(zone.region(), SAFETY, timeNs, List.copyOf(robots), detail);
+    boolean isNew = !zone.occupants().contains(robot);
+    if (isNew) {
+      zone.occupants().add(robot);
+      if (zone.occupants().size() > 1) {
+        String detail = "all of them are in zone " + zone.name();
+        List<RobotId> robots = zone.occupants().stream().sorted().toList();
+        report.violatedIn(zone.region(), SAFETY, timeNs, robots, detail);
+      }
     }
-    if (!held.holds(robot, zone.name()) && reported.add(robot + " " + zone.name())) {
+    if ((isNew || hasChanged)
+        && !held.holds(robot, zone.name())
+        && reported.add(robot + " " + zone.name())) {
       String where = "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
       String detail = "is in zone " + zone.name() + " around " + where;
       report.violatedIn(
