@@ -31,30 +31,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "starl",
     description = "Programs, simulates and checks distributed robots.",
-    subcommands = {
-      ListCommand.class,
-      RunCommand.class,
-      CampaignCommand.class,
-      MergeCommand.class,
-      SweepCommand.class,
-      ExploreCommand.class,
-      CheckCommand.class,
-      ProveCommand.class,
-      DeterminismCommand.class,
-      RecordCommand.class,
-      ReplayCommand.class,
-      SchemaCommand.class,
-      CompileCommand.class,
-      LanguageServerCommand.class,
-      NewCommand.class,
-      BenchCommand.class,
-      DeployCommand.class,
-      KeygenCommand.class,
-      RobotCommand.class,
-      AttackCommand.class,
-      SimulatedCreateCommand.class,
-      HelpCommand.class
-    },
     footer = {
       "",
       "Example: starl run intersection",
@@ -78,6 +54,31 @@ public final class Main implements Runnable {
 
   /** The apps and the primitives, each primitive with its workload. */
   static final Demos ALL = APPS.plus(PrimitiveWorkloads.ALL);
+
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          ListCommand.class,
+          RunCommand.class,
+          CampaignCommand.class,
+          MergeCommand.class,
+          SweepCommand.class,
+          ExploreCommand.class,
+          CheckCommand.class,
+          ProveCommand.class,
+          DeterminismCommand.class,
+          RecordCommand.class,
+          ReplayCommand.class,
+          SchemaCommand.class,
+          CompileCommand.class,
+          LanguageServerCommand.class,
+          NewCommand.class,
+          BenchCommand.class,
+          DeployCommand.class,
+          KeygenCommand.class,
+          RobotCommand.class,
+          AttackCommand.class,
+          SimulatedCreateCommand.class,
+          HelpCommand.class);
 
   @Option(
       names = "--stacktrace",
@@ -124,6 +125,7 @@ public final class Main implements Runnable {
   static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
     Main main = new Main(demos);
     CommandLine commandLine = new CommandLine(main);
+    commands(args).forEach(commandLine::addSubcommand);
     commandLine.setOut(out).setErr(err);
     addHelp(commandLine);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
@@ -134,6 +136,21 @@ public final class Main implements Runnable {
     out.flush();
     err.flush();
     return status;
+  }
+
+  /**
+   * The command that the first word names; else all of them, which {@code help} needs too. The parser
+   * reads the options of each command that it has by reflection, which is most of its work.
+   */
+  private static List<Class<?>> commands(String... args) {
+    String first = args.length == 0 ? "" : args[0];
+    for (Class<?> command : COMMANDS) {
+      if (command != HelpCommand.class
+          && command.getAnnotation(Command.class).name().equals(first)) {
+        return List.of(command);
+      }
+    }
+    return COMMANDS;
   }
 
   private static void addHelp(CommandLine command) {
