@@ -113,6 +113,16 @@ class MonitorsTest {
   }
 
   @Test
+  void aCarThatIsCarriedIntoAZoneAndStandsThereIsReported() {
+    joins(BOT0, 500, 500);
+    mutex(BOT0, "od_mutex", "A");
+    after(1);
+    drives(BOT0, 2250, 2250, 0);
+    after(1);
+    assertRed(report(trafficSafety()), "occupied_is_held", 1, BOT0);
+  }
+
+  @Test
   void aCarThatHasLeftTheFloorOccupiesNoZone() {
     joins(BOT0, 2250, 2250);
     mutex(BOT0, "od_mutex", "C");
