@@ -91,6 +91,10 @@ record Allowance(String rule, String path, String reason) {
             "collects the rows of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-apps/cli" + MAIN + "cli/SplitRuns.java",
+            "collects the estimates of seeds on several threads"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "launch/",
             "pipes, sockets and robots in real time"),
         new Allowance(
