@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
@@ -145,7 +146,7 @@ final class TrafficSafety extends LemmaMonitor {
       zone.occupants().add(robot);
       if (zone.occupants().size() > 1) {
         String detail = "all of them are in zone " + zone.name();
-        List<RobotId> robots = zone.occupants().stream().sorted().toList();
+        List<RobotId> robots = zone.occupants().stream().sorted().collect(Collectors.toList());
         report.violatedIn(zone.region(), SAFETY, timeNs, robots, detail);
       }
     }
