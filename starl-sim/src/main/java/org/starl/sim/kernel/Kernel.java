@@ -112,7 +112,7 @@ public final class Kernel implements Clock, AutoCloseable {
    * pieces on several strands.
    */
   public static int prefetch(SimStrand strand) {
-    return strand.touch(() -> {});
+    return strand.touch();
   }
 
   /** The name of the strand of the last event; empty for an event of the world. */

@@ -132,11 +132,17 @@ public final class SimStrand implements Strand, Timers {
 
   /** Prefetches the known objects that {@code piece} will use ({@link Cache}). */
   int touch(Runnable piece) {
+    int read = touch();
+    return piece instanceof Prefetchable touchable ? read + touchable.prefetch() : read;
+  }
+
+  /** Prefetches the known objects that any piece uses. */
+  int touch() {
     int read = 0;
     for (Object part : parts) {
       read += Cache.prefetch(part);
     }
-    return piece instanceof Prefetchable touchable ? read + touchable.prefetch() : read;
+    return read;
   }
 
   /** Makes the app of this closed strand end. */
