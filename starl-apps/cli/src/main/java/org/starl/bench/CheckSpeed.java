@@ -35,6 +35,33 @@ public final class CheckSpeed {
 
   private CheckSpeed() {}
 
+  /**
+   * What some runs took.
+   *
+   * @param events of the kernel; those that ran on robots are the steps
+   * @param violated number of runs that violated a specification
+   */
+  public record Speed(
+      int runs, long steps, long events, double simulatedS, double cpuS, int violated) {
+
+    /** The figures in display order. */
+    public Map<String, Object> asMap() {
+      Map<String, Object> map = new LinkedHashMap<>();
+      map.put("workload", NAME);
+      map.put("n", CARS);
+      map.put("runs", runs);
+      map.put("steps", steps);
+      map.put("events", events);
+      map.put("steps_per_cpu_s", Math.round(steps / cpuS));
+      map.put("runs_per_cpu_s", runs / cpuS);
+      map.put("rtf", simulatedS / cpuS);
+      map.put("cpu_s", cpuS);
+      map.put("violated", violated);
+      map.put("jvm", Runtime.version().toString());
+      return map;
+    }
+  }
+
   /** Counts the steps of a run, which it changes in nothing. */
   private static final class StepCounter implements OrderObserver {
     private long steps;
@@ -58,9 +85,8 @@ public final class CheckSpeed {
    * warm the JVM up; then runs them again to count their steps.
    *
    * @param afterRun called with the number of runs so far, of three times {@code runs}
-   * @return the figures in display order
    */
-  public static Map<String, Object> take(int runs, long firstSeed, IntConsumer afterRun) {
+  public static Speed take(int runs, long firstSeed, IntConsumer afterRun) {
     int done = 0;
     for (int i = 0; i < runs; i++) {
       simulation(firstSeed + runs + i).build().runOnThisThread();
@@ -83,19 +109,7 @@ public final class CheckSpeed {
       steps += steps(firstSeed + i);
       afterRun.accept(++done);
     }
-    Map<String, Object> map = new LinkedHashMap<>();
-    map.put("workload", NAME);
-    map.put("n", CARS);
-    map.put("runs", runs);
-    map.put("steps", steps);
-    map.put("events", events);
-    map.put("steps_per_cpu_s", Math.round(steps / cpuS));
-    map.put("runs_per_cpu_s", runs / cpuS);
-    map.put("rtf", simulatedS / cpuS);
-    map.put("cpu_s", cpuS);
-    map.put("violations", bad);
-    map.put("jvm", Runtime.version().toString());
-    return map;
+    return new Speed(runs, steps, events, simulatedS, cpuS, bad);
   }
 
   /** The number of steps of one run. */

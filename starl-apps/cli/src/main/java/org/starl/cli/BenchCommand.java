@@ -118,7 +118,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     List<Workload> workloads =
         Workload.all().stream()
             .filter(
-                one -> one.name().equals(name) || one.name().matches("b3.") && name.equals("b3"))
+                one -> one.name().equals(name) || (one.name().matches("b3.") && name.equals("b3")))
             .toList();
     if (workloads.isEmpty()) {
       throw new BadInput(
@@ -227,23 +227,21 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     Carriers.select(null, err());
     int planned = runs(100);
     ProgressLine progress = new ProgressLine(err(), "runs");
-    Map<String, Object> row =
-        CheckSpeed.take(planned, Seeds.of(seed), done -> progress.show(done, 3 * planned));
+    CheckSpeed.Speed speed =
+        CheckSpeed.take(planned, Seeds.of(seed), done -> progress.show(done, 3L * planned));
     progress.end();
     String line =
         String.format(
             Locale.ROOT,
-            "%s n=%s: %d steps/CPU-s, %.1f runs/CPU-s, %.0f simulated s/CPU-s; %d steps a run,"
+            "b5 n=4: %.0f steps/CPU-s, %.1f runs/CPU-s, %.0f simulated s/CPU-s; %d steps a run,"
                 + " %d of %d runs violated a specification",
-            row.get("workload"),
-            row.get("n"),
-            row.get("steps_per_cpu_s"),
-            row.get("runs_per_cpu_s"),
-            row.get("rtf"),
-            (long) row.get("steps") / planned,
-            row.get("violations"),
+            speed.steps() / speed.cpuS(),
+            planned / speed.cpuS(),
+            speed.simulatedS() / speed.cpuS(),
+            speed.steps() / planned,
+            speed.violated(),
             planned);
-    json.print(out(), row, List.of(line));
+    json.print(out(), speed.asMap(), List.of(line));
   }
 
   /** In Markdown, for the docs. */

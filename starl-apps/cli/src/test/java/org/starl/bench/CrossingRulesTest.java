@@ -30,11 +30,11 @@ final class CrossingRulesTest {
         .extracting(Flow::arrived)
         .containsOnly(flows.get(Rule.MUTEX).arrived());
     assertThat(total(flows.get(Rule.MUTEX))).isLessThan(total(flows.get(Rule.LOCK)));
-    assertThat(flows.get(Rule.STOP).waitsS().getFirst()).as("the stop").isGreaterThanOrEqualTo(2);
+    assertThat(flows.get(Rule.STOP).waitsS().get(0)).as("the stop").isGreaterThanOrEqualTo(2);
   }
 
   private static double total(Flow flow) {
-    return flow.waitsS().stream().mapToDouble(wait -> wait).sum();
+    return flow.waitsS().stream().mapToDouble(Double::doubleValue).sum();
   }
 
   @Test
