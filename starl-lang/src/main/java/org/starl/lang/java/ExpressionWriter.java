@@ -306,10 +306,12 @@ final class ExpressionWriter {
   }
 
   private Code arithmetic(Expr.Binary at) {
-    return Code.infix(at.operator().text(), number(at.left()), number(at.right()));
+    boolean isOfLiterals = at.left() instanceof Expr.Numeral && at.right() instanceof Expr.Numeral;
+    Code left = isOfLiterals ? of(at.left()) : number(at.left());
+    return Code.infix(at.operator().text(), left, number(at.right()));
   }
 
-  /** A literal needs no suffix beside an operator. */
+  /** A literal needs no suffix beside an operator, unless both sides are literals. */
   private Code number(Expr at) {
     return at instanceof Expr.Numeral e ? Code.name(e.value().toPlainString()) : of(at);
   }
