@@ -101,7 +101,8 @@ class RandomAutomataTest {
         text.append(action);
         n++;
       } else {
-        assertThat(++refused).as("actions without a Java form").isLessThan(2 * ACTIONS);
+        // About half of them: so many more would be an error of the generator or of the reader.
+        assertThat(++refused).as("actions without a Java form").isLessThan(10 * ACTIONS);
       }
     }
     return text.toString();
