@@ -392,19 +392,19 @@ final class ExpressionWriter {
   }
 
   private Code in(Expr element, Expr set) {
-    if (isElsewhere(element)) {
-      return switch (types.form(set.type())) {
-        case FINITE -> Code.Text.FALSE;
-        case FUN -> of(set).then("defaultValue");
-        case OWN -> variable((Expr.Variable) element);
-      };
-    }
     if (set instanceof Expr.SetOf literal) {
       Code any = Code.Text.FALSE;
       for (Expr each : literal.elements()) {
         any = Code.or(any, equal(element, each));
       }
       return any;
+    }
+    if (isElsewhere(element)) {
+      return switch (types.form(set.type())) {
+        case FINITE -> Code.Text.FALSE;
+        case FUN -> of(set).then("defaultValue");
+        case OWN -> variable((Expr.Variable) element);
+      };
     }
     return of(set)
         .then(types.form(set.type()) == JavaTypes.Sets.FUN ? "at" : "contains", of(element));

@@ -266,12 +266,12 @@ final class Finite {
   }
 
   private void looked(String variable, Expr element, Expr set, List<Code> sets) {
-    if (!isVariable(element, variable)) {
-      return;
-    }
     if (set instanceof Expr.SetOf literal) {
-      literal.elements().forEach(each -> compared(variable, element, each, sets));
-    } else {
+      for (Expr each : literal.elements()) {
+        compared(variable, element, each, sets);
+        compared(variable, each, element, sets);
+      }
+    } else if (isVariable(element, variable)) {
       Code all = writer.of(set);
       boolean isFun = writer.types().form(set.type()) == JavaTypes.Sets.FUN;
       sets.add(isFun ? all.then("arguments") : all);

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.function.BiPredicate;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
 import org.starl.lang.read.SourceErrors;
 
 /** Conditions on all values are as on a universe that has more values than the state mentions. */
@@ -30,6 +31,25 @@ class QuantifiersTest {
 
   /** A condition on {@code x}: its text, and its value. */
   private record Condition(String text, BiPredicate<String, Here> value) {}
+
+  @Test
+  void aSetMayHaveTheVariableItself() throws SourceErrors {
+    Compiled compiled =
+        new Compiled(
+            """
+            automaton Random_decls[T]
+            java "x.XAutomaton"
+            state
+              those: set[T]
+            start those = {}
+            action self(me: T) pre forall x: T :: x in {x}
+            action mine(me: T) pre exists x: T :: me in {x}
+            action yours(me: T) pre exists x: T :: x != me and me in {x}
+            """);
+    assertThat(compiled.enabled("self", "q").isTrue()).isTrue();
+    assertThat(compiled.enabled("mine", "q").isTrue()).isTrue();
+    assertThat(compiled.enabled("yours", "q").isTrue()).isFalse();
+  }
 
   @Property(tries = 6)
   void generatedConditionsAreTrueWhereTheyAreInAFiniteUniverse(@ForAll long seed)

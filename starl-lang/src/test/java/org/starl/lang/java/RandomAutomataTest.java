@@ -119,7 +119,13 @@ class RandomAutomataTest {
 
   private void compare(Machine machine, Row state, Compiled java, Call call, Steps steps) {
     String name = "act" + call.action;
-    String about = "%s%s in %s".formatted(name, List.of(call.java), text(machine, state));
+    String about =
+        "%s%s, pre %s, in %s"
+            .formatted(
+                name,
+                List.of(call.java),
+                machine.automaton().action(name).orElseThrow().pre(),
+                text(machine, state));
     try {
       boolean isEnabled = machine.firstFalse(state, call.action, call.arguments).isEmpty();
       assertThat(java.enabled(name, call.java).isTrue())
