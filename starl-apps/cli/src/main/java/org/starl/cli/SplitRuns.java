@@ -118,8 +118,9 @@ final class SplitRuns {
       out.println(
           String.format(
               Locale.ROOT,
-              "bad runs: of %,d seeds; probability %.1e, from %.1e to %.1e at 95 %%",
+              "bad runs: %,d of %,d seeds have one; probability %.1e, from %.1e to %.1e at 95 %%",
               bad,
+              seeds.size(),
               rate.mean(),
               rate.low(),
               rate.high()));

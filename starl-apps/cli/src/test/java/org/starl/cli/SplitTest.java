@@ -62,7 +62,8 @@ class SplitTest {
             "unlucky: 40 seeds, 200 runs, 5 copies at each level",
             "  level 1: reached by 40 seeds");
     assertThat(one.out().getLast())
-        .isEqualTo("bad runs: of 29 seeds; probability 1.9e-01, from 1.3e-01 to 2.7e-01 at 95 %");
+        .isEqualTo(
+            "bad runs: 29 of 40 seeds have one; probability 1.9e-01, from 1.3e-01 to 2.7e-01 at 95 %");
   }
 
   @Test
