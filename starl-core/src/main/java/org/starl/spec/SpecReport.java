@@ -6,6 +6,7 @@ import static org.starl.time.Time.NS_PER_S;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -78,7 +79,8 @@ public final class SpecReport implements Monitor.Report {
     private long violations;
   }
 
-  private final Map<String, Tally> tallies = new TreeMap<>();
+  // Looked up at every check; sorted for a reader.
+  private final Map<String, Tally> tallies = new HashMap<>();
   private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
   private final Map<Reached, long[]> reached = new LinkedHashMap<>();
@@ -137,7 +139,7 @@ public final class SpecReport implements Monitor.Report {
   /** The lemmas without a check, applicable or not: nothing is known of them. */
   public List<String> neverChecked() {
     List<String> lemmas = new ArrayList<>();
-    tallies.forEach((lemma, tally) -> {
+    new TreeMap<>(tallies).forEach((lemma, tally) -> {
       if (tally.checks == 0 && tally.violations == 0) {
         lemmas.add(lemma);
       }
@@ -186,7 +188,7 @@ public final class SpecReport implements Monitor.Report {
 
   /** The lemmas that were expected, checked or violated, sorted. */
   public List<String> lemmas() {
-    return List.copyOf(tallies.keySet());
+    return List.copyOf(new TreeMap<>(tallies).keySet());
   }
 
   /** Number of checks of {@code lemma}. */
@@ -214,7 +216,7 @@ public final class SpecReport implements Monitor.Report {
   @Override
   public String toString() {
     List<String> lines = new ArrayList<>();
-    tallies.forEach((lemma, tally) -> lines.add(lemma + ": " + describe(tally)));
+    new TreeMap<>(tallies).forEach((lemma, tally) -> lines.add(lemma + ": " + describe(tally)));
     violations.forEach(violation -> lines.add(violation.toString()));
     return String.join("\n", lines);
   }

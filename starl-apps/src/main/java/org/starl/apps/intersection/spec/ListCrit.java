@@ -41,8 +41,14 @@ public final class ListCrit extends LemmaMonitor {
     private Location location = Location.S_0;
     private List<String> path = List.of();
     private List<String> myseq = List.of();
+    private Set<String> ahead = Set.of();
     private Set<String> requested = Set.of();
     private boolean isReported;
+
+    void setMyseq(List<String> zones) {
+      myseq = zones;
+      ahead = new TreeSet<>(zones);
+    }
   }
 
   /** Of the mutex {@code xid}. */
@@ -78,7 +84,7 @@ public final class ListCrit extends LemmaMonitor {
     State state = states.get(event.robot());
     if (state != null) {
       CrossingTrace.location(event).ifPresent(location -> state.location = location);
-      CrossingTrace.myseq(event).ifPresent(myseq -> state.myseq = myseq);
+      CrossingTrace.myseq(event).ifPresent(state::setMyseq);
       if (event instanceof Action action
           && action.source().equals(mutex)
           && MutexTrace.isOfAccess(action)
@@ -115,7 +121,7 @@ public final class ListCrit extends LemmaMonitor {
       case S_0, REGISTER_WAIT, QUEUE ->
           state.myseq.equals(state.path) ? "" : myseq(state) + " is not the path " + state.path;
       case MUTEX_WAIT ->
-          state.requested.equals(new TreeSet<>(state.myseq))
+          state.requested.equals(state.ahead)
               ? ""
               : myseq(state) + " is not the latest request " + state.requested;
       case MOVE_WAIT ->

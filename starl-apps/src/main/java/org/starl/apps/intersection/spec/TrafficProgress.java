@@ -50,7 +50,9 @@ final class TrafficProgress extends LemmaMonitor {
     expire(event.timeNs(), report);
     RobotId robot = event.robot();
     faults.observe(event);
-    held.observe(event);
+    if (!stray.isEmpty()) {
+      held.observe(event);
+    }
     switch (event) {
       case Joined joined -> onFloor.add(robot);
       case Left left -> {

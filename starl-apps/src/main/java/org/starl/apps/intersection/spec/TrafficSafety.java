@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.MutexTrace;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
 import org.starl.time.Time;
@@ -45,17 +47,55 @@ final class TrafficSafety extends LemmaMonitor {
 
   private static final long STEP_NS = 10 * Time.NS_PER_MS;
 
+  /** More than the rounding of poses. */
+  private static final double ROUNDING_MM = 0.001;
+
   private final List<Zone> zones = new ArrayList<>();
   private final Bodies bodies = new Bodies();
+  private final SortedMap<RobotId, Clearance> clearances = new TreeMap<>();
   private final HeldZones held = new HeldZones();
   private final SortedSet<String> reported = new TreeSet<>();
   private long checkedNs;
 
-  // Whether a standing body, or what a robot holds, may differ from the last check.
+  // Whether a robot holds other zones than at the last check, or a body has come or gone.
   private boolean hasChanged;
 
   // Occupants are few: a list costs less than a sorted set.
   private record Zone(String name, Region region, List<RobotId> occupants) {}
+
+  /**
+   * How far a body may move before it enters or leaves a zone. Almost all checks of a body end here,
+   * without its pose.
+   */
+  private static final class Clearance {
+    private Point from;
+    private double wayMm;
+    private double leftMm;
+    private long sinceNs;
+    private double mmPerNs;
+
+    Clearance(Point from) {
+      this.from = from;
+    }
+
+    /** The body is {@code wayMm} from the edge of the nearest zone. */
+    void measured(Point at, double wayMm, long timeNs) {
+      from = at;
+      this.wayMm = wayMm;
+      leftMm = wayMm;
+      sinceNs = timeNs;
+    }
+
+    void moves(Moved moved) {
+      leftMm = wayMm - from.distanceMm(moved.pose().at());
+      sinceNs = moved.timeNs();
+      mmPerNs = Math.abs(moved.linearMmPerS()) / Time.NS_PER_S;
+    }
+
+    boolean isUsedUp(long timeNs) {
+      return leftMm - mmPerNs * (timeNs - sinceNs) < ROUNDING_MM;
+    }
+  }
 
   TrafficSafety(SortedMap<String, ? extends Region> zones) {
     lemma(SAFETY, "No two cars are in one zone at the same time, with any part of their bodies.");
@@ -68,22 +108,35 @@ final class TrafficSafety extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     checkUntil(event.timeNs(), report);
     bodies.observe(event);
-    hasChanged |=
-        switch (event) {
-          case Moved moved -> moved.linearMmPerS() == 0;
-          case Action action -> true;
-          case Joined joined -> true;
-          case Left left -> true;
-          default -> false;
-        };
-    if (!(event instanceof Action)) {
-      return; // cannot be a grant
+    switch (event) {
+      case Moved moved -> {
+        Clearance clearance = clearances.get(moved.robot());
+        if (clearance != null) {
+          clearance.moves(moved);
+        }
+      }
+      case Joined joined -> {
+        clearances.put(joined.robot(), new Clearance(joined.pose().at()));
+        hasChanged = true;
+      }
+      case Left left -> {
+        clearances.remove(left.robot());
+        hasChanged = true;
+      }
+      case Action action when MutexTrace.isOfAccess(action) -> accessed(action, report);
+      default -> {
+        // Neither the bodies nor the zones that a robot holds.
+      }
     }
-    SortedSet<String> before = held.held(event.robot());
-    held.observe(event);
-    SortedSet<String> after = held.held(event.robot());
+  }
+
+  private void accessed(Action action, Report report) {
+    SortedSet<String> before = held.held(action.robot());
+    held.observe(action);
+    SortedSet<String> after = held.held(action.robot());
+    hasChanged |= !before.equals(after);
     if (!before.containsAll(after)) {
-      granted(event, after, report);
+      granted(action, after, report);
     }
   }
 
@@ -117,27 +170,30 @@ final class TrafficSafety extends LemmaMonitor {
     report.checked(HELD);
     if (hasChanged) {
       zones.forEach(zone -> zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot)));
-    } else if (!bodies.isAnyMoving()) {
-      return;
     }
-    bodies.forEach(
-        timeNs,
-        (robot, pose, radiusMm, isMoving) -> {
-          if (isMoving || hasChanged) {
-            check(robot, pose.at(), radiusMm, timeNs, report);
-          }
-        });
+    clearances.forEach((robot, clearance) -> {
+      if (hasChanged || clearance.isUsedUp(timeNs)) {
+        Point at = bodies.poseAt(robot, timeNs).at();
+        clearance.measured(at, check(robot, at, timeNs, report), timeNs);
+      }
+    });
     hasChanged = false;
   }
 
-  private void check(RobotId robot, Point at, double radiusMm, long timeNs, Report report) {
+  /** Returns how far the body is from the edge of the nearest zone. */
+  private double check(RobotId robot, Point at, long timeNs, Report report) {
+    double radiusMm = bodies.radiusMm(robot);
+    double wayMm = Double.POSITIVE_INFINITY;
     for (Zone zone : zones) {
-      if (zone.region().distanceMm(at) < radiusMm) {
+      double distanceMm = zone.region().distanceMm(at) - radiusMm;
+      if (distanceMm < 0) {
         occupies(robot, zone, at, timeNs, report);
       } else {
         zone.occupants().remove(robot);
       }
+      wayMm = Math.min(wayMm, Math.abs(distanceMm));
     }
+    return wayMm;
   }
 
   private void occupies(RobotId robot, Zone zone, Point at, long timeNs, Report report) {
