@@ -18,6 +18,11 @@ public final class PictureRecorder extends SceneRecorder {
   private long nextLookNs;
   private @Nullable BufferedImage picture;
 
+  /** What to paint when the picture is written: painting is slow, and a better moment may come. */
+  private @Nullable Scene bestScene;
+
+  private Layer bestLayer = Layer.NONE;
+
   public PictureRecorder(Obstacles obstacles, Layer layer, PictureTime moment) {
     super(obstacles, layer);
     this.moment = moment;
@@ -47,7 +52,8 @@ public final class PictureRecorder extends SceneRecorder {
       double interest = layer.interest(scene);
       if (interest > best) {
         best = interest;
-        picture = paint(nextLookNs);
+        bestScene = scene.copy();
+        bestLayer = layer.copy();
       }
       nextLookNs += Time.NS_PER_S;
     }
@@ -63,14 +69,14 @@ public final class PictureRecorder extends SceneRecorder {
 
   @Override
   public void finished(SimResult result) {
-    if (picture == null && !(moment instanceof PictureTime.Violation)) {
+    if (!hasPicture() && !(moment instanceof PictureTime.Violation)) {
       picture = paint(result.endNs());
     }
   }
 
   /** Whether the moment came and the picture was taken. */
   public boolean hasPicture() {
-    return picture != null;
+    return picture != null || bestScene != null;
   }
 
   /**
@@ -79,9 +85,10 @@ public final class PictureRecorder extends SceneRecorder {
    * @throws IllegalStateException if there is no picture
    */
   public void writePng(OutputStream out) throws IOException {
-    if (picture == null) {
+    BufferedImage image = bestScene == null ? picture : paint(bestScene, bestLayer);
+    if (image == null) {
       throw new IllegalStateException("no picture was taken");
     }
-    ImageIO.write(picture, "png", out);
+    ImageIO.write(image, "png", out);
   }
 }

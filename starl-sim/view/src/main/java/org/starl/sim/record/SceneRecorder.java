@@ -41,8 +41,12 @@ abstract sealed class SceneRecorder implements SimObserver
   /** The picture at {@code timeNs}, which is not before the last observed event. */
   final BufferedImage paint(long timeNs) {
     scene.advance(timeNs);
-    long tenths = timeNs / TENTH_NS;
-    return page.paint(scene, layer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+    return paint(scene, layer);
+  }
+
+  final BufferedImage paint(Scene shown, Layer shownLayer) {
+    long tenths = shown.nowNs() / TENTH_NS;
+    return page.paint(shown, shownLayer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
   }
 
   /** Marks a violation in the picture that was painted last. */
