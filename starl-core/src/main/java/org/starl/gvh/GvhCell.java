@@ -26,7 +26,7 @@ public final class GvhCell<T> implements GvhVariable<T> {
 
   /** Sets the value; the trace records it if it differs from the previous one. */
   public void set(T newValue) {
-    if (!newValue.equals(value)) {
+    if (newValue != value && !newValue.equals(value)) {
       value = newValue;
       trace.variable(source, name, newValue);
     }

@@ -52,6 +52,10 @@ class RegistrationProtocol extends SynodProtocol {
   private Phase phase = Phase.OUT;
   private ProcessId me;
   private View view = View.NONE;
+
+  // Asked for after each input; views are few.
+  private View shown = View.NONE;
+  private RList shownList = RList.UNKNOWN;
   private boolean failed;
   private boolean unregistered;
 
@@ -226,9 +230,14 @@ class RegistrationProtocol extends SynodProtocol {
   }
 
   RList rList() {
-    return phase == Phase.IN && staleView.isListShown()
-        ? new RList.Agreed(view.participants(), view.number())
-        : RList.UNKNOWN;
+    if (phase != Phase.IN || !staleView.isListShown()) {
+      return RList.UNKNOWN;
+    }
+    if (shown != view) {
+      shown = view;
+      shownList = new RList.Agreed(view.participants(), view.number());
+    }
+    return shownList;
   }
 
   // The protocol.
