@@ -258,16 +258,25 @@ public final class PvsTheory {
   }
 
   private void addTrans() {
-    List<Doc> cases = new ArrayList<>();
-    for (Action action : automaton.actions()) {
-      String head = PvsExpr.pattern(action.name(), action.parameters()) + " s";
-      List<Doc> effects = action.eff().stream().map(expressions::effect).toList();
-      cases.add(
-          effects.isEmpty()
-              ? Doc.of(head)
-              : new Doc.Nest(2, Doc.of(head + " WITH [ ", join(effects, ",", SOFT), " ]")));
+    addCases("trans(a, s): states =", automaton.actions().stream().map(this::after).toList());
+  }
+
+  /** The state after {@code action}. Where an effect may have no value there, it has one if enabled. */
+  private Doc after(Action action) {
+    String pattern = PvsExpr.pattern(action.name(), action.parameters());
+    if (action.eff().isEmpty()) {
+      return Doc.of(pattern, " s");
     }
-    addCases("trans(a, s): states =", cases);
+    List<Doc> effects = action.eff().stream().map(expressions::effect).toList();
+    Doc changed = new Doc.Nest(2, Doc.of("s WITH [ ", join(effects, ",", SOFT), " ]"));
+    return action.eff().stream().noneMatch(PvsNames::isPartial)
+        ? Doc.of(pattern, " ", changed)
+        : group(
+            2,
+            Doc.of(pattern, LINE),
+            group(2, "IF enabled(a, s) THEN", LINE, changed),
+            LINE,
+            "ELSE s ENDIF");
   }
 
   /** Each case on a line of its own. */

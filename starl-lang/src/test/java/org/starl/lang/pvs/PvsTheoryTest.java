@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 
@@ -120,14 +122,20 @@ class PvsTheoryTest {
 
         trans(a, s): states =
           CASES a OF
-            push(i, d): s WITH [ `lock := Lock.trans(take(i), s`lock),
-              `doors(d) := ajar(add(i, singleton(down(s`lock`owner))), 0.5), `sign`text := green ],
-            walk: s WITH [ `way := cdr(s`way),
-              `sign := (# door := car(s`way), text := IF s`n = 0 THEN red ELSE green ENDIF #),
-              `doors := LAMBDA d:
-                  IF shut?(s`doors(d)) THEN shut
-                  ELSE ajar(remove(down(s`lock`owner), hands(s`doors(d))), angle(s`doors(d)))
-                  ENDIF ],
+            push(i, d):
+              IF enabled(a, s) THEN
+                s WITH [ `lock := Lock.trans(take(i), s`lock),
+                  `doors(d) := ajar(add(i, singleton(down(s`lock`owner))), 0.5), `sign`text := green ]
+              ELSE s ENDIF,
+            walk:
+              IF enabled(a, s) THEN
+                s WITH [ `way := cdr(s`way),
+                  `sign := (# door := car(s`way), text := IF s`n = 0 THEN red ELSE green ENDIF #),
+                  `doors := LAMBDA d:
+                      IF shut?(s`doors(d)) THEN shut
+                      ELSE ajar(remove(down(s`lock`owner), hands(s`doors(d))), angle(s`doors(d)))
+                      ENDIF ]
+              ELSE s ENDIF,
             wait: s
           ENDCASES
 
@@ -136,6 +144,27 @@ class PvsTheoryTest {
         Some(s): bool =
           nonempty?({d | NOT shut?(s`doors(d))}) OR (FORALL d: list2set(s`way)(d)) OR s`n > 0
       END Doors
+      """;
+
+  private static final String PARTIAL =
+      """
+      automaton Bag
+      state n: nat
+      start n = 0
+      action put(k: nat)
+        eff n := n + k
+      automaton Partial
+      type Lamp = off | on(at: nat)
+      state
+        left: list[nat]
+        first: option[nat]
+        n: nat
+        given: real
+        lamp: Lamp
+      uses bag: Bag
+      start bag.start?
+      action go
+        eff EFFECT
       """;
 
   @Test
@@ -209,6 +238,38 @@ class PvsTheoryTest {
             """);
     assertThat(theory)
         .contains("`lamp := IF s`dark THEN Lamp.trans(switch(i), s`lamp) ELSE s`lamp ENDIF");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          left := tail(left)         | `left := cdr(s`left)
+          first := some(head(left))  | `first := up(car(s`left))
+          n := the(first)            | `n := down(s`first)
+          n := n - 1                 | `n := s`n - 1
+          lamp := on(lamp.at + 1)    | `lamp := on(at(s`lamp) + 1)
+          if n = 0 then bag.put(n - 2) | `bag := IF s`n = 0 THEN Bag.trans(put(s`n - 2), s`bag) ELSE s`bag ENDIF
+          """)
+  void effectWithoutAValueInSomeStatesIsWrittenUnderItsGuard(String effect, String written)
+      throws SourceErrors {
+    assertThat(theory(PARTIAL.replace("EFFECT", effect)).replaceAll("\\s+", " "))
+        .contains("go: IF enabled(a, s) THEN s WITH [ " + written + " ] ELSE s ENDIF");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          n := n + 1        | `n := s`n + 1
+          given := 1 - given | `given := 1 - s`given
+          lamp := on(n)     | `lamp := on(s`n)
+          """)
+  void effectWithAValueInEachStateIsWrittenAsItIs(String effect, String written)
+      throws SourceErrors {
+    assertThat(theory(PARTIAL.replace("EFFECT", effect))).contains("go: s WITH [ " + written + " ]");
   }
 
   @Test
