@@ -27,22 +27,30 @@ class PvsTheoriesTest {
   }
 
   static List<Path> sources() throws IOException {
-    try (Stream<Path> files = Files.list(PVS.resolve("starl"))) {
-      return files.filter(file -> file.toString().endsWith(".starl")).sorted().toList();
+    Path programs = PVS.resolveSibling("starl-apps").resolve("src/main/starl");
+    try (Stream<Path> primitives = Files.list(PVS.resolve("starl"));
+        Stream<Path> apps = Files.list(programs)) {
+      return Stream.concat(primitives, apps)
+          .filter(file -> file.toString().endsWith(".starl"))
+          .sorted()
+          .toList();
     }
   }
 
   @ParameterizedTest
   @MethodSource("sources")
-  void keptTheoryIsTheOneOfItsSource(Path source) throws IOException, SourceErrors {
-    Automaton automaton = new SourceReader().read(source).getLast();
-    String name = automaton.name() + ".pvs";
-    assertThat(source).hasFileName(automaton.name() + ".starl");
-    Path made = Files.createDirectories(Path.of("target/pvs")).resolve(name);
-    String theory = PvsTheory.of(automaton, "starl/" + source.getFileName());
-    Files.writeString(made, theory);
-    assertThat(Files.readString(PVS.resolve(name)))
-        .as("pvs/%s: the source makes another one: %s", name, made)
-        .isEqualTo(theory);
+  void keptTheoriesAreThoseOfTheirSource(Path source) throws IOException, SourceErrors {
+    List<Automaton> automata = new SourceReader().read(source);
+    assertThat(source).hasFileName(automata.getLast().name() + ".starl");
+    String from = PVS.relativize(source).toString();
+    for (Automaton automaton : automata) {
+      String name = automaton.name() + ".pvs";
+      Path made = Files.createDirectories(Path.of("target/pvs")).resolve(name);
+      String theory = PvsTheory.of(automaton, from);
+      Files.writeString(made, theory);
+      assertThat(Files.readString(PVS.resolve(name)))
+          .as("pvs/%s: the source makes another one: %s", name, made)
+          .isEqualTo(theory);
+    }
   }
 }
