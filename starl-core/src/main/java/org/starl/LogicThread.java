@@ -4,6 +4,7 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
 
@@ -75,6 +76,34 @@ public abstract class LogicThread {
   public List<Object> callStarL() {
     throw new IllegalStateException(
         getClass().getName() + " overrides neither callStarL() nor, with a period, step()");
+  }
+
+  /** Runs {@link #callStarL}. In the stack of an exception its line is that of {@link #inSource}. */
+  final List<Object> run() {
+    try {
+      return callStarL();
+    } catch (RuntimeException | Error e) {
+      StackTraceElement source = inSource();
+      for (Throwable each = e; each != null && source != null; each = each.getCause()) {
+        StackTraceElement[] stack = each.getStackTrace();
+        for (int i = 0; i < stack.length; i++) {
+          boolean isApp = stack[i].getClassName().equals(source.getClassName());
+          if (isApp && stack[i].getMethodName().equals(source.getMethodName())) {
+            stack[i] = source;
+          }
+        }
+        each.setStackTrace(stack);
+      }
+      throw e;
+    }
+  }
+
+  /**
+   * Where {@link #callStarL} is in a source that this class is generated from, for stacks of
+   * exceptions; null if the class itself is the source.
+   */
+  protected @Nullable StackTraceElement inSource() {
+    return null;
   }
 
   /**

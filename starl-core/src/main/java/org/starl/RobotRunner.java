@@ -81,7 +81,7 @@ public final class RobotRunner {
     if (logic.stepPeriodMs() > 0) {
       new Stepper(logic).begin();
     } else {
-      platform.strand().start(() -> finish(logic.callStarL()));
+      platform.strand().start(() -> finish(logic.run()));
     }
   }
 

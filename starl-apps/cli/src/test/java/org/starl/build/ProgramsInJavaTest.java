@@ -28,6 +28,7 @@ import org.starl.id.RobotId;
 import org.starl.lang.java.JavaSources;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
+import org.starl.launch.StackTraces;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.RobotSpec;
@@ -35,6 +36,7 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationFailed;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -92,6 +94,11 @@ public class ProgramsInJavaTest {
   /** Called by the program. */
   public static ItemPosition goal(RobotId who, long n) {
     return new ItemPosition("goal" + n, 1000 * (n + 1), start(who).yMm());
+  }
+
+  /** Called by the program. */
+  public static ItemPosition noGoal(RobotId who, long n) {
+    throw new IllegalStateException("no goal " + n);
   }
 
   private static Point start(RobotId who) {
@@ -195,6 +202,40 @@ public class ProgramsInJavaTest {
     assertThat(result.diagnosis().lines())
         .as("%s", result.diagnosis().lines())
         .anyMatch(line -> line.contains("app: MUTEX_WAIT, Shuttle.starl:22"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          when mux.crit do moat.do_move(goal(self, trips)) | when mux.crit do moat.do_move(broken(self, trips)) | 23
+          when mux.failed do goto reg_wait | when broken(self, trips) = goal(self, 0) do goto reg_wait | 22
+          do reg.unregister() | do moat.do_move(broken(self, trips)); reg.unregister() | 30
+          """)
+  void anExceptionOfAProgramNamesTheLineOfItsBranchOrForAGuardOfItsLocation(
+      String right, String wrong, int line) {
+    String declared = "java fun goal(who: PIDS, n: nat): Places =";
+    String broken =
+        SHUTTLE
+            .replace(right, wrong)
+            .replace(
+                declared,
+                declared.replace("goal", "broken")
+                    + " \"org.starl.build.ProgramsInJavaTest.noGoal\"\n"
+                    + declared)
+            .replace("// Drives to a point and back, alone.\n", ""); // for the line more
+    assertThatThrownBy(() -> run(broken, 1, new ArrayList<>()))
+        .isInstanceOf(SimulationFailed.class)
+        .hasMessageContaining("IllegalStateException: no goal")
+        .hasMessageEndingWith("; at Shuttle.starl:" + line + " (callStarL)")
+        .rootCause()
+        .satisfies(cause ->
+            assertThat(StackTraces.of(cause))
+                .contains(
+                    "org.starl.build.ProgramsInJavaTest.noGoal(ProgramsInJavaTest.java:",
+                    "x.Shuttle.callStarL(Shuttle.starl:" + line + ")")
+                .doesNotContain("Shuttle.java"));
   }
 
   @Test

@@ -31,7 +31,7 @@ import org.starl.lang.tree.Type.Field;
 final class ProgramWriter {
 
   /** Names of the generated class's own fields. */
-  private static final Set<String> OWN = Set.of("gvh", "location");
+  private static final Set<String> OWN = Set.of("gvh", "location", "line");
 
   private static final Type IDS = new Type.Opaque(Program.IDS);
   private static final Pattern CLASS = Pattern.compile("\\b(?:[a-z]\\w*\\.)+[A-Z]\\w*");
@@ -161,6 +161,8 @@ final class ProgramWriter {
       about(each);
       out.line(2, "private final " + cell + "<" + type + "> " + name(each.name()) + ";");
     }
+    out.line(2, "// of the branch that it takes, or else of its location, in " + file);
+    out.line(2, "private int line;");
   }
 
   private void about(Variable variable) {
@@ -243,7 +245,8 @@ final class ProgramWriter {
 
   private void callStarL() {
     out.blank().line(2, "@Override").line(2, "public List<Object> callStarL() {");
-    out.line(4, "while (!isOver()) {").line(6, "switch (location.get()) {");
+    out.line(4, "while (!isOver()) {").line(6, "line = location.get().line;");
+    out.line(6, "switch (location.get()) {");
     for (Location each : program.locations()) {
       each.comment().forEach(line -> out.line(8, "// " + line.strip()));
       if (each.branches().isEmpty()) {
@@ -264,6 +267,16 @@ final class ProgramWriter {
     Code line = Code.call("location.get").field("line");
     Code where = Code.infix("+", Code.call("location.get"), Code.string(", " + file + ":"), line);
     out.returned(4, where).line(2, "}");
+    Code made =
+        new Code.New(
+            "StackTraceElement",
+            List.of(
+                Code.call("getClass").then("getName"),
+                Code.string("callStarL"),
+                Code.string(file),
+                Code.name("line")));
+    out.blank().line(2, "@Override").line(2, "protected StackTraceElement inSource() {");
+    out.returned(4, made).line(2, "}");
   }
 
   private void end() {
@@ -293,7 +306,7 @@ final class ProgramWriter {
         guard.write(layout);
         out.add(10, layout.token(") {"));
       }
-      out.line(indent, "// " + file + ":" + branch.pos().line());
+      out.line(indent, "line = " + branch.pos().line() + ";");
       branch.statements().forEach(each -> statement(indent, each));
       if (branch.isRestart()) {
         out.line(indent, "restart();");

@@ -40,6 +40,8 @@ public final class IcpProgram extends LogicThread {
   private final GvhCell<Participants> plist;
   // the zones that the car has not left
   private final GvhCell<List<String>> myseq;
+  // of the branch that it takes, or else of its location, in IcpProgram.starl
+  private int line;
 
   public IcpProgram(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
     super(gvh);
@@ -56,13 +58,14 @@ public final class IcpProgram extends LogicThread {
   @Override
   public List<Object> callStarL() {
     while (!isOver()) {
+      line = location.get().line;
       switch (location.get()) {
         case S0 -> {
           if (Driver.way(trip).isEmpty()) {
-            // IcpProgram.starl:67
+            line = 67;
             location.set(Location.DONE);
           } else if (car.isReady()) {
-            // IcpProgram.starl:68
+            line = 68;
             myseq.set(car.ahead());
             reg.do_register();
             location.set(Location.REG_WAIT);
@@ -70,52 +73,52 @@ public final class IcpProgram extends LogicThread {
         }
         case REG_WAIT -> {
           if (reg.getList() != null && myseq.get().isEmpty()) {
-            // IcpProgram.starl:71
+            line = 71;
             car.drive(Sets.emptyset());
             location.set(Location.S1);
           } else if (reg.getList() != null) {
-            // IcpProgram.starl:72
+            line = 72;
             plist.set(reg.listOrEmpty());
             mux.do_mutex(Sets.of(myseq.get()), plist.get());
             location.set(Location.MUTEX_WAIT);
           } else if (reg.failed().get()) {
-            // IcpProgram.starl:74
+            line = 74;
             restart();
           }
         }
         case MUTEX_WAIT -> {
           if (mux.od_mutex()) {
-            // IcpProgram.starl:77
+            line = 77;
             car.drive(Sets.of(myseq.get()));
             location.set(Location.MOVE_WAIT);
           } else if (mux.failed().get()) {
-            // IcpProgram.starl:78
+            line = 78;
             location.set(Location.REG_WAIT);
           }
         }
         case MOVE_WAIT -> {
           if (myseq.get().isEmpty()) {
-            // IcpProgram.starl:81
+            line = 81;
             location.set(Location.S1);
           } else if (car.left().contains(myseq.get().get(0))) {
-            // IcpProgram.starl:82
+            line = 82;
             mux.release(Sets.singleton(myseq.get().get(0)));
             myseq.set(myseq.get().subList(1, myseq.get().size()));
           }
         }
         case S1 -> {
           if (car.isAtExit()) {
-            // IcpProgram.starl:86
+            line = 86;
             reg.unregister();
             location.set(Location.UNREG_WAIT);
           }
         }
         case UNREG_WAIT -> {
           if (reg.isUnregistered()) {
-            // IcpProgram.starl:89
+            line = 89;
             location.set(Location.DONE);
           } else if (reg.failed().get()) {
-            // IcpProgram.starl:90
+            line = 90;
             location.set(Location.S1);
           }
         }
@@ -133,6 +136,11 @@ public final class IcpProgram extends LogicThread {
   /** Where it is, for people who ask why a run does not end. */
   private String where() {
     return location.get() + ", IcpProgram.starl:" + location.get().line;
+  }
+
+  @Override
+  protected StackTraceElement inSource() {
+    return new StackTraceElement(getClass().getName(), "callStarL", "IcpProgram.starl", line);
   }
 
   /** Begins anew. */
