@@ -269,7 +269,8 @@ class PvsTheoryTest {
           """)
   void effectWithAValueInEachStateIsWrittenAsItIs(String effect, String written)
       throws SourceErrors {
-    assertThat(theory(PARTIAL.replace("EFFECT", effect))).contains("go: s WITH [ " + written + " ]");
+    assertThat(theory(PARTIAL.replace("EFFECT", effect)))
+        .contains("go: s WITH [ " + written + " ]");
   }
 
   @Test
