@@ -106,7 +106,8 @@ class BarrierCodecTest {
             "00000000",
             "0001" + "0000000000000004" + "0000",
             "0001" + "0000000000000004" + "0001" + "0003",
-            "0001" + "0000000000000000" + "0001" + "0000")) {
+            "0001" + "0000000000000000" + "0001" + "0000",
+            "0002" + "0000000000000004" + "00010000" + "0000000000000004" + "00010001")) {
       Value value = Value.of(HexFormat.of().parseHex(bad));
       assertThatThrownBy(() -> codec.checkValue(value)).isInstanceOf(WireFormatException.class);
     }
