@@ -137,7 +137,6 @@ public final class M_Mutex implements MutexPrim {
           source + ": do_mutex of " + want + " while holding " + lingering.held());
     }
     if (current.phase() == Phase.IDLE && !want.isEmpty()) {
-      crit.set(false);
       failed.set(false);
       failure.set(MutexFailure.NONE);
     }
@@ -324,7 +323,6 @@ public final class M_Mutex implements MutexPrim {
   private void answerAsRetired(MutexMessage.Req req) {
     Set<ProcessId> fenced = retired.get(req.to());
     if (fenced != null && !fenced.contains(req.from())) {
-      gvh.comms.lamportClock().advanceTo(req.ts());
       endpoint.send(req.from().robot(), new MutexMessage.Ok(req.to(), req.from(), req.num()));
     }
   }

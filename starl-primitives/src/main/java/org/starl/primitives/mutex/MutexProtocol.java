@@ -169,7 +169,6 @@ class MutexProtocol {
     phase = Phase.TRYING;
     asked.clear();
     asked.addAll(known());
-    missing.clear();
     missing.addAll(asked);
     timers.begin(nowNs);
     effects.requested(num, ts, want, asked);
@@ -488,7 +487,6 @@ class MutexProtocol {
 
   /** Grants nothing to {@code suspect} from now on. */
   final void fenced(ProcessId suspect) {
-    peers.dropPending(suspect);
     effects.fenced(suspect, peers.open(suspect));
   }
 }

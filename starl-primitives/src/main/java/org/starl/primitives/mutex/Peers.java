@@ -84,10 +84,6 @@ final class Peers {
     return free;
   }
 
-  void dropPending(ProcessId from) {
-    pending.remove(from);
-  }
-
   @Nullable Peer find(ProcessId id) {
     return peers.get(id);
   }

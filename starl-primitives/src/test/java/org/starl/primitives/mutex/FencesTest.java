@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.starl.comms.LamportClock;
 import org.starl.id.ProcessId;
@@ -207,6 +208,116 @@ class FencesTest {
       patient.timer(ms * S / 1000);
     }
     assertThat(patient.fenced()).containsExactly(C);
+  }
+
+  @Test
+  void aRepeatedPartialReleaseOfAnUnknownRequestIsNoRequest() {
+    b.learn(new View(3, ALL.admitted()).next().without(B).with(B));
+    hears(new Rem(A, B, 1, sections("y")));
+    sent.clear();
+    hears(new FenceQ(C, B, A, 1));
+    assertThat(sent).isEmpty();
+  }
+
+  /** Participant b came after a and was never asked by it, so its fence would mean nothing. */
+  @Test
+  void aMessageOfTheSuspectEndsASuspicionWithoutAFence() {
+    for (boolean isHeard : new boolean[] {false, true}) {
+      MutexNode young = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
+      young.protocol.learn(new View(3, ALL.admitted()).next().without(B).with(B));
+      young.protocol.request(sections("x"), 0);
+      young.protocol.suspect(A, 0);
+      if (isHeard) {
+        young.protocol.receive(new Noted(A, B, 1), 0);
+      }
+      sent.clear();
+      young.protocol.timer(60 * S);
+      assertThat(sent.contains(new FenceQ(B, C, A, 1))).isEqualTo(!isHeard);
+    }
+  }
+
+  @Test
+  void aMessageOfAFencedParticipantEndsNothing() {
+    b.learn(ALL);
+    hears(new FenceQ(C, B, A, 1));
+    hears(new Noted(A, B, 1));
+    assertThat(b.nextTimerNs()).isBetween(3 * S, 5 * S);
+  }
+
+  @Test
+  void aViewThatStillListsTheSuspectEndsNothing() {
+    b.learn(ALL);
+    hears(new FenceQ(C, B, A, 1));
+    b.learn(ALL.next().with(id("d")));
+    assertThat(b.nextTimerNs()).isBetween(3 * S, 5 * S);
+  }
+
+  @Test
+  void aParticipantThatIsOverAsksForNoFences() {
+    List<Consumer<MutexProtocol>> ends =
+        List.of(
+            MutexProtocol::beginLeave,
+            each -> each.receive(new Fenced(C, B), 0),
+            each -> each.learn(ALL.next().without(B)));
+    for (Consumer<MutexProtocol> end : ends) {
+      MutexNode one = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
+      one.protocol.learn(ALL);
+      one.protocol.receive(new FenceQ(C, B, A, 1), 0);
+      assertThat(one.protocol.nextTimerNs()).isLessThan(Long.MAX_VALUE);
+      end.accept(one.protocol);
+      assertThat(one.protocol.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
+    }
+  }
+
+  @Test
+  void aDeferredRequestOfAFencedParticipantIsNeverGranted() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    hears(new Ok(A, B, 1));
+    hears(new Ok(C, B, 1));
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    hears(new FenceQ(C, B, A, 1));
+    sent.clear();
+    b.release(sections("x"));
+    assertThat(sent).noneMatch(Ok.class::isInstance);
+    assertThat(b.open(A)).isEmpty();
+  }
+
+  @Test
+  void aLaterRequestOfAGhostShowsThatItHasGivenBack() {
+    b.learn(ALL);
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
+    b.learn(ALL.next().confined(A, sections("x")));
+    assertThat(node.proposed).isEmpty();
+    hears(new Req(A, B, 2, 1, 9, sections("x")));
+    assertThat(node.proposed).containsExactly(new Confinement(A, Sections.NONE, ids(B)));
+  }
+
+  /** Only the silence while an answer is missing counts. */
+  @Test
+  void theSilenceBetweenRequestsRaisesNoSuspicion() {
+    MutexTimes times = MutexNode.TIMES.withSuspectMs(10_000);
+    for (boolean isAnswered : new boolean[] {false, true}) {
+      MutexProtocol patient =
+          new MutexProtocol(
+              new MutexProtocol.Self(B, new LamportClock(), times, new Rng(1), true), node);
+      patient.learn(ALL);
+      patient.request(sections("x"), 0);
+      patient.timer(5 * S);
+      if (isAnswered) {
+        patient.receive(new Ok(A, B, 1), 5 * S);
+        patient.receive(new Ok(C, B, 1), 5 * S);
+        patient.release(sections("x"));
+      } else {
+        patient.withdraw(MutexFailure.WITHDRAWN);
+      }
+      patient.request(sections("x"), 60 * S);
+      patient.timer(61 * S);
+      patient.timer(70 * S);
+      assertThat(patient.fenced()).isEmpty();
+      patient.timer(71 * S);
+      assertThat(patient.fenced()).containsExactlyInAnyOrder(A, C);
+    }
   }
 
   private void hears(MutexMessage message) {

@@ -166,6 +166,88 @@ class M_MutexTest {
   }
 
   @Test
+  void whatIsShownIsOfTheLatestRequest() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              ScriptedViews views = new ScriptedViews(gvh.id.freshProcess());
+              M_Mutex mux = new M_Mutex(gvh, XID, views);
+              return new Script(
+                  gvh,
+                  script -> {
+                    mux.do_mutex(List.of("A"));
+                    MutexFailure before = mux.failure().get();
+                    views.admit(views.me());
+                    mux.do_mutex(List.of("A"));
+                    MutexFailure after = mux.failure().get();
+                    mux.release("A");
+                    return List.of(before, after, mux.crit().get());
+                  });
+            });
+    assertThat(result.results().values())
+        .containsExactly(List.of(MutexFailure.NOT_REGISTERED, MutexFailure.NONE, false));
+  }
+
+  @Test
+  void aClosedMutexHasWithdrawnAndNeitherRequestsNorAnswers() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          boolean closes = gvh.id.name().equals(new RobotId("bot0"));
+          M_Mutex mux =
+              new M_Mutex(
+                  gvh,
+                  XID,
+                  M_Mutex.closedGroup(gvh, gvh.id.participants()),
+                  MutexTimes.DEFAULT.withDeadlineMs(3_000));
+          return new Script(
+              gvh,
+              script -> {
+                if (!closes) {
+                  script.sleeps(5_000);
+                }
+                mux.do_mutex(List.of("A"));
+                if (!closes) {
+                  script.awaits(() -> mux.od_mutex() || mux.failed().get());
+                  return List.of(mux.failure().get());
+                }
+                mux.close();
+                String closed = "mutex/crossing is closed";
+                assertThat(messageOf(() -> mux.do_mutex(List.of("A")))).isEqualTo(closed);
+                assertThat(messageOf(mux::withdraw)).isEqualTo(closed);
+                assertThat(messageOf(() -> mux.standsIn(List.of("A")))).isEqualTo(closed);
+                script.sleeps(20_000);
+                return List.of(mux.failure().get());
+              });
+        };
+    assertThat(run(2, 1, 0, app).results())
+        .containsEntry(new RobotId("bot0"), List.of(MutexFailure.WITHDRAWN))
+        .containsEntry(new RobotId("bot1"), List.of(MutexFailure.DEADLINE));
+  }
+
+  @Test
+  void aRobotThatUnregistersRequestsNothing() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          Registration reg = new Registration(gvh, XID);
+          M_Mutex before = new M_Mutex(gvh, XID, reg);
+          return new Script(
+              gvh,
+              script -> {
+                reg.do_register();
+                script.awaits(reg::mayRequest);
+                reg.unregister();
+                before.do_mutex(List.of("A"));
+                return List.of(before.failure().get(), before.od_mutex());
+              });
+        };
+    assertThat(run(1, 1, 0, app).results().values())
+        .containsExactly(List.of(MutexFailure.NOT_REGISTERED, false));
+  }
+
+  @Test
   void aRobotThatRegistersAgainAnswersForItsOlderIds() {
     SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, false));
     assertThat(result.results().values())

@@ -35,6 +35,7 @@ final class MutexNode implements MutexEffects {
   final TreeMap<ProcessId, Long> consentedTo = new TreeMap<>();
   // The confinement that it proposes for the next view.
   final Set<Confinement> proposed = new LinkedHashSet<>();
+  int refreshes;
   boolean isDone;
   boolean dead;
   SortedSet<String> bodyIn = Sections.NONE;
@@ -125,7 +126,7 @@ final class MutexNode implements MutexEffects {
 
   @Override
   public void refresh() {
-    // The world delivers views at random times.
+    refreshes++; // The world delivers views at random times.
   }
 
   @Override

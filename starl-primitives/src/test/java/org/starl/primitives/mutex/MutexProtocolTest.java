@@ -76,6 +76,64 @@ class MutexProtocolTest {
   }
 
   @Test
+  void aDeferredRequestIsAnsweredOnce() {
+    holds("x");
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    b.release(sections("x"));
+    assertThat(sent).contains(new Ok(B, A, 1));
+    sent.clear();
+    b.request(sections("y"), 0);
+    b.withdraw(MutexFailure.WITHDRAWN);
+    assertThat(sent).doesNotContain(new Ok(B, A, 1));
+  }
+
+  @Test
+  void aViewIsLearnedOnce() {
+    View both = View.closed(List.of(A, B));
+    b.learn(both);
+    b.learn(both);
+    assertThat(events).containsExactly(new MutexEvent.Learned(B, both));
+  }
+
+  @Test
+  void eachFourthRepetitionAsksForALaterView() {
+    b.learn(View.closed(List.of(A, B)));
+    b.request(sections("x"), 0);
+    for (int repetition = 1; repetition <= 8; repetition++) {
+      b.timer(repetition * 2_000_000_000L);
+      assertThat(node.refreshes).isEqualTo(repetition / 4);
+    }
+  }
+
+  @Test
+  void aRemovedParticipantIsIdleOnceItHasNotLeftBefore() {
+    View all = View.closed(List.of(A, B));
+    b.learn(all);
+    b.learn(all.next().without(B));
+    assertThat(node.isDone).isTrue();
+
+    MutexNode leaving = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
+    leaving.protocol.learn(all);
+    leaving.protocol.beginLeave();
+    leaving.protocol.learn(all.next().without(B));
+    assertThat(leaving.isDone).isFalse();
+  }
+
+  @Test
+  void theBoundsAreThoseOfTheAlgorithm() {
+    assertThat(MutexBounds.of(4, 100, 10)).isEqualTo(new MutexBounds(100, 3 * 120 + 20, 20));
+    assertThat(MutexBounds.of(1, 100, 0)).isEqualTo(new MutexBounds(100, 0, 0));
+  }
+
+  @Test
+  void onlyAnEndedParticipantMustRegister() {
+    assertThat(MutexFailure.values())
+        .filteredOn(MutexFailure::mustRegister)
+        .containsExactly(
+            MutexFailure.NOT_REGISTERED, MutexFailure.REMOVED, MutexFailure.FENCED);
+  }
+
+  @Test
   void theEarlierRequestGoesFirstAndTheLaterOneIsAnsweredAtTheRelease() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
