@@ -97,14 +97,12 @@ final class Acceptor {
     answerOnceFlushed(from, new Accepted(m.number(), m.ballot()));
   }
 
-  /** Learns a decree, and drops the slots and wishes that it settles. */
+  /** Learns a decree later than the one it knows, and drops the slots and wishes that it settles. */
   void decided(Decided m) {
-    if (decided == null || m.number() > decided.number()) {
-      decided = m;
-      slots.headMap(m.number(), true).clear();
-      wishes.headMap(m.number(), true).clear();
-      persist();
-    }
+    decided = m;
+    slots.headMap(m.number(), true).clear();
+    wishes.headMap(m.number(), true).clear();
+    persist();
   }
 
   /** Versions up to {@code flushed} would survive a crash. */

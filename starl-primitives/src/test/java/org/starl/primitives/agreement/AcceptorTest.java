@@ -118,6 +118,37 @@ class AcceptorTest {
   }
 
   @Test
+  void theLengthsOfWishesCountToo() {
+    assertThat(wishesPassedOn(198)).isEqualTo(2);
+    assertThat(wishesPassedOn(199)).isEqualTo(1);
+  }
+
+  /** Of two of this length. */
+  private int wishesPassedOn(int length) {
+    acceptor.prepare(BOT1, new Prepare(1, LOW, Value.of(new byte[length])));
+    byte[] other = new byte[length];
+    other[0] = 1;
+    acceptor.prepare(BOT2, new Prepare(1, HIGH, Value.of(other)));
+    acceptor.flushed(100);
+    return ((Promise) answers.get(answers.size() - 1)).wishes().size();
+  }
+
+  @Test
+  void aDecreeReplacesTheSlotsThatItSettles() {
+    acceptor.accept(BOT2, new Accept(3, HIGH, A));
+    acceptor.accept(BOT2, new Accept(4, HIGH, A));
+    acceptor.decided(new Decided(3, A));
+    AcceptorRecord record = AcceptorRecord.fromBytes(records.get(records.size() - 1));
+    assertThat(record.decided()).isEqualTo(new Decided(3, A));
+    assertThat(record.slots()).containsOnlyKeys(4L);
+  }
+
+  @Test
+  void valuesOfDifferentBytesDiffer() {
+    assertThat(A).isEqualTo(Value.of(A.bytes())).isNotEqualTo(B).isNotEqualTo(A.toString());
+  }
+
+  @Test
   void aQuestionAboutADecidedNumberGetsTheLatestDecree() {
     acceptor.decided(new Decided(5, B));
     acceptor.prepare(BOT1, new Prepare(4, LOW, Value.EMPTY));

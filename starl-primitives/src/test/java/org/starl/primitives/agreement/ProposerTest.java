@@ -94,6 +94,59 @@ class ProposerTest {
   }
 
   @Test
+  void answersToAnEarlierBallotDoNotCountForTheNext() {
+    begin();
+    proposer.promise(C, promise(null), 1);
+    defeat(FIRST);
+    Ballot second = new Ballot(2, ME);
+    proposer.promise(A, new Promise(1, second, null, List.of()), 1);
+    assertThat(questions(Accept.class)).isEmpty();
+    proposer.promise(B, new Promise(1, second, null, List.of()), 1);
+    proposer.accepted(C, new Accepted(1, second));
+    defeat(second);
+    Ballot third = new Ballot(3, ME);
+    proposer.promise(A, new Promise(1, third, null, List.of()), 1);
+    proposer.promise(B, new Promise(1, third, null, List.of()), 1);
+    proposer.accepted(A, new Accepted(1, third));
+    assertThat(chosen).isNull();
+  }
+
+  @Test
+  void aRefusalWhileItPausesHasNoEffect() {
+    begin();
+    proposer.nack(A, new Nack(1, FIRST, FIRST), 0);
+    proposer.nack(B, new Nack(1, FIRST, FIRST), 0);
+    long wakeAtNs = proposer.wakeAtNs();
+    proposer.nack(C, new Nack(1, FIRST, new Ballot(9, RIVAL)), 5);
+    assertThat(proposer.wakeAtNs()).isEqualTo(wakeAtNs);
+  }
+
+  @Test
+  void pausesGrowUpToTheirBound() {
+    begin();
+    SynodTiming timing = SynodTiming.DEFAULT;
+    long nowNs = 0;
+    for (int defeats = 1; defeats <= 30; defeats++) {
+      Ballot refused = new Ballot(defeats, ME);
+      proposer.nack(A, new Nack(1, refused, FIRST), nowNs);
+      proposer.nack(B, new Nack(1, refused, FIRST), nowNs);
+      long pauseNs = proposer.wakeAtNs() - nowNs;
+      long meanMs =
+          (long) Math.min(timing.backoffMs() * Math.pow(2, defeats - 1), timing.maxBackoffMs());
+      assertThat(pauseNs).isBetween(meanMs * NS_PER_MS / 2, meanMs * NS_PER_MS * 3 / 2);
+      nowNs = proposer.wakeAtNs();
+      proposer.timer(nowNs);
+    }
+  }
+
+  /** Two of three refuse {@code ballot}; begins the next one. */
+  private void defeat(Ballot ballot) {
+    proposer.nack(A, new Nack(1, ballot, ballot), 1);
+    proposer.nack(B, new Nack(1, ballot, ballot), 1);
+    proposer.timer(proposer.wakeAtNs());
+  }
+
+  @Test
   void oneRefusalOfThreeIsNoDefeat() {
     begin();
     proposer.nack(A, new Nack(1, FIRST, new Ballot(4, RIVAL)), 1);

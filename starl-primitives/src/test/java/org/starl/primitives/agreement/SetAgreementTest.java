@@ -9,6 +9,7 @@ import org.starl.LogicThread;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.id.Participants;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -71,5 +72,44 @@ class SetAgreementTest {
     assertThat(result.results().values())
         .hasSize(3)
         .allSatisfy(ended -> assertThat(ended).containsExactly(5_000_000_000L, false));
+  }
+
+  /** A robot that is no acceptor, and does not propose. */
+  @Test
+  void aRobotThatAsksLearnsTheDecision() {
+    SimResult result =
+        Simulation.builder()
+            .robots(4, Asking::new)
+            .settings(SimSettings.builder().set("duration", "60s").build())
+            .build()
+            .run();
+    assertThat(result.isFinished()).isTrue();
+    assertThat(result.results().values()).containsOnly(List.of(7L));
+  }
+
+  private static final class Asking extends LogicThread {
+    private final SetAgreement<Long> agreement;
+    private final boolean serves;
+
+    Asking(GlobalVarHolder gvh) {
+      super(gvh);
+      Participants acceptors = Participants.of(gvh.id.participants().asList().subList(0, 3));
+      serves = acceptors.contains(gvh.id.name());
+      agreement = new SetAgreement<>(gvh, "number", NUMBERS, acceptors);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      if (serves) {
+        agreement.propose(7L);
+      } else {
+        sleep(5_000);
+        agreement.refresh();
+      }
+      await(() -> agreement.decided().get().isDecided());
+      Decision.Decided<Long> decision = (Decision.Decided<Long>) agreement.decided().get();
+      sleep(10_000);
+      return List.of(decision.value());
+    }
   }
 }

@@ -101,6 +101,19 @@ class SynodCodecTest {
   }
 
   @Test
+  void onlyAQueryIsOfNumberZeroAndOnlyAFormatWithWishesHasThem() {
+    assertThat(codec.read(new WireReader(bytes(new Query(0))))).isEqualTo(new Query(0));
+    Ballot ballot = new Ballot(1, new ProcessId(new RobotId("a"), 1));
+    byte[] zero = bytes(new Accepted(0, ballot));
+    assertThatThrownBy(() -> codec.read(new WireReader(zero)))
+        .isInstanceOf(WireFormatException.class);
+    byte[] wish = bytes(new Prepare(1, ballot, Value.of(new byte[1])));
+    SynodCodec withoutWishes = new SynodCodec(value -> {});
+    assertThatThrownBy(() -> withoutWishes.read(new WireReader(wish)))
+        .isInstanceOf(WireFormatException.class);
+  }
+
+  @Test
   void theLongestMessageFitsADatagram() {
     Ballot ballot = new Ballot(1, new ProcessId(new RobotId("a".repeat(32)), 1));
     Value longest = Value.of(new byte[Value.MAX_BYTES]);
