@@ -61,8 +61,7 @@ class SynodTest {
       synod.learn(known, A);
     }
     synod.received(S2, new Query(number), 0);
-    assertThat(sent.take())
-        .isEqualTo(known > number ? List.of(new Decided(known, A)) : List.of());
+    assertThat(sent.take()).isEqualTo(known > number ? List.of(new Decided(known, A)) : List.of());
   }
 
   @Test
@@ -70,8 +69,7 @@ class SynodTest {
     synod.query(S2);
     synod.learn(4, A);
     synod.queryAll();
-    assertThat(sent.take())
-        .containsExactly(new Query(0), new Query(4), new Query(4), new Query(4));
+    assertThat(sent.take()).containsExactly(new Query(0), new Query(4), new Query(4), new Query(4));
   }
 
   @Test

@@ -132,6 +132,16 @@ class BarrierAnswersTest {
   }
 
   @Test
+  void theSilenceOfAMemberThatHasArrivedDoesNotCount() {
+    protocol.arrive(0);
+    protocol.received(new Arrival(B2, 1), 100 * MS);
+    long silentNs = SETTINGS.silenceMs() * MS;
+    protocol.received(new Here(B3, 1, false, 1), silentNs);
+    protocol.timer(silentNs);
+    assertThat(protocol.wakeAtNs()).isEqualTo(silentNs + SETTINGS.repeatMs() * MS);
+  }
+
+  @Test
   void aRobotThatWasToldUnknownWaitsForNothing() {
     protocol.arrive(0);
     assertThat(protocol.waitsFor("barrier/b").on()).containsExactly(B2.robot(), B3.robot());

@@ -85,6 +85,22 @@ class GeocastProtocolTest {
     assertThat(effects).containsExactly("ack 1 to anna");
   }
 
+  /** The 65th delivery is the first to forget. */
+  @Test
+  void whatMayStillArriveIsNotForgotten() {
+    for (long number = 1; number <= 65; number++) {
+      protocol.received(ANNA, copy(number, 10, 20), 20 * MS);
+    }
+    effects.clear();
+    protocol.received(ANNA, copy(1, 10, 20), 20 * MS);
+    assertThat(effects).containsExactly("ack 1 to anna");
+  }
+
+  @Test
+  void aCopyReachesEveryRobotWithinTheLongestWaitAndADelay() {
+    assertThat(new GeocastSettings(100, 1_000, 0, false).reachNs(7)).isEqualTo(1_000 * MS + 7);
+  }
+
   @Test
   void aCopyAtTheDeadlineIsInTimeAndALaterOneIsNot() {
     protocol.received(ANNA, copy(1, 10, 20), 20 * MS);
@@ -152,6 +168,7 @@ class GeocastProtocolTest {
 
   @Test
   void acknowledgementsOfTheWholeDeploymentCompleteAGeocast() {
+    assertThat(protocol.isComplete()).as("before the first").isFalse();
     GeocastReceipt receipt = protocol.do_geocast("m", AREA, 600 * MS, 0);
     assertThat(protocol.isComplete()).isFalse();
     protocol.received(ANNA, new GeocastMessage.Ack<>(receipt.id()), 5 * MS);
@@ -159,6 +176,7 @@ class GeocastProtocolTest {
     assertThat(receipt.isComplete()).isFalse();
     protocol.received(BERT, new GeocastMessage.Ack<>(receipt.id()), 7 * MS);
     assertThat(receipt.acknowledgedBy()).containsExactly(ANNA, BERT);
+    assertThat(receipt.isComplete()).isTrue();
     assertThat(protocol.isComplete()).isTrue();
     assertThat(protocol.wakeAtNs()).isEqualTo(Long.MAX_VALUE);
   }

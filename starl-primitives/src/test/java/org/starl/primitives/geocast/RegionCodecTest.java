@@ -3,6 +3,7 @@ package org.starl.primitives.geocast;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.List;
 import net.jqwik.api.Arbitraries;
@@ -117,6 +118,31 @@ class RegionCodecTest {
     assertThatThrownBy(() -> messages.read(new WireReader(Arrays.copyOf(buffer, writer.length()))))
         .isInstanceOf(WireFormatException.class)
         .hasMessage("geocast number 0");
+  }
+
+  @Test
+  void anIntervalBeginsAtZeroOrLaterAndIsNotEmpty() {
+    assertThat(intervalIsRead(0, 1)).isTrue();
+    assertThat(intervalIsRead(4, 4)).isFalse();
+    assertThat(intervalIsRead(-1, 4)).isFalse();
+  }
+
+  /** A message ends with its interval, two times of eight bytes, and here a payload of one byte. */
+  private static boolean intervalIsRead(long startNs, long deadlineNs) {
+    GeocastCodec<List<Byte>> messages = new GeocastCodec<>(new OneByte());
+    GeocastId id = new GeocastId(new ProcessId(new RobotId("bot7"), 1L << 32), 1);
+    GeocastMessage<List<Byte>> copy =
+        new GeocastMessage.Copy<>(id, new Everywhere(), 5, 6, List.of((byte) 3));
+    byte[] bytes = WireWriter.toBytes(out -> messages.write(copy, out));
+    ByteBuffer.wrap(bytes)
+        .putLong(bytes.length - 17, startNs)
+        .putLong(bytes.length - 9, deadlineNs);
+    try {
+      messages.read(new WireReader(bytes));
+      return true;
+    } catch (WireFormatException refused) {
+      return false;
+    }
   }
 
   private static final class OneByte implements org.starl.comms.Codec<List<Byte>> {

@@ -129,8 +129,7 @@ class MutexProtocolTest {
   void onlyAnEndedParticipantMustRegister() {
     assertThat(MutexFailure.values())
         .filteredOn(MutexFailure::mustRegister)
-        .containsExactly(
-            MutexFailure.NOT_REGISTERED, MutexFailure.REMOVED, MutexFailure.FENCED);
+        .containsExactly(MutexFailure.NOT_REGISTERED, MutexFailure.REMOVED, MutexFailure.FENCED);
   }
 
   @Test
