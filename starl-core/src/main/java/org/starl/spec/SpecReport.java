@@ -139,11 +139,12 @@ public final class SpecReport implements Monitor.Report {
   /** The lemmas without a check, applicable or not: nothing is known of them. */
   public List<String> neverChecked() {
     List<String> lemmas = new ArrayList<>();
-    new TreeMap<>(tallies).forEach((lemma, tally) -> {
-      if (tally.checks == 0 && tally.violations == 0) {
-        lemmas.add(lemma);
-      }
-    });
+    new TreeMap<>(tallies)
+        .forEach((lemma, tally) -> {
+          if (tally.checks == 0 && tally.violations == 0) {
+            lemmas.add(lemma);
+          }
+        });
     return lemmas;
   }
 
