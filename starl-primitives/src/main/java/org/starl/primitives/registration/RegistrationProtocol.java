@@ -53,9 +53,8 @@ class RegistrationProtocol extends SynodProtocol {
   private ProcessId me;
   private View view = View.NONE;
 
-  // Asked for after each input; views are few.
-  private View shown = View.NONE;
-  private RList shownList = RList.UNKNOWN;
+  // Asked for after each input; views are few, and equal numbers mean equal views.
+  private RList.Agreed agreed = new RList.Agreed(Participants.of(), 0);
   private boolean failed;
   private boolean unregistered;
 
@@ -233,11 +232,10 @@ class RegistrationProtocol extends SynodProtocol {
     if (phase != Phase.IN || !staleView.isListShown()) {
       return RList.UNKNOWN;
     }
-    if (shown != view) {
-      shown = view;
-      shownList = new RList.Agreed(view.participants(), view.number());
+    if (agreed.ts() != view.number()) {
+      agreed = new RList.Agreed(view.participants(), view.number());
     }
-    return shownList;
+    return agreed;
   }
 
   // The protocol.
