@@ -6,7 +6,6 @@ import static org.starl.time.Time.NS_PER_S;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -80,7 +79,7 @@ public final class SpecReport implements Monitor.Report {
   }
 
   // Looked up at every check; sorted for a reader.
-  private final Map<String, Tally> tallies = new HashMap<>();
+  private final Map<String, Tally> tallies = new LinkedHashMap<>();
   private final Map<String, String> sentences = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
   private final Map<Reached, long[]> reached = new LinkedHashMap<>();
