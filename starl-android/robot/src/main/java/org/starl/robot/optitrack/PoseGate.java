@@ -1,6 +1,7 @@
 package org.starl.robot.optitrack;
 
 import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
 
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
@@ -14,7 +15,13 @@ import org.starl.time.Time;
  * that is a jump. Jumps are dropped, until poses at a new place were consistent with each other, and
  * none was at the old place, for {@link FixBounds#stillMs}: then the body was moved by hand. The
  * first place counts in the same way. So single false datagrams do not move a body; a robot that is
- * really moved by hand has no fixes for that time, and stands. Pure; one thread at a time.
+ * really moved by hand has no fixes for that time, and stands.
+ *
+ * <p>A body is not at two places at once. If poses at the old place came among those at a new one,
+ * somebody sends false ones. Then a new place counts only after {@link #DOUBT_NS} without the old
+ * one, so false poses do not move a body when the true ones fail for a short time.
+ *
+ * <p>Pure; one thread at a time.
  */
 final class PoseGate {
 
@@ -46,9 +53,13 @@ final class PoseGate {
    */
   private static final long ORIGIN_NS = 100 * NS_PER_MS;
 
+  /** No new place counts for this time after a pose at the old place came among those at a new one. */
+  static final long DOUBT_NS = 10 * NS_PER_S;
+
   private final FixBounds bounds;
   private @Nullable Fix origin;
   private long newestNs = Long.MIN_VALUE;
+  private long doubtUntilNs = Long.MIN_VALUE;
 
   // A possible new place: its first fix, its last, and their number.
   private @Nullable Fix first;
@@ -79,9 +90,12 @@ final class PoseGate {
     }
     last = fix;
     poses++;
-    if (poses >= LEAST_POSES && fix.timeNs() - first.timeNs() >= bounds.stillNs()) {
+    if (poses >= LEAST_POSES
+        && fix.timeNs() - first.timeNs() >= bounds.stillNs()
+        && fix.timeNs() >= doubtUntilNs) {
       boolean isMoved = origin != null;
       origin = fix;
+      first = null;
       pass(fix);
       return isMoved ? Verdict.MOVED : Verdict.PASSED;
     }
@@ -95,6 +109,9 @@ final class PoseGate {
 
   private Verdict pass(Fix fix) {
     newestNs = fix.timeNs();
+    if (first != null) {
+      doubtUntilNs = fix.timeNs() + DOUBT_NS;
+    }
     first = null;
     last = null;
     if (origin == null || fix.timeNs() - origin.timeNs() >= ORIGIN_NS) {

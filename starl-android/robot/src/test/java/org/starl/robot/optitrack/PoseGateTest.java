@@ -100,6 +100,22 @@ class PoseGateTest {
   }
 
   @Test
+  void falsePosesAfterALossOfTheTrueOnesAreJumpsIfTheyCameBefore() {
+    settle();
+    for (int i = 0; i < 10; i++) {
+      nowMs += 5;
+      at(2000);
+      nowMs += 5;
+      at(0);
+    }
+    long lostMs = nowMs;
+    for (nowMs += 5; nowMs < lostMs + PoseGate.DOUBT_NS / MS; nowMs += 5) {
+      assertThat(at(2000)).isEqualTo(Verdict.JUMPED);
+    }
+    assertThat(at(2000)).isEqualTo(Verdict.MOVED);
+  }
+
+  @Test
   void aTurnFasterThanTheRobotIsAJump() {
     settle();
     assertThat(gate.judge(fix(0, 1.5, nowMs, ERROR))).isEqualTo(Verdict.JUMPED);
