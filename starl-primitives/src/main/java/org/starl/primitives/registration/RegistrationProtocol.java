@@ -330,7 +330,6 @@ class RegistrationProtocol extends SynodProtocol {
     } else {
       settle(Phase.LEFT_HALFWAY);
     }
-    synod.stop();
     change();
   }
 

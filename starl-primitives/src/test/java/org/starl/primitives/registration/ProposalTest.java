@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
@@ -46,5 +47,22 @@ class ProposalTest {
     View next = new Proposal(VIEW).add(CONFINE).add(leave).view();
     assertThat(next.ghost(SILENT)).isNotNull();
     assertThat(next.contains(OTHER)).isFalse();
+  }
+
+  @Test
+  void aFencerOfAConfinementThatFindsNoRoomMayLeave() {
+    SortedSet<String> sections = new TreeSet<>();
+    for (int i = 0; i < 30; i++) {
+      sections.add("a-section-with-a-long-name-" + i);
+    }
+    Confinement tooMuch = new Confinement(SILENT, sections, new TreeSet<>(List.of(FENCER)));
+    View view = VIEW;
+    while (ViewFormat.fits(tooMuch.applyTo(view))) {
+      view = view.with(new ProcessId(new RobotId("member" + view.ids().size()), 1));
+    }
+    View next =
+        new Proposal(view).add(new Change(null, List.of(), List.of(tooMuch))).add(LEAVE).view();
+    assertThat(next.ghost(SILENT)).isNull();
+    assertThat(next.contains(FENCER)).isFalse();
   }
 }

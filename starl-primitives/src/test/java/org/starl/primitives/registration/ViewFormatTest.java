@@ -77,6 +77,24 @@ class ViewFormatTest {
   }
 
   @Test
+  void aViewThatListsAnIdTwiceIsRefused() {
+    ProcessId id = new ProcessId(new RobotId("bot1"), 1);
+    Value value =
+        Value.write(out -> {
+          out.u8(ViewFormat.toValue(View.NONE).bytes()[0]);
+          out.u16(2);
+          out.process(id);
+          out.i64(1);
+          out.process(id);
+          out.i64(1);
+          out.u16(0);
+        });
+    assertThatThrownBy(() -> ViewFormat.read(4, value))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessageContaining("twice");
+  }
+
+  @Test
   void fortyRobotsFitAViewAndAHundredDoNot() {
     assertThat(ViewFormat.fits(viewOf(40))).isTrue();
     assertThat(ViewFormat.fits(viewOf(100))).isFalse();

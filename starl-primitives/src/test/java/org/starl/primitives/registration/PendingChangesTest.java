@@ -1,0 +1,44 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.View;
+
+class PendingChangesTest {
+
+  private static final ProcessId OLD = new ProcessId(new RobotId("bot0"), 1);
+
+  @Test
+  void anIdleIdIsNewOnceAndLingersInTheViewsThatMentionIt() {
+    PendingChanges changes = new PendingChanges(OLD.robot(), new NoPort());
+    changes.addOwn(OLD);
+    View listed = View.NONE.next().with(OLD);
+    assertThat(changes.lingersIn(listed)).isFalse();
+    assertThat(changes.markIdle(OLD)).isTrue();
+    assertThat(changes.markIdle(OLD)).isFalse();
+    assertThat(changes.lingersIn(listed)).isTrue();
+    assertThat(changes.lingersIn(View.NONE)).isFalse();
+    assertThat(changes.in(listed, null, null).leave()).containsExactly(OLD);
+  }
+
+  private static final class NoPort implements RegistrationPort {
+    @Override
+    public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
+      throw new IllegalStateException("sends " + message);
+    }
+
+    @Override
+    public ProcessId freshProcess() {
+      throw new IllegalStateException("asks for an id");
+    }
+
+    @Override
+    public void trace(String action, Object... args) {
+      throw new IllegalStateException("traces " + action);
+    }
+  }
+}
