@@ -78,29 +78,37 @@ public abstract class LogicThread {
         getClass().getName() + " overrides neither callStarL() nor, with a period, step()");
   }
 
-  /** Runs {@link #callStarL}. In the stack of an exception its line is that of {@link #inSource}. */
+  /** Runs {@link #callStarL}. In the stack of an exception its line is that of {@link #inSource()}. */
   final List<Object> run() {
     try {
       return callStarL();
     } catch (RuntimeException | Error e) {
-      StackTraceElement source = inSource();
-      for (Throwable each = e; each != null && source != null; each = each.getCause()) {
-        StackTraceElement[] stack = each.getStackTrace();
-        for (int i = 0; i < stack.length; i++) {
-          boolean isApp = stack[i].getClassName().equals(source.getClassName());
-          if (isApp && stack[i].getMethodName().equals(source.getMethodName())) {
-            stack[i] = source;
-          }
-        }
-        each.setStackTrace(stack);
+      for (Throwable each = e; each != null; each = each.getCause()) {
+        each.setStackTrace(inSource(each.getStackTrace()));
       }
       throw e;
     }
   }
 
+  /** {@code stack}, with the line of {@link #callStarL} that {@link #inSource()} tells. */
+  public final StackTraceElement[] inSource(StackTraceElement[] stack) {
+    StackTraceElement source = inSource();
+    if (source == null) {
+      return stack;
+    }
+    StackTraceElement[] inSource = stack.clone();
+    for (int i = 0; i < stack.length; i++) {
+      boolean isApp = stack[i].getClassName().equals(source.getClassName());
+      if (isApp && stack[i].getMethodName().equals(source.getMethodName())) {
+        inSource[i] = source;
+      }
+    }
+    return inSource;
+  }
+
   /**
-   * Where {@link #callStarL} is in a source that this class is generated from, for stacks of
-   * exceptions; null if the class itself is the source.
+   * Where {@link #callStarL} is in a source that this class is generated from, for stacks; null if
+   * the class itself is the source.
    */
   protected @Nullable StackTraceElement inSource() {
     return null;

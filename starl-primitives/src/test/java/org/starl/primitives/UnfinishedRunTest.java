@@ -357,15 +357,51 @@ class UnfinishedRunTest {
             .build()
             .run();
     assertThat(result.isFinished()).isTrue();
-    assertThat(result.overdue()).hasSize(1);
+    assertThat(result.diagnoses()).hasSize(1);
     result
-        .overdue()
+        .diagnoses()
         .forEach((violation, diagnosis) -> {
           assertThat(violation.timeNs()).isEqualTo(11_000_000_000L);
           assertThat(diagnosis.cause()).contains("bot1 mutex/door: holds [D]");
           assertThat(diagnosis.graph().of(new RobotId("bot0"))).contains(new RobotId("bot1"));
           assertThat(result.diagnosis(violation)).isEqualTo(diagnosis);
         });
+  }
+
+  /** No robot may ask for a section. */
+  private static final class Modest implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of("modest");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof TraceEvent.Action action && action.name().equals("do_mutex")) {
+        report.violated("modest", event.timeNs(), List.of(event.robot()), "asks");
+      }
+    }
+  }
+
+  @Test
+  void aViolationTellsWhereItsRobotRunsOrWaits() {
+    SimResult result =
+        simulation(
+                2,
+                app -> {
+                  M_Mutex mutex = new M_Mutex(app.gvh(), "door", app.gvh().id.participants());
+                  app.pause(1_000);
+                  app.enter(mutex, "D");
+                  mutex.release("D");
+                })
+            .monitor(Modest::new)
+            .build()
+            .run();
+    assertThat(result.diagnoses()).hasSize(1);
+    assertThat(result.diagnosis(result.spec().violations().get(0)).lines())
+        .first()
+        .asString()
+        .matches("  bot[01] runs at UnfinishedRunTest.java:\\d+ .enter.");
   }
 
   @Test

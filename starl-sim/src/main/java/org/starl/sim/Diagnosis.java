@@ -19,7 +19,7 @@ import org.starl.time.Time;
  * Why a run has not finished, as far as its state at one moment shows.
  *
  * @param kind what the robots can still do
- * @param cause the likely cause, in one line; empty if the run has finished
+ * @param cause the likely cause, in one line; empty if the run has finished, or none was looked for
  * @param graph which robot waits for which
  * @param robots at most {@link #MAX_EXPLAINED} unfinished robots: the important ones, then others
  * @param others the number of the other unfinished robots
@@ -47,6 +47,8 @@ public record Diagnosis(
 
   /** What the robots can still do. */
   public enum Kind {
+    /** Not asked: the robots of a violation, at that time. */
+    VIOLATED,
     /** Every app has ended, or nothing is known. */
     FINISHED,
     /** No event is left: no robot can ever go on. */
@@ -106,6 +108,13 @@ public record Diagnosis(
   public Diagnosis {
     robots = List.copyOf(robots);
     down = Set.copyOf(down);
+  }
+
+  /** Without a cause: the robots of a violation that is no missed deadline. */
+  static Diagnosis ofViolation(List<UnfinishedRobot> robots) {
+    List<UnfinishedRobot> explained = robots.subList(0, Math.min(robots.size(), MAX_EXPLAINED));
+    int others = robots.size() - explained.size();
+    return new Diagnosis(Kind.VIOLATED, "", NONE.graph(), explained, others, Set.of());
   }
 
   public static Diagnosis of(Moment moment) {
@@ -196,7 +205,9 @@ public record Diagnosis(
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     if (!robots.isEmpty()) {
-      lines.add("likely cause: " + cause);
+      if (!cause.isEmpty()) {
+        lines.add("likely cause: " + cause);
+      }
       for (UnfinishedRobot robot : robots) {
         Set<RobotId> on = graph.of(robot.robot());
         if (!on.isEmpty()) {

@@ -135,7 +135,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             world.collisions(),
             spec,
             diagnosis(List.of()),
-            observers.overdue());
+            observers.diagnoses());
     observers.finished(result);
     return result;
   }
@@ -202,6 +202,18 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
    */
   private Diagnosis diagnosis(List<RobotId> important) {
     return Diagnosis.of(Diagnosis.Moment.of(kernel.nowNs(), kernel.isIdle(), robots, important));
+  }
+
+  private Diagnosis diagnosis(SpecReport.Violation violation) {
+    if (violation.isOverdue()) {
+      return diagnosis(violation.robots());
+    }
+    return Diagnosis.ofViolation(
+        violation.robots().stream()
+            .map(robots::get)
+            .filter(robot -> robot != null && !robot.isDown() && robot.isAwaited())
+            .map(SimRobot::explain)
+            .toList());
   }
 
   @Override

@@ -20,19 +20,19 @@ public final class RunObservers implements TraceSink {
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
-  private final Function<List<RobotId>, Diagnosis> diagnose;
-  private final Map<SpecReport.Violation, Diagnosis> overdue = new LinkedHashMap<>();
-  private final Set<String> overdueLemmas = new TreeSet<>();
+  private final Function<SpecReport.Violation, Diagnosis> diagnose;
+  private final Map<SpecReport.Violation, Diagnosis> diagnoses = new LinkedHashMap<>();
+  private final Set<String> diagnosed = new TreeSet<>();
 
   /**
    * @param isOn whether events are needed
-   * @param diagnose tells why the run does not go on, now; it explains the given robots
+   * @param diagnose tells what the robots of a violation do now, and why the run does not go on
    */
   public RunObservers(
       Monitors monitors,
       List<SimObserver> observers,
       boolean isOn,
-      Function<List<RobotId>, Diagnosis> diagnose) {
+      Function<SpecReport.Violation, Diagnosis> diagnose) {
     this.monitors = monitors;
     this.diagnose = diagnose;
     this.observers = List.copyOf(observers);
@@ -55,16 +55,16 @@ public final class RunObservers implements TraceSink {
 
   private void reportViolations() {
     for (SpecReport.Violation violation : monitors.newViolations()) {
-      if (violation.isOverdue() && overdueLemmas.add(violation.lemma())) {
-        overdue.put(violation, diagnose.apply(violation.robots()));
+      if (diagnosed.add(violation.lemma())) {
+        diagnoses.put(violation, diagnose.apply(violation));
       }
       observers.forEach(observer -> observer.violated(violation));
     }
   }
 
-  /** The first missed deadline of each lemma, and the diagnosis when it was noticed. */
-  Map<SpecReport.Violation, Diagnosis> overdue() {
-    return overdue;
+  /** The first violation of each lemma, and the diagnosis when it was noticed. */
+  Map<SpecReport.Violation, Diagnosis> diagnoses() {
+    return diagnoses;
   }
 
   public void started(TraceHeader header) {

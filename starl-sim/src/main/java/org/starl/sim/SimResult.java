@@ -21,7 +21,7 @@ import org.starl.spec.SpecReport;
  * @param unfinished robots whose apps have not ended, but for robots that left or crashed for good
  * @param spec what the monitors found
  * @param diagnosis why the run has not finished
- * @param overdue the first missed deadline of each lemma, and the diagnosis at that time
+ * @param diagnoses the first violation of each lemma, and the diagnosis at that time
  */
 public record SimResult(
     long seed,
@@ -34,10 +34,10 @@ public record SimResult(
     Collisions collisions,
     SpecReport spec,
     Diagnosis diagnosis,
-    Map<SpecReport.Violation, Diagnosis> overdue) {
+    Map<SpecReport.Violation, Diagnosis> diagnoses) {
 
   public SimResult {
-    overdue = Collections.unmodifiableMap(new LinkedHashMap<>(overdue));
+    diagnoses = Collections.unmodifiableMap(new LinkedHashMap<>(diagnoses));
   }
 
   /** A result without a diagnosis, as of a recorded run. */
@@ -65,9 +65,9 @@ public record SimResult(
         Map.of());
   }
 
-  /** The diagnosis of {@code violation}, if it is a missed deadline that has one. */
+  /** The diagnosis of {@code violation}, if it is the first one of its lemma. */
   public Diagnosis diagnosis(SpecReport.Violation violation) {
-    return overdue.getOrDefault(violation, Diagnosis.NONE);
+    return diagnoses.getOrDefault(violation, Diagnosis.NONE);
   }
 
   /** Whether every app has ended within the time limit. */

@@ -260,6 +260,7 @@ final class SimRobot implements TraceSink {
         spec.id(),
         runner,
         strand.appStack(),
+        strand.isAppRunning(),
         strand.appWaitsSinceNs(),
         changedNs(),
         body == null ? List.of() : body.touches());

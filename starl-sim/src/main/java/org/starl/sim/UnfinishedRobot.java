@@ -13,10 +13,11 @@ import org.starl.sim.kernel.AppFrame;
 import org.starl.time.Time;
 
 /**
- * The state of a robot whose app had not ended at the end of the run.
+ * The state of a robot whose app has not ended: at the end of the run, or at a violation.
  *
- * @param place the source line where the app waits, as in {@code Dock.java:42 (callStarL)}; empty
- *     if the app has no thread of its own
+ * @param place the line where the app is, in its source, as in {@code Dock.java:42 (callStarL)}; empty if
+ *     the app has no thread of its own
+ * @param isRunning whether it runs there, and does not wait
  * @param sinceNs when this wait began; -1 if that is unknown
  * @param condition the name of the awaited condition; empty if it has none
  * @param changedNs when a variable last changed; -1 if the run did not record it
@@ -28,6 +29,7 @@ import org.starl.time.Time;
 public record UnfinishedRobot(
     RobotId robot,
     String place,
+    boolean isRunning,
     long sinceNs,
     String condition,
     long changedNs,
@@ -45,12 +47,14 @@ public record UnfinishedRobot(
   /**
    * The state of a robot, read on its strand.
    *
-   * @param appStack of the waiting app's thread; may be empty
+   * @param appStack of the app's thread; may be empty
+   * @param isRunning whether the app runs now
    */
   public static UnfinishedRobot of(
       RobotId robot,
       RobotRunner runner,
       StackTraceElement[] appStack,
+      boolean isRunning,
       long sinceNs,
       long changedNs,
       List<String> touches) {
@@ -64,7 +68,8 @@ public record UnfinishedRobot(
     }
     return new UnfinishedRobot(
         robot,
-        AppFrame.of(appStack),
+        AppFrame.of(app == null ? appStack : app.inSource(appStack)),
+        isRunning,
         sinceNs,
         app == null ? "the start of the program" : app.awaited(),
         changedNs,
@@ -89,7 +94,11 @@ public record UnfinishedRobot(
     String none = condition.isEmpty() ? "runs" : "waits";
     String since = sinceNs < 0 ? "" : " since " + Time.text(sinceNs, 3);
     String at = place.isEmpty() ? none : "waits at " + place + since;
-    lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
+    if (isRunning) {
+      lines.add(robot + (place.isEmpty() ? " runs" : " runs at " + place));
+    } else {
+      lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
+    }
     waits.forEach(wait -> lines.add("  " + wait));
     if (!motion.isEmpty()) {
       lines.add("  motion: " + motion);

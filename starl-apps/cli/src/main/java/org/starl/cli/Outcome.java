@@ -129,8 +129,9 @@ final class Outcome {
     json.put("violations", result.spec().violations().stream().map(Object::toString).toList());
     List<Map<String, Object>> overdue = new ArrayList<>();
     result
-        .overdue()
-        .forEach((violation, diagnosis) ->
+        .diagnoses()
+        .forEach((violation, diagnosis) -> {
+          if (violation.isOverdue()) {
             overdue.add(
                 Json.object(
                     "violation",
@@ -138,7 +139,9 @@ final class Outcome {
                     "cause",
                     diagnosis.cause(),
                     "waits",
-                    waits(diagnosis))));
+                    waits(diagnosis)));
+          }
+        });
     json.put("overdue", overdue);
     return json;
   }

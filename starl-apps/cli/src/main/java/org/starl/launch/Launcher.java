@@ -224,7 +224,7 @@ public final class Launcher implements AutoCloseable {
         run.collisions(),
         run.spec(),
         diagnosis(unfinished, run.endNs()),
-        run.overdue());
+        run.diagnoses());
   }
 
   private Diagnosis diagnosis(List<RobotId> unfinished, long endNs) {
@@ -403,7 +403,8 @@ public final class Launcher implements AutoCloseable {
     }
 
     UnfinishedRobot explain() {
-      return new UnfinishedRobot(id, "", 0, awaited, changedNs, List.of(), waits, "", List.of());
+      return new UnfinishedRobot(
+          id, "", false, 0, awaited, changedNs, List.of(), waits, "", List.of());
     }
 
     /** Each start of the program begins its counts at 0. */

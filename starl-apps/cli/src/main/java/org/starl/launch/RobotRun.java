@@ -237,7 +237,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
           RobotRunner runner = running.runner();
           if (runner.app() != null && !runner.isFinished()) {
             StackTraceElement[] stack = running.strand().appStack();
-            lines.addAll(UnfinishedRobot.of(id, runner, stack, -1, -1, List.of()).lines());
+            lines.addAll(UnfinishedRobot.of(id, runner, stack, false, -1, -1, List.of()).lines());
           }
         });
     for (int i = 0; i < lines.size(); i++) {

@@ -37,6 +37,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
+import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -146,13 +147,18 @@ public class ProgramsInJavaTest {
   }
 
   private SimResult run(String text, long seed, List<TraceEvent> events) throws Exception {
+    return run(text, seed, events, new MutexSpec().only("dock"));
+  }
+
+  private SimResult run(String text, long seed, List<TraceEvent> events, Monitor monitor)
+      throws Exception {
     Constructor<?> program = compiled(text);
     Simulation.Builder simulation = Simulation.builder();
     for (RobotId id : List.of(new RobotId("bot0"), new RobotId("bot1"), new RobotId("bot2"))) {
       simulation.robot(new RobotSpec(id, Pose.of(start(id), 0), true, gvh -> made(program, gvh)));
     }
     return simulation
-        .monitor(() -> new MutexSpec().only("dock"))
+        .monitor(() -> monitor)
         .monitor(RegistrationSpec::new)
         .observer(
             new SimObserver() {
@@ -201,7 +207,32 @@ public class ProgramsInJavaTest {
     assertThat(result.unfinished()).hasSize(3);
     assertThat(result.diagnosis().lines())
         .as("%s", result.diagnosis().lines())
-        .anyMatch(line -> line.contains("app: MUTEX_WAIT, Shuttle.starl:22"));
+        .anyMatch(line -> line.contains("app: MUTEX_WAIT, Shuttle.starl:22"))
+        .anyMatch(line -> line.contains("bot0 waits at Shuttle.starl:22 (callStarL)"));
+  }
+
+  /** No robot may move. */
+  private static final class Standing implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of("standing");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof TraceEvent.Variable it && it.value().equals("MOVE_WAIT")) {
+        report.violated("standing", event.timeNs(), List.of(event.robot()), "moves");
+      }
+    }
+  }
+
+  @Test
+  void aViolationNamesTheLineOfItsBranch() throws Exception {
+    SimResult result = run(SHUTTLE, 1, new ArrayList<>(), new Standing());
+    assertThat(result.diagnosis(result.spec().violations().get(0)).lines())
+        .first()
+        .asString()
+        .matches("  bot\\d runs at Shuttle.starl:23 .callStarL.");
   }
 
   @ParameterizedTest

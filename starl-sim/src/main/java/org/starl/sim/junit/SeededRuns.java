@@ -233,9 +233,10 @@ record SeededRuns(
     if (result != null) {
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));
       result
-          .overdue()
+          .diagnoses()
           .forEach((violation, diagnosis) -> {
-            lines.add("when " + violation.lemma() + " was overdue:");
+            String was = violation.isOverdue() ? " was overdue:" : " was violated:";
+            lines.add("when " + violation.lemma() + was);
             diagnosis.lines().forEach(line -> lines.add("  " + line));
           });
     }

@@ -164,9 +164,14 @@ public final class SimStrand implements Strand, Timers {
     }
   }
 
-  /** The stack of the app where it waits now; empty if there is none. */
+  /** The stack of the app where it waits or runs now; empty if there is none. */
   public StackTraceElement[] appStack() {
-    return app == null || app.isRunning() ? new StackTraceElement[0] : app.stack();
+    return app == null ? new StackTraceElement[0] : app.stack();
+  }
+
+  /** Whether the app itself runs now, and does not wait. */
+  public boolean isAppRunning() {
+    return app != null && app.isRunning();
   }
 
   /** When the app's present wait began; 0 if it never waited. */

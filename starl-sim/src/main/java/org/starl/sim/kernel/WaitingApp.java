@@ -61,7 +61,7 @@ final class WaitingApp implements Prefetchable {
     return isRunning && mine != null ? mine.thread() : null;
   }
 
-  /** Where the app waits; empty if it has not started or has ended. */
+  /** Where the app waits or runs; empty if it has not started or has ended. */
   StackTraceElement[] stack() {
     Carrier mine = carrier;
     return mine == null ? new StackTraceElement[0] : mine.thread().getStackTrace();

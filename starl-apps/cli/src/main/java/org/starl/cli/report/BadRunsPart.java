@@ -117,9 +117,13 @@ final class BadRunsPart {
 
   private void diagnosis(String when, Diagnosis diagnosis) {
     html.open("div", "class", "diagnosis");
-    html.element("p", "Likely cause, " + when + ": " + diagnosis.cause(), "class", "detail");
-    new WaitsPicture(html, diagnosis).write();
-    html.open("details").element("summary", "The robots' state").open("ul");
+    boolean isCauseKnown = !diagnosis.cause().isEmpty();
+    if (isCauseKnown) {
+      html.element("p", "Likely cause, " + when + ": " + diagnosis.cause(), "class", "detail");
+      new WaitsPicture(html, diagnosis).write();
+    }
+    String summary = "The robots' state" + (isCauseKnown ? "" : ", " + when);
+    html.open("details").element("summary", summary).open("ul");
     diagnosis.lines().forEach(line -> html.element("li", line.strip()));
     html.close().close().close();
   }

@@ -119,7 +119,7 @@ public record IllustratedRun(
   private static Map<String, Diagnosis> diagnoses(SimResult result) {
     Map<String, Diagnosis> diagnoses = new LinkedHashMap<>();
     result
-        .overdue()
+        .diagnoses()
         .forEach((violation, diagnosis) -> diagnoses.put(violation.toString(), diagnosis));
     if (!result.isFinished()) {
       diagnoses.put(AT_THE_END, result.diagnosis());

@@ -1,0 +1,180 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.chaos.Weather;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.registration.RegistrationProtocol.Phase;
+
+/** What one robot does at once: without its answer, a repetition would do the same later. */
+class RegistrationAnswersTest {
+
+  private static final Weather TEN_MS = new Weather(0, 0, 10, 10, 0);
+
+  @Test
+  void anAttemptThatFailedIsNotMadeWhenAMajorityIsBack() {
+    Town town = new Town(3, 4, 4, new RegistrationSpec());
+    town.settings = town.settings.withDeadlineMs(3_000);
+    town.startAll();
+    town.robot(2).crash();
+    town.robot(3).crash();
+    town.robot(0).do_register();
+    town.runForMs(3_010);
+    town.robot(2).start();
+    town.robot(3).start();
+    town.runForMs(20_000);
+    assertThat(town.robot(1).protocol().view().number()).isZero();
+    assertThat(town.trace).anySatisfy(e -> assertThat(e.toString()).contains("give_up"));
+  }
+
+  @Test
+  void aJoinFailsAtOnceIfTheViewHasNoRoom() {
+    Town town = fourUp();
+    View full = View.NONE.next();
+    while (ViewFormat.fitsWithRoom(full)) {
+      full = full.with(new ProcessId(new RobotId("member" + full.ids().size()), 1));
+    }
+    town.robot(0).protocol().learned(1, ViewFormat.toValue(full));
+    town.robot(0).do_register();
+    assertThat(town.robot(0).protocol().hasFailed()).isTrue();
+    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.OUT);
+  }
+
+  @Test
+  void aRobotThatIsOvertakenAsksAgainUnderItsId() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    ProcessId first = town.robot(0).protocol().me();
+    View others = View.NONE.next().with(new ProcessId(new RobotId("bot3"), 1));
+    town.robot(0).protocol().learned(1, ViewFormat.toValue(others));
+    assertThat(town.robot(0).protocol().me()).as("it was not in view 1").isEqualTo(first);
+    town.robot(0).protocol().learned(3, ViewFormat.toValue(others.next().next()));
+    assertThat(town.robot(0).protocol().me()).as("it may be in view 2").isNotEqualTo(first);
+    assertThat(town.trace)
+        .anySatisfy(e -> assertThat(e.toString()).contains("give_up", first.toString()));
+  }
+
+  @Test
+  void aMemberThatIsIdleLeaves() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(100);
+    ProcessId me = town.robot(0).protocol().me();
+    town.robot(0).protocol().markIdle(me, town.nowNs());
+    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.OUT);
+    assertThat(town.robot(0).protocol().hasFailed()).as("it is told").isTrue();
+    town.runForMs(50);
+    assertThat(town.robot(1).protocol().view().mentions(me)).isFalse();
+  }
+
+  @Test
+  void aRobotThatOthersRemovedIsUnregisteredAtOnce() {
+    Town town = fourUp();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId wronged = town.robot(3).protocol().me();
+    ProcessId fencer = town.robot(0).protocol().me();
+    town.robot(0)
+        .protocol()
+        .confine(
+            new Confinement(wronged, new TreeSet<>(), new TreeSet<>(List.of(fencer))),
+            town.nowNs());
+    town.runForMs(500);
+    assertThat(town.robot(3).protocol().phase()).isEqualTo(Phase.OUT);
+    town.robot(3).unregister();
+    assertThat(town.robot(3).protocol().phase()).isEqualTo(Phase.OUT);
+    assertThat(town.robot(3).protocol().isUnregistered()).isTrue();
+    assertThat(town.robot(3).protocol().hasFailed()).isFalse();
+  }
+
+  @Test
+  void aRobotIsUnregisteredWhenAllKnowOrTheBoundHasPassed() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    for (int i : List.of(0, 4)) {
+      town.robot(i).do_register();
+      town.runForMs(500);
+    }
+    // Robot 4, which is no acceptor, hears of nothing.
+    town.cutAt = 4;
+    town.robot(0).unregister();
+    town.runForMs(500);
+    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.OUT);
+    assertThat(town.robot(0).protocol().isUnregistered()).as("robot 4 may not know").isFalse();
+    town.runForMs(30_000);
+    assertThat(town.robot(0).protocol().isUnregistered()).isTrue();
+  }
+
+  @Test
+  void whoIsRemovedOrAdmittedHearsOfItAtOnce() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    for (int i : List.of(0, 4)) {
+      town.robot(i).do_register();
+      town.runForMs(500);
+    }
+    ProcessId wronged = town.robot(4).protocol().me();
+    ProcessId fencer = town.robot(0).protocol().me();
+    town.robot(0)
+        .protocol()
+        .confine(
+            new Confinement(wronged, new TreeSet<>(), new TreeSet<>(List.of(fencer))),
+            town.nowNs());
+    town.runForMs(60);
+    assertThat(town.robot(4).protocol().phase()).isEqualTo(Phase.OUT);
+  }
+
+  @Test
+  void aRobotWithoutAViewAsksAllForItBeforeItStandsIn() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(4).do_register();
+    town.runForMs(100);
+    town.robot(4).crash();
+    town.robot(4).start();
+    town.robot(4).protocol().standsIn(new TreeSet<>(), town.nowNs());
+    town.runForMs(20);
+    assertThat(town.robot(4).protocol().view().number()).isEqualTo(1);
+  }
+
+  @Test
+  void aRefreshAsksAllForTheLatestView() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(3).do_register();
+    town.runForMs(100);
+    assertThat(town.robot(4).protocol().view().number()).isZero();
+    town.robot(4).protocol().refresh(town.nowNs());
+    town.runForMs(20);
+    assertThat(town.robot(4).protocol().view().number()).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatLeftAsksNothingMore() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(100);
+    town.robot(0).unregister();
+    town.runForMs(30_000);
+    long sent = town.sent();
+    town.runForMs(30_000);
+    assertThat(town.sent()).isEqualTo(sent);
+  }
+
+  private static Town fourUp() {
+    Town town = new Town(1, 4, 4, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    return town;
+  }
+}
