@@ -34,7 +34,8 @@ final class PathsClient extends Client {
           "planner", PLANNERS.get(0), "how paths are found: optimal or rrt", Form.choice(PLANNERS));
 
   private static final long THINK_MS = 500;
-  private static final long PROMPT_MS = 300_000;
+  private static final long PROMPT_MS = 80_000;
+  private static final long PROMPT_EACH_MS = 10_000;
   private static final double MARGIN_MM = 500;
   private static final double WALL_MM = 1_200;
 
@@ -60,7 +61,7 @@ final class PathsClient extends Client {
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
     setup.simulation().obstacles(walls(setup.sideMm()));
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
-    setup.promise(PROMPT_MS, true);
+    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, true);
   }
 
   /** Wheels and fixes with errors, as for motion. */
