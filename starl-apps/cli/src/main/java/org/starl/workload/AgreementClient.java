@@ -25,7 +25,7 @@ final class AgreementClient extends Client {
 
   private AgreementClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
-    AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.deadlineMs());
+    AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
     for (int i = 0; i < setup.course().allRounds(); i++) {
       agreements.add(new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
     }

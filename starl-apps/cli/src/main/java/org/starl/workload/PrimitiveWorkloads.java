@@ -34,8 +34,8 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               64,
               Duration.ofSeconds(4),
-              parameters(10, "20s"),
-              Map.of(),
+              parameters(10, "20s", Setup.PATIENCE),
+              Map.of(Setup.PATIENCE, Setup.SHORT),
               AgreementClient::setUp),
           new Workload(
               "barrier",
@@ -109,8 +109,8 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               32,
               Duration.ofSeconds(10),
-              parameters(10, "20s"),
-              Map.of(),
+              parameters(10, "20s", Setup.PATIENCE),
+              Map.of(Setup.PATIENCE, Setup.SHORT),
               RegistrationClient::setUp));
 
   private static final int DEFAULT_ROBOTS = 5;

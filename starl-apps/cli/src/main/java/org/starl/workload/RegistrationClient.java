@@ -2,6 +2,7 @@ package org.starl.workload;
 
 import org.starl.GlobalVarHolder;
 import org.starl.primitives.registration.Registration;
+import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 
 /** Robots register, stay a while, and unregister. */
@@ -20,7 +21,8 @@ final class RegistrationClient extends Client {
 
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
-    reg = registration("town", setup.registration());
+    reg =
+        registration("town", RegistrationSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs()));
     stayMs = Math.max(1, setup.course().busyMs() / STAYS);
   }
 

@@ -8,6 +8,7 @@ import org.starl.apps.Request;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.input.Form;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -35,6 +36,19 @@ record Setup(
 
   /** No request waits for more messages one after another. */
   static final int MESSAGES = 100;
+
+  static final String SHORT = "short";
+
+  private static final List<String> PATIENCES = List.of("long", SHORT);
+
+  static final Parameter PATIENCE =
+      new Parameter(
+          "patience",
+          PATIENCES.get(0),
+          "whether a request is given up after all faults (long) or after 4 s (short)",
+          Form.choice(PATIENCES));
+
+  private static final long SHORT_MS = 4_000;
 
   /** A probability so small that no campaign meets it. */
   private static final double NEVER = 1e-9;
@@ -125,6 +139,11 @@ record Setup(
   /** A deadline after {@link #withinNs}: a late answer violates the specification first. */
   long deadlineMs() {
     return 15 * deltaNs(settings) / Time.NS_PER_MS;
+  }
+
+  /** As {@link #deadlineMs}, or shorter than outages if {@link #PATIENCE} says so. */
+  long drawnDeadlineMs() {
+    return choice(PATIENCE, PATIENCES).equals(SHORT) ? SHORT_MS : deadlineMs();
   }
 
   RegistrationSettings registration() {
