@@ -34,7 +34,10 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private final Deadlines progress;
   private final Deadlines removal;
-  private final Map<ProcessKey, ProcessId> leaving = new LinkedHashMap<>();
+  private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
+
+  /** The latest id of a robot that must go from the views. */
+  private record Leaver(ProcessId id, boolean isGivenUp) {}
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -46,7 +49,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
    * fault but crashes is active, and again with the whole bound once that holds again.
    *
    * @param registeredWithinNs from {@code do_register} until a view lists the robot, or from the time
-   *     when a listed id is given up until no view lists it, or until the robot reports a failure, in ns
+   *     when a listed id leaves or is given up until no view lists it; in ns. A reported failure ends
+   *     this, but not for an id that is given up
    */
   public RegistrationSpec(long registeredWithinNs) {
     super(RegistrationTrace::isRegistration);
@@ -96,7 +100,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP -> {
         history.mayLeave(action.robot(), id(action));
-        leaving.put(new ProcessKey(action.source(), action.robot()), id(action));
+        ProcessKey key = new ProcessKey(action.source(), action.robot());
+        leaving.put(key, new Leaver(id(action), action.name().equals(RegistrationTrace.GIVE_UP)));
         awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
       }
       default -> {}
@@ -124,8 +129,11 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationTrace.FAILED -> {
         if (variable.value().equals("true")) {
           progress.stop(key);
-          removal.stop(key);
-          leaving.remove(key);
+          Leaver leaver = leaving.get(key);
+          if (leaver != null && !leaver.isGivenUp()) {
+            removal.stop(key);
+            leaving.remove(key);
+          }
         }
       }
       default -> {}
@@ -133,9 +141,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   }
 
   private void awaitRemoval(String source, View latest, long nowNs, Report report) {
-    leaving.forEach((key, id) -> {
+    leaving.forEach((key, leaver) -> {
       if (key.source().equals(source)) {
-        if (latest.mentions(id)) {
+        if (latest.mentions(leaver.id())) {
           removal.start(key, nowNs);
         } else {
           removal.meet(key, report);

@@ -201,6 +201,15 @@ class RegistrationSpecTest {
     assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
 
+  @Test
+  void aFailedAttemptThatOthersCompleteMustBeUndone() {
+    acts(0, "a", "do_register", "a#1");
+    acts(10, "a", "give_up", "a#1");
+    monitors.observe(new Variable(10, new RobotId("a"), HERE, "failed", "true"));
+    sees(20, "b", "1:a#1@1");
+    assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
+  }
+
   private void threeAreIn() {
     for (String name : List.of("a", "b", "c")) {
       acts(0, name, "do_register", name + "#1");
