@@ -225,7 +225,7 @@ public final class DeployedRobot implements AutoCloseable {
             wheels,
             objects(deployment, entry, program.knownObstacles(), motion.robotRadiusMm()),
             light,
-            stable,
+            discovery.storage(),
             rng::fork,
             background,
             log,
@@ -440,6 +440,19 @@ public final class DeployedRobot implements AutoCloseable {
               ? "was never heard"
               : "was last heard " + (clock.nowNs() - lastHeardNs) / Time.NS_PER_MS + " ms ago";
       tell(Level.WARN, "suspects", robot, "suspects " + robot + ", which " + since);
+    }
+
+    @Override
+    public void unknown(List<RobotId> knownTo) {
+      log.log(
+          clock.nowNs(),
+          Level.WARN,
+          TAG,
+          "the storage is new, and known to "
+              + (knownTo.isEmpty() ? "no other robot" : String.valueOf(knownTo))
+              + ": "
+              + id
+              + " promises nothing (no vote, no consent) until more than half of the others know it");
     }
 
     private void tell(Level level, String action, RobotId robot, String line) {

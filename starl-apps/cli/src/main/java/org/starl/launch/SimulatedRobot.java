@@ -356,6 +356,9 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     public void suspected(RobotId robot, @Nullable Long lastHeardNs) {}
 
     @Override
+    public void unknown(List<RobotId> knownTo) {}
+
+    @Override
     public void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage) {}
 
     @Override

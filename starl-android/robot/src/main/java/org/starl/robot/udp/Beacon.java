@@ -41,7 +41,7 @@ record Beacon(
 
   private static final byte MAGIC_0 = 'S';
   private static final byte MAGIC_1 = 'B';
-  private static final byte VERSION = 2;
+  private static final byte VERSION = 3;
   private static final int TAG_BYTES = 16;
   private static final int KEY_AT = 4;
   private static final int UNSIGNED = 0;
@@ -50,11 +50,18 @@ record Beacon(
 
   /** Whether a robot accepts a start of another. */
   enum Answer {
+    /** It has stored this start: from now on it refuses earlier ones, and other storages. */
     ACCEPTED,
     /** It knows a later start of that robot's program, with the same storage. */
     LATER_START,
     /** It knows another storage of that robot. */
-    OTHER_STORAGE
+    OTHER_STORAGE,
+    /** It does not refuse this start, and has not stored it yet. */
+    NOT_STORED;
+
+    boolean isRefusal() {
+      return this == LATER_START || this == OTHER_STORAGE;
+    }
   }
 
   /** Whether these bytes begin like a beacon. */

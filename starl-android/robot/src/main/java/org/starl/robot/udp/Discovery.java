@@ -73,6 +73,14 @@ public final class Discovery implements AutoCloseable {
     void refused(RobotId robot, InetSocketAddress address, boolean isOtherStorage);
 
     /**
+     * The robot's storage is new, and too few other robots know it yet: see {@link #storage}. Called
+     * again with each robot that is suspected.
+     *
+     * @param knownTo those that do, in order
+     */
+    void unknown(List<RobotId> knownTo);
+
+    /**
      * This machine must not run this robot: another one does, or this one has lost its storage. With
      * keys, this is proven.
      *
@@ -89,6 +97,7 @@ public final class Discovery implements AutoCloseable {
   private final OpenSessions sessions;
   private final Strand strand;
   private final StableStorage stable;
+  private final KnownStorage storage;
   private final long epoch;
   private final Settings settings;
   private final Clock clock;
@@ -139,6 +148,7 @@ public final class Discovery implements AutoCloseable {
     this.sessions = sessions;
     this.strand = strand;
     this.stable = stable;
+    storage = new KnownStorage(stable, strand, deployment.size() == 1);
     epoch = StorageEpoch.ofOrNew(stable, random);
     this.settings = settings;
     this.clock = clock;
@@ -161,6 +171,7 @@ public final class Discovery implements AutoCloseable {
    * @param boot number of this start of the robot's program, in stable storage
    */
   public synchronized void begin(int boot) {
+    storage.begin();
     mine = new Start(epoch, boot, Nonce.draw(random));
     Neighbours all =
         new Neighbours(
@@ -171,6 +182,11 @@ public final class Discovery implements AutoCloseable {
     ticks =
         worker.scheduleAtFixedRate(
             () -> tickOrFail(all), 0, settings.everyMs(), TimeUnit.MILLISECONDS);
+  }
+
+  /** The robot's storage as its program uses it: what it promises must not be lost unnoticed. */
+  public StableStorage storage() {
+    return storage;
   }
 
   /** The time of a robot's last beacon; null if it was never heard. From any thread. */
@@ -207,10 +223,13 @@ public final class Discovery implements AutoCloseable {
     for (RobotId robot : suspected) {
       listener.suspected(robot, lastHeardNs(robot));
     }
+    if (!suspected.isEmpty() && !storage.isKnown()) {
+      listener.unknown(knownTo(all));
+    }
     for (RobotId robot : deployment) {
       InetSocketAddress address = addressOf(all, robot);
       if (!robot.equals(self) && address != null) {
-        prove(robot, echoTo(all, robot), Answer.ACCEPTED, address);
+        proveAgain(all, robot, address);
       }
     }
     if (settings.broadcastPort() > 0) {
@@ -218,13 +237,17 @@ public final class Discovery implements AutoCloseable {
     }
   }
 
+  private synchronized List<RobotId> knownTo(Neighbours all) {
+    return all.knownTo();
+  }
+
   private synchronized @Nullable InetSocketAddress addressOf(Neighbours all, RobotId robot) {
     InetSocketAddress fixed = known.get(robot);
     return fixed == null ? all.addressOf(robot) : fixed;
   }
 
-  private synchronized Nonce echoTo(Neighbours all, RobotId robot) {
-    return all.echoTo(robot);
+  private synchronized void proveAgain(Neighbours all, RobotId robot, InetSocketAddress at) {
+    prove(robot, all.echoTo(robot), all.answerTo(robot), at);
   }
 
   private void broadcast(InetAddress here) {
@@ -240,7 +263,7 @@ public final class Discovery implements AutoCloseable {
 
   /** Sends a beacon for all robots, which proves nothing. */
   void announce(InetAddress here, InetSocketAddress to) {
-    emit(beacon(here, null, Nonce.NONE, Answer.ACCEPTED).write(null), to);
+    emit(beacon(here, null, Nonce.NONE, Answer.NOT_STORED).write(null), to);
   }
 
   // Interfaces come and go: they are listed anew each time.
@@ -326,6 +349,9 @@ public final class Discovery implements AutoCloseable {
         return;
       }
       verdict = all.hear(beacon, source, clock.nowNs());
+      if (all.isKnown()) {
+        storage.becomeKnown();
+      }
     }
     act(all, verdict, beacon, source, pair);
   }
@@ -341,7 +367,7 @@ public final class Discovery implements AutoCloseable {
     switch (verdict) {
       case STARTED -> {
         radio.setPeer(robot, source);
-        strand.post(() -> started(robot, beacon.start(), pair, source));
+        strand.post(() -> started(all, robot, beacon.start(), pair, source));
         listener.appeared(robot, source);
       }
       case APPEARED -> {
@@ -351,11 +377,11 @@ public final class Discovery implements AutoCloseable {
       case HEARD -> radio.setPeer(robot, source);
       case UNPROVEN -> {
         radio.dropped(UdpDrop.UNPROVEN_BEACON, source);
-        prove(robot, echo, Answer.ACCEPTED, source);
+        prove(robot, echo, Answer.NOT_STORED, source);
       }
       case REFUSED -> refuse(all, beacon, source);
       case TWIN -> {
-        prove(robot, echo, Answer.ACCEPTED, source);
+        prove(robot, echo, Answer.NOT_STORED, source);
         listener.disowned(
             "another machine runs "
                 + robot
@@ -385,7 +411,11 @@ public final class Discovery implements AutoCloseable {
 
   // First the storage: an older start must not be accepted after this robot has started again.
   private void started(
-      RobotId robot, Start start, @Nullable PairKey pair, InetSocketAddress source) {
+      Neighbours all,
+      RobotId robot,
+      Start start,
+      @Nullable PairKey pair,
+      InetSocketAddress source) {
     LatestStarts.put(
         stable,
         robot,
@@ -393,6 +423,9 @@ public final class Discovery implements AutoCloseable {
         () -> {
           if (pair != null) {
             sessions.open(robot, new Session(pair, self, mine(), robot, start));
+          }
+          synchronized (this) {
+            all.stored(robot, start);
           }
           // Now this robot accepts what the other one sends when it hears this.
           prove(robot, start.nonce(), Answer.ACCEPTED, source);

@@ -69,6 +69,10 @@ final class Neighbours {
     private long answeredNs = -ANSWER_EVERY_NS;
     private @Nullable Long lastNs;
     private boolean isPresent;
+    // Whether its latest start is in this robot's storage.
+    private boolean isStored;
+    // Whether this robot's start is in its storage.
+    private boolean knowsUs;
     private boolean isSuspected;
   }
 
@@ -104,7 +108,7 @@ final class Neighbours {
     if (beacon.robot().equals(self)) {
       return Verdict.TWIN;
     }
-    if (answerTo(beacon.robot(), beacon.start()) != Answer.ACCEPTED) {
+    if (answerTo(beacon.robot(), beacon.start()).isRefusal()) {
       return heardRefused(neighbour, beacon, nowNs);
     }
     return heardFresh(neighbour, beacon, source, nowNs);
@@ -112,9 +116,8 @@ final class Neighbours {
 
   private Verdict heardRefused(Neighbour neighbour, Beacon beacon, long nowNs) {
     // Of two robots that refuse each other at least one has lost its storage, or has a copy. A
-    // robot
-    // that lost it believes the first machine of each name, so it must not stop the others.
-    if (beacon.answer() != Answer.ACCEPTED && !isAcceptedByAnother()) {
+    // robot that lost it believes the first machine of each name, so it must not stop the others.
+    if (beacon.answer().isRefusal() && !isAcceptedByAnother()) {
       return Verdict.REFUSES_US;
     }
     return mayAnswer(neighbour, nowNs) ? Verdict.REFUSED : Verdict.OLD;
@@ -152,14 +155,16 @@ final class Neighbours {
     if (!isNewStart && beacon.count() <= neighbour.count) {
       return Verdict.OLD;
     }
+    neighbour.isStored &= !isNewStart;
     neighbour.start = beacon.start();
     neighbour.count = beacon.count();
     neighbour.address = source;
     neighbour.lastNs = nowNs;
     neighbour.isSuspected = false;
-    if (beacon.answer() != Answer.ACCEPTED) {
+    if (beacon.answer().isRefusal()) {
       return Verdict.REFUSES_US;
     }
+    neighbour.knowsUs |= beacon.answer() == Answer.ACCEPTED;
     boolean wasPresent = neighbour.isPresent;
     neighbour.isPresent = true;
     return isNewStart ? Verdict.STARTED : wasPresent ? Verdict.HEARD : Verdict.APPEARED;
@@ -170,18 +175,53 @@ final class Neighbours {
     return neighbour.address != null && start.equals(neighbour.start);
   }
 
-  /** Whether this robot accepts that start, which is proven to be fresh. */
+  /** That start of the robot is in this robot's storage now. */
+  void stored(RobotId robot, Start start) {
+    Neighbour neighbour = neighbour(robot);
+    neighbour.isStored |= isCurrent(neighbour, start);
+  }
+
+  /**
+   * Whether more than half of the other robots have this robot's start in their storages. Two such
+   * halves have a robot in common, which would refuse a second storage of this robot: so at most one
+   * of its storages is ever known.
+   */
+  boolean isKnown() {
+    int others = deployment.size() - 1;
+    return others == 0 || 2 * knownTo().size() > others;
+  }
+
+  /** The robots that have this robot's start in their storages, as far as they have said it. */
+  List<RobotId> knownTo() {
+    List<RobotId> robots = new ArrayList<>();
+    heard.forEach((robot, each) -> {
+      if (each.knowsUs) {
+        robots.add(robot);
+      }
+    });
+    return robots;
+  }
+
+  /** The answer to that start, which is proven to be fresh unless it is only about to be proven. */
   Answer answerTo(RobotId robot, Start start) {
-    Start latest = neighbour(robot).start;
+    Neighbour neighbour = neighbour(robot);
+    Start latest = neighbour.start;
     if (latest == null || start.equals(latest)) {
-      return Answer.ACCEPTED;
+      return isCurrent(neighbour, start) && neighbour.isStored
+          ? Answer.ACCEPTED
+          : Answer.NOT_STORED;
     }
     if (start.epoch() != latest.epoch()) {
       return Answer.OTHER_STORAGE;
     }
     // A robot writes its boot number before it is heard, so two starts with one number are on two
     // machines.
-    return start.boot() > latest.boot() ? Answer.ACCEPTED : Answer.LATER_START;
+    return start.boot() > latest.boot() ? Answer.NOT_STORED : Answer.LATER_START;
+  }
+
+  /** The answer to the start whose nonce is {@link #echoTo}. */
+  Answer answerTo(RobotId robot) {
+    return neighbour(robot).isStored ? Answer.ACCEPTED : Answer.NOT_STORED;
   }
 
   /** The nonce that the next beacon to that robot must contain: of its latest start, if proven. */

@@ -7,10 +7,12 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -23,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
+import org.starl.platform.StableStorage;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.udp.Beacon.Answer;
@@ -38,6 +41,7 @@ class DiscoveryTest {
   private static final RobotId OTHER = new RobotId("bot1");
   private static final Participants BOTH = Participants.of(List.of(ME, OTHER));
   private static final DeploymentKey KEY = key(1);
+  private static final Duration MINUTE = Duration.ofMinutes(1);
 
   private static DeploymentKey key(int fill) {
     byte[] secret = new byte[DeploymentKey.BYTES];
@@ -50,6 +54,7 @@ class DiscoveryTest {
     private final RobotId self;
     private final RealStrand strand = new RealStrand("bot", new RealClock(), e -> {});
     private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private final CompletableFuture<Boolean> flushed = new CompletableFuture<>();
     private final OpenSessions sessions = new OpenSessions();
     private final LoneRobot.PromptStable stable;
     private final UdpRadio radio;
@@ -131,8 +136,19 @@ class DiscoveryTest {
     }
 
     @Override
+    public void unknown(List<RobotId> knownTo) {
+      told.add("known to " + knownTo);
+    }
+
+    @Override
     public void disowned(String why) {
       told.add("disowned: " + why);
+    }
+
+    /** Promises something: {@code flushed} when it counts. */
+    void promise() {
+      StableStorage storage = Objects.requireNonNull(discovery).storage();
+      strand.post(() -> storage.put("promise", new byte[1], () -> flushed.complete(true)));
     }
 
     private void fail() {
@@ -263,6 +279,44 @@ class DiscoveryTest {
             .isEqualTo(
                 "disowned: bot0 knows another storage of bot1: the promises in it are lost. Bring"
                     + " it back, or start all robots with empty storage");
+      }
+    }
+  }
+
+  @Test
+  void aNewStoragePromisesNothingBeforeTheOthersKnowIt() throws Exception {
+    LoneRobot.PromptStable kept;
+    try (Station me = new Station(ME).discover(Map.of(), 1, 10)) {
+      me.promise();
+      assertThat(me.next("suspected")).isEqualTo("bot1 suspected");
+      assertThat(me.next()).isEqualTo("known to []");
+      assertThat(me.flushed).isNotDone();
+      try (Station other = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        other.promise();
+        assertThat(me.flushed).succeedsWithin(MINUTE);
+        assertThat(other.flushed).succeedsWithin(MINUTE);
+      }
+      kept = me.stable;
+    }
+    // Once known, it waits for nobody.
+    try (Station again = new Station(ME, kept, 0).discover(Map.of(), 2, 60_000)) {
+      again.promise();
+      assertThat(again.flushed).succeedsWithin(MINUTE);
+    }
+  }
+
+  @Test
+  void aLostStorageNeverPromises() throws Exception {
+    try (Station me = new Station(ME).discover(Map.of())) {
+      try (Station other = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        other.promise();
+        assertThat(other.flushed).succeedsWithin(MINUTE);
+      }
+      try (Station lost = new Station(OTHER).discover(Map.of(ME, me.radio.address()))) {
+        lost.promise();
+        lost.next("disowned");
+        me.next("refused");
+        assertThat(lost.flushed).isNotDone();
       }
     }
   }

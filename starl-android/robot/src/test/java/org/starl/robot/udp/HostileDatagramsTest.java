@@ -128,6 +128,9 @@ class HostileDatagramsTest {
     }
 
     @Override
+    public void unknown(List<RobotId> knownTo) {}
+
+    @Override
     public void disowned(String why) {
       throw new AssertionError(why);
     }

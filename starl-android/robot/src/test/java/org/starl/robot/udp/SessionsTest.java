@@ -113,6 +113,10 @@ class SessionsTest {
       }
     }
 
+    void prove() {
+      beacon(peer(), neighbours.echoTo(peer()), neighbours.answerTo(peer()));
+    }
+
     private void hear(Beacon beacon) {
       now += 1_000_000_000;
       switch (neighbours.hear(beacon, SOMEWHERE, now)) {
@@ -122,12 +126,13 @@ class SessionsTest {
               .as("seed %d: %s after %s", seed, beacon.start(), before)
               .isTrue();
           storage.latest.put(beacon.robot(), beacon.start());
+          neighbours.stored(beacon.robot(), beacon.start());
           sessions.put(
               beacon.robot(),
               new Session(KEY.pairKey(A, B), self, start, beacon.robot(), beacon.start()));
           beacon(beacon.robot(), beacon.start().nonce(), Answer.ACCEPTED);
         }
-        case UNPROVEN -> beacon(beacon.robot(), beacon.start().nonce(), Answer.ACCEPTED);
+        case UNPROVEN -> beacon(beacon.robot(), beacon.start().nonce(), Answer.NOT_STORED);
         case REFUSED ->
             beacon(
                 beacon.robot(),
@@ -135,7 +140,7 @@ class SessionsTest {
                 neighbours.answerTo(beacon.robot(), beacon.start()));
         case TWIN -> {
           assertThat(haveTwins(self)).as("seed %d: a recording stops a robot", seed).isTrue();
-          beacon(self, beacon.start().nonce(), Answer.ACCEPTED);
+          beacon(self, beacon.start().nonce(), Answer.NOT_STORED);
           isStopped = true;
           stopped++;
         }
@@ -206,7 +211,7 @@ class SessionsTest {
     // A network that works for a while is enough for both to hear each other again.
     for (RobotId robot : List.of(A, B, A, B)) {
       Machine machine = running.get(robot);
-      machine.beacon(machine.peer(), machine.neighbours.echoTo(machine.peer()), Answer.ACCEPTED);
+      machine.prove();
       deliverLast();
     }
     for (RobotId robot : List.of(A, B)) {
@@ -247,7 +252,7 @@ class SessionsTest {
       } else if (choice < 7 && withTwins) {
         twin(robot);
       } else if (choice < 30 && isUp && !machine.isStopped) {
-        machine.beacon(machine.peer(), machine.neighbours.echoTo(machine.peer()), Answer.ACCEPTED);
+        machine.prove();
       } else if (choice < 45 && isUp && !machine.isStopped) {
         machine.datagram();
       } else if (!air.isEmpty()) {
