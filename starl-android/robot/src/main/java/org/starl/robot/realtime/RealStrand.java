@@ -87,7 +87,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   @Override
   public void post(Runnable action) {
-    set(new Piece(action, "a message or an event"), clock.nowNs());
+    set(new Piece(action, "a message or an event"), callNs());
   }
 
   @Override
@@ -190,12 +190,17 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
       boolean isSetSo = alarm.atNs == atNs && alarms.contains(alarm);
       if (!isClosed && !isSetSo) {
         alarms.remove(alarm);
-        alarm.atNs = Math.max(atNs, clock.nowNs());
+        alarm.atNs = Math.max(atNs, callNs());
         alarm.number = ++lastNumber;
         alarms.add(alarm);
         changed.signal();
       }
     });
+  }
+
+  // A piece happens at one time: what a slow one sets is ordered as what a fast one sets.
+  private long callNs() {
+    return isCurrent() ? pieceNs : clock.nowNs();
   }
 
   void cancel(Alarm alarm) {

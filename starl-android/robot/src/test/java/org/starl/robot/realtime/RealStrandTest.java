@@ -80,6 +80,25 @@ class RealStrandTest {
   }
 
   @Test
+  void timersThatAPieceSetsTooLateExpireInTheOrderOfTheirTimes() throws Exception {
+    SteppedClock clock = new SteppedClock();
+    CountDownLatch done = new CountDownLatch(1);
+    List<Integer> expired = new CopyOnWriteArrayList<>();
+    RealStrand strand = new RealStrand("robot0", clock, errors::add);
+    strand.post(() -> {
+      clock.nowNs += 100;
+      for (int atNs : new int[] {30, 10, 20}) {
+        strand.timer(() -> expired.add(atNs)).set(atNs);
+      }
+      strand.timer(done::countDown).set(100);
+    });
+    assertThat(done.await(60, TimeUnit.SECONDS)).isTrue();
+    strand.close();
+    assertThat(expired).containsExactly(10, 20, 30);
+    assertThat(errors).isEmpty();
+  }
+
+  @Test
   void durationsOfPiecesAreReportedWithin25Percent() {
     StrandTally tally = new StrandTally();
     for (int i = 1; i <= 1000; i++) {
