@@ -39,6 +39,7 @@ import picocli.CommandLine.Option;
       "Example: starl explore mutex --robots 3 --seed 1",
       "         starl explore intersection --seed 1 --strategy pct --depth 5 --losses 2",
       "         starl explore registration --robots 2 --seed 1 --strategy exhaustive --depth 6",
+      "         starl explore mutex --strategy states --robots 3 --crashes 1",
       "         starl explore mutex --seed 1 --schedules 1000000 --shard 17/64 --out part-17",
       "         starl explore intersection --from out/crossing.trace@12.3s --strategy exhaustive"
     })
@@ -48,6 +49,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
   private static final int MOST_FAULTS = 1000;
   private static final int USUAL_CHANGES = 3;
   private static final int USUAL_CHOICES = 6;
+  private static final int USUAL_STATES = 5_000_000;
 
   @Mixin private RunOptions options = new RunOptions();
 
@@ -59,7 +61,9 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
       description =
           "random: delays, losses and crashes are drawn. pct: links get priorities, a few of which"
               + " change. exhaustive: every order in which the next datagrams can arrive, the"
-              + " smallest changes first. Default: ${DEFAULT-VALUE}.")
+              + " smallest changes first. states: no run, but all states of a protocol's code"
+              + " (mutex, agreement) without a clock, within bounds (--robots, --crashes, --set)."
+              + " Default: ${DEFAULT-VALUE}.")
   private String strategyName = "pct";
 
   @Option(
@@ -67,6 +71,12 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "The largest number of runs (default: ${DEFAULT-VALUE}).")
   private String schedules = "1000";
+
+  @Option(
+      names = "--states",
+      paramLabel = "N",
+      description = "For states, the largest number of states (default: 5000000).")
+  private @Nullable String states;
 
   @Option(
       names = "--depth",
@@ -130,6 +140,20 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException, IOException {
+    if (strategyName.strip().equals(StateExploration.STRATEGY)) {
+      int mostStates =
+          states == null
+              ? USUAL_STATES
+              : OptionValues.whole("--states", states, 1, StateExploration.MOST_STATES);
+      return new StateExploration(
+              options.name(),
+              spec().commandLine().getParseResult().matchedOptions(),
+              options.sets())
+          .run(mostStates, json.isOn(), out(), err());
+    }
+    if (states != null) {
+      throw new BadInput("--states: expected --strategy " + StateExploration.STRATEGY);
+    }
     Strategy strategy = OptionValues.read("--strategy", strategyName, Strategy::parse);
     int most = OptionValues.whole("--schedules", schedules, 1, MOST);
     int usual = strategy == Strategy.EXHAUSTIVE ? USUAL_CHOICES : USUAL_CHANGES;

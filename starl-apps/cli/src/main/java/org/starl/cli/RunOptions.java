@@ -114,6 +114,11 @@ final class RunOptions {
     return name;
   }
 
+  /** The keys and values of {@code --set}, for a command that runs no app. */
+  Map<String, String> sets() {
+    return sets;
+  }
+
   /**
    * Checks the options for a trace: no option can change its run.
    *

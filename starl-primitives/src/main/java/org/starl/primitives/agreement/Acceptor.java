@@ -114,6 +114,16 @@ final class Acceptor {
     }
   }
 
+  /** The state: acceptors with equal texts behave alike. */
+  String state() {
+    StringBuilder text = new StringBuilder();
+    text.append(decided).append(slots).append(wishes).append(version - flushedVersion);
+    for (Waiting each : waiting) {
+      text.append(each.version() - flushedVersion).append(each.to()).append(each.answer());
+    }
+    return text.toString();
+  }
+
   private void write(long number, Slot slot) {
     slots.put(number, slot);
     persist();

@@ -178,6 +178,30 @@ final class Proposer {
     }
   }
 
+  /** Whether {@code message} has no effect, now and later: a ballot that is over never comes again. */
+  boolean isSpent(SynodMessage message) {
+    return switch (message) {
+      case Promise m -> phase != Phase.PREPARING || !m.ballot().equals(ballot);
+      case Accepted m -> phase != Phase.ACCEPTING || !m.ballot().equals(ballot);
+      case Nack m -> phase == Phase.IDLE || phase == Phase.PAUSING || !m.ballot().equals(ballot);
+      default -> false;
+    };
+  }
+
+  /** The state without times and chooser: proposers with equal texts behave alike. */
+  String state() {
+    String asking = number + " " + wish + " " + ballot;
+    return phase
+        + " "
+        + round
+        + switch (phase) {
+          case IDLE -> "";
+          case PAUSING -> " " + number + " " + wish;
+          case PREPARING -> " " + asking + promises + refusals;
+          case ACCEPTING -> " " + asking + value + votes + refusals;
+        };
+  }
+
   private void pause(long nowNs) {
     defeats++;
     phase = Phase.PAUSING;

@@ -169,6 +169,16 @@ public final class Synod {
     return proposer.wakeAtNs();
   }
 
+  /** The state without times: robots with equal texts behave alike. */
+  String state() {
+    return proposer.state() + (acceptor == null ? "" : acceptor.state()) + latest;
+  }
+
+  /** Whether {@code message} has no effect, now and later. */
+  boolean isSpent(SynodMessage message) {
+    return proposer.isSpent(message);
+  }
+
   private void heardOf(long number) {
     Decided known = latest;
     if (known == null || number > known.number()) {

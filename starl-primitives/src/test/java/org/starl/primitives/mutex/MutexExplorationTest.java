@@ -9,9 +9,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.exhaustive.Exhaustive.Outcome;
+import org.starl.primitives.exhaustive.StateSearch;
+import org.starl.primitives.exhaustive.StateSearch.Outcome;
 import org.starl.primitives.membership.View;
-import org.starl.primitives.mutex.MutexExplorer.Shape;
+import org.starl.primitives.mutex.MutexStates.Shape;
 
 /** Exhaustive exploration of the code, not of the model, on small instances. */
 class MutexExplorationTest {
@@ -79,13 +80,13 @@ class MutexExplorationTest {
   @Test
   void grantingAfterAFenceIsFoundWithItsSteps() {
     Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
-    Outcome outcome = new MutexExplorer(shape, Unfenced::new).explore(MOST_STATES);
+    Outcome outcome = explore(shape, Unfenced::new);
     assertThat(outcome.violation()).last().asString().startsWith("Kept");
   }
 
   @Test
   void aMutantIsFoundWithItsSteps() {
-    Outcome outcome = new MutexExplorer(joiner(), Deaf::new).explore(MOST_STATES);
+    Outcome outcome = explore(joiner(), Deaf::new);
     assertThat(outcome.violation()).last().asString().startsWith("Exclusive");
     assertThat(outcome.violation()).anyMatch(line -> line.startsWith("b#1 learns view 2"));
   }
@@ -98,9 +99,14 @@ class MutexExplorationTest {
     return new Shape(views, List.of(List.of("x")), 2, false, 0);
   }
 
+  private static Outcome explore(Shape shape, MutexNode.Kind kind) {
+    return new StateSearch<>(new MutexStates(shape, kind)).run(MOST_STATES, states -> {});
+  }
+
   private static void assertHolds(Shape shape, MutexNode.Kind kind) {
-    Outcome outcome = new MutexExplorer(shape, kind).explore(MOST_STATES);
+    Outcome outcome = explore(shape, kind);
     assertThat(outcome.violation()).isEmpty();
+    assertThat(outcome.isComplete()).isTrue();
     assertThat(outcome.reached()).isPositive();
   }
 

@@ -13,10 +13,10 @@ import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 
-/** One participant under test, with the records of an omniscient observer. */
+/** One participant without a network and a clock, with the records of an observer that sees all. */
 final class MutexNode implements MutexEffects {
 
-  /** Creates the protocol under test: the real one, or a mutant. */
+  /** Creates the protocol: the real one, or a broken one in a test. */
   @FunctionalInterface
   interface Kind {
     MutexProtocol make(MutexProtocol.Self self, MutexEffects effects);

@@ -9,7 +9,7 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 
-/** The model's invariants over the participants' states, independent of the monitors. */
+/** The mutex's invariants over the participants' states, independent of the monitors. */
 final class MutexOracle {
 
   private MutexOracle() {}
@@ -20,7 +20,8 @@ final class MutexOracle {
    * @param last the view that was decided last, even if no participant has learned it
    */
   static Optional<String> violation(String lemma, List<MutexNode> nodes, View last) {
-    List<MutexNode> active = nodes.stream().filter(MutexNode::isActive).toList();
+    List<MutexNode> active = new ArrayList<>(nodes);
+    active.removeIf(node -> !node.isActive());
     List<Set<ProcessId>> known = new ArrayList<>();
     active.forEach(node -> known.add(node.protocol.known()));
     List<String> found = new ArrayList<>();

@@ -3,13 +3,14 @@ package org.starl.primitives.exhaustive;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * @param <M> a message; equal texts are equal messages
  * @param <S> state outside the participants; immutable, equal texts are equal states
  */
-public final class Exhaustive<N, M, S> {
+public final class StateSearch<N, M, S> {
 
   /** The participants and what they may do. */
   public interface Model<N, M, S> {
@@ -46,8 +47,11 @@ public final class Exhaustive<N, M, S> {
 
     void receive(N node, M message);
 
-    /** Whether no message has an effect on it any more. */
-    boolean isDead(N node);
+    /**
+     * Whether {@code message} has no effect on its recipient, now and in every later state: states
+     * that differ in such messages count once.
+     */
+    boolean isSpent(N recipient, M message);
 
     S begin();
 
@@ -57,7 +61,7 @@ public final class Exhaustive<N, M, S> {
     /** The first violated invariant, if one is violated. */
     Optional<String> violation(List<N> nodes, S shared);
 
-    /** Whether a state is worth counting, so that a test can see that something happens. */
+    /** Whether the protocol has reached in this state what it is for. */
     boolean isReached(List<N> nodes);
   }
 
@@ -72,44 +76,64 @@ public final class Exhaustive<N, M, S> {
     void add(String line, Consumer<N> action, S after);
   }
 
-  /** The result: the first violation with the steps to it, or none. */
-  public record Outcome(int states, int reached, List<String> violation) {}
+  /**
+   * The result.
+   *
+   * @param states the visited ones
+   * @param reached those in which the protocol has reached what it is for
+   * @param steps the steps between them
+   * @param isComplete whether there are no others
+   * @param violation the shortest steps to a violation, and what is violated; empty if nothing is
+   */
+  public record Outcome(
+      int states, int reached, long steps, boolean isComplete, List<String> violation) {}
+
+  private static final int PROGRESS_EVERY = 1000;
 
   private final Model<N, M, S> model;
-  private final Map<String, Local> locals = new HashMap<>();
+  private final Map<String, Local> locals = new LinkedHashMap<>();
   private final List<M> messages = new ArrayList<>();
-  private final Map<String, Integer> messageNumbers = new HashMap<>();
+  private final Map<String, Integer> messageNumbers = new LinkedHashMap<>();
 
-  public Exhaustive(Model<N, M, S> model) {
+  public StateSearch(Model<N, M, S> model) {
     this.model = model;
   }
 
-  /** @throws AssertionError if there are more than {@code mostStates} */
-  public Outcome explore(int mostStates) {
-    Set<String> seen = new HashSet<>();
+  /**
+   * Visits at most {@code mostStates}.
+   *
+   * @param progress gets the number of visited states, each thousand
+   */
+  public Outcome run(int mostStates, IntConsumer progress) {
+    Set<String> seen = new LinkedHashSet<>();
     ArrayDeque<State> frontier = new ArrayDeque<>();
     State first = first();
     seen.add(first.key());
     frontier.add(first);
     int reached = 0;
+    long steps = 0;
     while (!frontier.isEmpty()) {
       for (State next : frontier.remove().next()) {
+        steps++;
         if (!seen.add(next.key())) {
           continue;
         }
         if (seen.size() > mostStates) {
-          throw new AssertionError("more than " + mostStates + " states");
+          return new Outcome(mostStates, reached, steps, false, List.of());
+        }
+        if (seen.size() % PROGRESS_EVERY == 0) {
+          progress.accept(seen.size());
         }
         List<N> nodes = next.nodes();
         reached += model.isReached(nodes) ? 1 : 0;
         Optional<String> violation = model.violation(nodes, next.shared);
         if (violation.isPresent()) {
-          return new Outcome(seen.size(), reached, next.story(violation.get()));
+          return new Outcome(seen.size(), reached, steps, false, next.story(violation.get()));
         }
         frontier.add(next);
       }
     }
-    return new Outcome(seen.size(), reached, List.of());
+    return new Outcome(seen.size(), reached, steps, true, List.of());
   }
 
   private State first() {
@@ -154,7 +178,7 @@ public final class Exhaustive<N, M, S> {
     final int number;
     private final int i;
     private final List<Consumer<N>> steps;
-    private final Map<String, Reached<Local>> after = new HashMap<>();
+    private final Map<String, Reached<Local>> after = new LinkedHashMap<>();
 
     Local(int i, N node, List<Consumer<N>> steps, int number) {
       this.i = i;
@@ -190,7 +214,9 @@ public final class Exhaustive<N, M, S> {
     }
 
     List<N> nodes() {
-      return locals.stream().map(local -> local.node).toList();
+      List<N> nodes = new ArrayList<>();
+      locals.forEach(local -> nodes.add(local.node));
+      return nodes;
     }
 
     String key() {
@@ -217,11 +243,11 @@ public final class Exhaustive<N, M, S> {
       List<State> all = new ArrayList<>();
       for (int i = 0; i < locals.size(); i++) {
         int me = i;
-        N node = locals.get(i).node;
-        if (!model.isDead(node)) {
-          model.addSteps(
-              i, node, shared, (text, action, after) -> all.add(after(me, text, action, after)));
-        }
+        model.addSteps(
+            i,
+            locals.get(i).node,
+            shared,
+            (text, action, after) -> all.add(after(me, text, action, after)));
       }
       for (int m = sent.nextSetBit(0); m >= 0; m = sent.nextSetBit(m + 1)) {
         M message = messages.get(m);
@@ -237,11 +263,12 @@ public final class Exhaustive<N, M, S> {
       now.set(i, reached.local());
       BitSet more = (BitSet) sent.clone();
       more.or(reached.sent());
-      // A message that has no effect any more makes no other state.
-      more.stream()
-          .filter(m -> model.isDead(now.get(model.to(messages.get(m))).node))
-          .forEach(more::clear);
+      more.stream().filter(m -> isSpent(now, messages.get(m))).forEach(more::clear);
       return new State(now, more, newShared, this, text);
+    }
+
+    private boolean isSpent(List<Local> now, M message) {
+      return model.isSpent(now.get(model.to(message)).node, message);
     }
   }
 }

@@ -6,21 +6,41 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.starl.id.ProcessId;
-import org.starl.primitives.exhaustive.Exhaustive;
-import org.starl.primitives.exhaustive.Exhaustive.Model;
-import org.starl.primitives.exhaustive.Exhaustive.Outcome;
-import org.starl.primitives.exhaustive.Exhaustive.Steps;
+import org.starl.id.RobotId;
+import org.starl.primitives.exhaustive.StateSearch;
+import org.starl.primitives.exhaustive.StateSearch.Model;
+import org.starl.primitives.exhaustive.StateSearch.Steps;
+import org.starl.primitives.exhaustive.StateSpace;
+import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 
 /**
- * Participants of a mutex, for an exhaustive search. A repeated request is in the set of messages
+ * The states of a mutex's participants. A repeated request is in the set of messages
  * already, an expired one is a withdrawal, a silent participant is suspected. Any confinement whose
  * fencers are in the last view may become the next view.
  */
-final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplorer.World> {
+public final class MutexStates implements Model<MutexNode, MutexMessage, MutexStates.World> {
+
+  private static final int MOST_ROBOTS = 4;
+
+  /** Members of one view that request sections. */
+  public static final StateSpace SPACE =
+      new StateSpace(
+          "mutex",
+          "members of one view request sections, enter, and release them one by one",
+          "a member is in its sections",
+          List.of(
+              new Bound("robots", "members", 1, 2, MOST_ROBOTS),
+              new Bound("crashes", "members that crash for ever", 0, 0, MOST_ROBOTS),
+              new Bound("requesters", "members that request; 0: all", 0, 0, MOST_ROBOTS),
+              new Bound("requests", "requests of one member", 1, 1, 3),
+              new Bound("sections", "1: of one section; 2: of one, or of two", 1, 1, 2),
+              new Bound("withdrawals", "1: a member may withdraw its request", 0, 0, 1),
+              new Bound("suspicions", "wrong or right suspicions", 0, 0, MOST_ROBOTS)),
+          MutexStates::search);
 
   /**
    * The instance to explore.
@@ -72,14 +92,28 @@ final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplore
   private final MutexNode.Kind kind;
   private final List<ProcessId> ids;
 
-  MutexExplorer(Shape shape, MutexNode.Kind kind) {
+  MutexStates(Shape shape, MutexNode.Kind kind) {
     this.shape = shape;
     this.kind = kind;
     this.ids = begin().last().ids();
   }
 
-  Outcome explore(int mostStates) {
-    return new Exhaustive<>(this).explore(mostStates);
+  private static StateSearch<?, ?, ?> search(List<Integer> bounds) {
+    List<ProcessId> members = new ArrayList<>();
+    for (int i = 0; i < bounds.get(0); i++) {
+      members.add(new ProcessId(new RobotId("bot" + i), 1));
+    }
+    List<List<String>> wants = List.of(List.of("A"), List.of("A", "B")).subList(0, bounds.get(4));
+    Shape shape =
+        new Shape(
+            List.of(View.closed(members)),
+            wants,
+            bounds.get(3),
+            bounds.get(2) == 0 ? bounds.get(0) : bounds.get(2),
+            bounds.get(5) == 1,
+            bounds.get(6),
+            bounds.get(1));
+    return new StateSearch<>(new MutexStates(shape, MutexProtocol::new));
   }
 
   @Override
@@ -119,8 +153,8 @@ final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplore
   }
 
   @Override
-  public boolean isDead(MutexNode node) {
-    return node.dead;
+  public boolean isSpent(MutexNode recipient, MutexMessage message) {
+    return recipient.dead;
   }
 
   @Override
@@ -140,6 +174,9 @@ final class MutexExplorer implements Model<MutexNode, MutexMessage, MutexExplore
 
   @Override
   public void addSteps(int i, MutexNode node, World world, Steps<MutexNode, World> steps) {
+    if (node.dead) {
+      return;
+    }
     boolean mayRequest = i < shape.requesters() && node.num < shape.requests();
     if (mayRequest && node.isIn(Phase.IDLE) && node.protocol.mayRequest()) {
       for (List<String> want : shape.wants()) {
