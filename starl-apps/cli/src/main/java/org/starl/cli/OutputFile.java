@@ -11,6 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 
 /**
@@ -106,10 +107,14 @@ final class OutputFile implements Closeable {
     }
   }
 
-  /** Records whether anything was written; its errors name the file. */
+  /**
+   * Records whether anything was written. An error names the file and is thrown by {@link #close},
+   * not where the output is made: what makes it, such as a run, has not failed.
+   */
   private static final class RecordingStream extends FilterOutputStream {
     private final String name;
     private boolean any;
+    private @Nullable IOException failure;
 
     RecordingStream(String name, OutputStream file) {
       super(new BufferedOutputStream(file));
@@ -117,43 +122,43 @@ final class OutputFile implements Closeable {
     }
 
     @Override
-    public void write(int b) throws IOException {
+    public void write(int b) {
       write(new byte[] {(byte) b}, 0, 1);
     }
 
     @Override
-    public void write(byte[] bytes, int from, int length) throws IOException {
+    public void write(byte[] bytes, int from, int length) {
       any |= length > 0;
-      try {
-        out.write(bytes, from, length);
-      } catch (IOException e) {
-        throw named(e);
-      }
+      unlessFailed(() -> out.write(bytes, from, length));
     }
 
     @Override
-    public void flush() throws IOException {
-      try {
-        out.flush();
-      } catch (IOException e) {
-        throw named(e);
-      }
+    public void flush() {
+      unlessFailed(out::flush);
     }
 
     @Override
     public void close() throws IOException {
-      try {
-        out.close();
-      } catch (IOException e) {
-        throw named(e);
+      unlessFailed(out::close);
+      if (failure != null) {
+        // Another object each time: the stream is closed by its writer and by the file.
+        throw new IOException(name + ": cannot be written (" + failure.getMessage() + ")", failure);
       }
     }
 
-    private IOException named(IOException error) {
-      String message = String.valueOf(error.getMessage());
-      return message.startsWith(name)
-          ? error
-          : new IOException(name + ": cannot be written (" + message + ")", error);
+    private void unlessFailed(Output output) {
+      if (failure == null) {
+        try {
+          output.run();
+        } catch (IOException e) {
+          failure = e;
+        }
+      }
     }
+  }
+
+  @FunctionalInterface
+  private interface Output {
+    void run() throws IOException;
   }
 }
