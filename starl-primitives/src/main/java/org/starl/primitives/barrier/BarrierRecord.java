@@ -159,8 +159,11 @@ final class BarrierRecord {
         .allMatch(here::contains);
   }
 
+  /** Whether a majority of the acceptors is up: a robot of two members is one acceptor. */
   boolean hasMajorityUp() {
-    long up = first.stream().filter(member -> isUp(member.robot())).count();
-    return 2 * up > first.size();
+    Set<RobotId> acceptors = new TreeSet<>();
+    first.forEach(member -> acceptors.add(member.robot()));
+    long up = acceptors.stream().filter(this::isUp).count();
+    return 2 * up > acceptors.size();
   }
 }

@@ -3,6 +3,7 @@ package org.starl.primitives.barrier;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
@@ -142,6 +143,23 @@ class BarrierSpecTest {
     assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
     monitors.finish(301);
     assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotIsOneAcceptorThoughAnEarlierProcessOfItIsAMember() {
+    String other = SOURCE + "2";
+    List<String> members = List.of("a#1", "a#2", "b#1", "c#1", "d#1");
+    for (String id : List.of("a#2", "b#1")) {
+      RobotId robot = new RobotId(id.substring(0, 1));
+      see(new Action(0, robot, other, "Barrier", join(id, members)));
+      see(new Action(0, robot, other, "arrive", List.of("1", id)));
+    }
+    see(new Variable(300, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+  }
+
+  private static List<String> join(String first, List<String> others) {
+    return Stream.concat(Stream.of(first), others.stream()).toList();
   }
 
   private void allArrive(long generation) {
