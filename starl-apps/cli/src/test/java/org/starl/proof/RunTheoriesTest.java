@@ -6,12 +6,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent;
@@ -243,6 +247,48 @@ class RunTheoriesTest {
       names.add(used.group(1));
     }
     assertThat(declared).containsAll(names);
+  }
+
+  /** What {@code pvs/check} says of the text's statements. */
+  private String statements(Path folder, String text) throws IOException, InterruptedException {
+    Path pvs = Path.of("../../pvs").toAbsolutePath().normalize();
+    Path file = Files.writeString(folder.resolve("run.pvs"), text);
+    Process awk =
+        new ProcessBuilder(
+                "awk",
+                "-v",
+                "library=" + pvs,
+                "-f",
+                pvs.resolve("statements.awk").toString(),
+                file.toString())
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(awk.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    awk.waitFor();
+    return said.strip();
+  }
+
+  @Test
+  @Tag("realtime")
+  void statementsOfARunAreThoseThatPvsCheckMakesAgain(@TempDir Path folder)
+      throws IOException, InterruptedException {
+    acts("b", "election/x", "Election", "2", "b#1");
+    acts("b", "election/x", "do_election", "b#1");
+    acts("b", "election/x", "candidate", "1", "b#1");
+    theories.observed(new Variable(5, new RobotId("b"), "election/x", "Leader", "1:b#1"));
+    acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
+    acts("b", "mutex/x", "od_mutex", "b#1", "1", "A");
+    String text = text();
+    assertThat(statements(folder, text)).isEqualTo("run Election_decls 4\nrun Mutex_decls 2");
+    assertThat(statements(folder, text.replace("s_0: states =", "enabled: bool = s_0")))
+        .contains("wrong ");
+    assertThat(statements(folder, text.replace("enabled(a_2, s_1) AND ", ""))).contains("wrong ");
+    assertThat(statements(folder, text.replace("reached_2: LEMMA", "reached_2: AXIOM")))
+        .contains("wrong ");
+    assertThat(statements(folder, text.replace("  IMPORTING ", "  IMPORTING own, ")))
+        .contains("wrong ");
+    assertThat(statements(folder, text.replace("= do_mutex(b", "= do_mutex(LET b: PIDS = c IN b")))
+        .contains("wrong ");
   }
 
   @Test
