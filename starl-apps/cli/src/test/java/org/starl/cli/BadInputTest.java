@@ -88,8 +88,8 @@ class BadInputTest {
       run maze --set map=/dev/zero | /dev/zero: is longer than 67108864 bytes
       run hello --set positionPeriod=1ns | positionPeriod=1ns | at least 1ms
       run hello --fault forge(all,1ns) | 'forge(all,1ns)' | the mean interval | at least 100us
-      run race --csv /dev/full | --csv: '/dev/full': cannot be written (No space left on device)
-      run race --csv-messages /dev/full | --csv-messages: '/dev/full': cannot be written
+      run race --csv /dev/full --png /dev/null | --csv: '/dev/full': cannot be written (No space left on device)
+      run race --csv-messages /dev/full --png /dev/null | --csv-messages: '/dev/full': cannot be written
       run hello --png /dev/full | --png: '/dev/full': cannot be written (No space left on device)
       record hello --png t=1s --out /dev/full | --out: '/dev/full': cannot be written
       record race --mcap --out /dev/full | --out: '/dev/full': cannot be written
