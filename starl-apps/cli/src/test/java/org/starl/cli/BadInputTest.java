@@ -91,9 +91,12 @@ class BadInputTest {
       run race --csv /dev/full --png /dev/null | --csv: '/dev/full': cannot be written (No space left on device)
       run race --csv-messages /dev/full --png /dev/null | --csv-messages: '/dev/full': cannot be written
       run hello --png /dev/full | --png: '/dev/full': cannot be written (No space left on device)
-      record hello --png t=1s --out /dev/full | --out: '/dev/full': cannot be written
-      record race --mcap --out /dev/full | --out: '/dev/full': cannot be written
       run hello --trace /dev/full --png /dev/null | --trace: '/dev/full': cannot be written | No space left
+      record hello --png --out /dev/full | --out: '/dev/full': cannot be written | No space left
+      record hello --gif --out /dev/full | --out: '/dev/full': cannot be written | No space left
+      record hello --mcap --out /dev/full | --out: '/dev/full': cannot be written | No space left
+      record hello --csv positions --out /dev/full | --out: '/dev/full': cannot be written | No space left
+      run intersection --set arrivals=601/min | arrivals: '601/min' | at most 600/min
       run hello --fault datagram(bot0,1,lost) | 'bot0' | expected a sender and a recipient
       run hello --fault datagram(bot0>bot1,-1,lost) | the number of a datagram | '-1'
       run hello --fault datagram(bot0>bot1,1,soon) | a duration, or 'lost' | 'soon'

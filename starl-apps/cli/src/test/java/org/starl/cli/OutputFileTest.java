@@ -1,6 +1,7 @@
 package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -62,5 +63,15 @@ class OutputFileTest {
     write(device, "text");
     assertThat(Files.isRegularFile(device)).isFalse();
     assertThat(device).exists();
+  }
+
+  @Test
+  void aFullDeviceIsToldByEachClose() throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.isWritable(full), "skipped: no /dev/full here");
+    OutputFile file = new OutputFile("--out", full.toString());
+    file.stream().write(new byte[100_000]);
+    assertThatThrownBy(file.stream()::close).hasMessageContaining("--out: '/dev/full'");
+    assertThatThrownBy(file::close).hasMessageContaining("cannot be written (No space left");
   }
 }

@@ -36,6 +36,10 @@ public final class IntersectionDemo implements Demo {
 
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
+
+  // Many times what the crossing can serve; a run makes no progress at rates far above.
+  private static final double MAX_ARRIVALS_HZ = 10;
+
   private static final Duration TIME_FOR_ALL = Duration.ofHours(24);
   private static final long MAX_ARRIVALS_NS = 1000 * 3600 * Time.NS_PER_S;
 
@@ -172,6 +176,13 @@ public final class IntersectionDemo implements Demo {
 
   private static double rateHz(Request request) {
     return request.parse(
-        ARRIVALS, text -> Quantities.rateHz(text.isEmpty() ? DEFAULT_ARRIVALS : text));
+        ARRIVALS,
+        text -> {
+          double rateHz = Quantities.rateHz(text.isEmpty() ? DEFAULT_ARRIVALS : text);
+          if (rateHz > MAX_ARRIVALS_HZ) {
+            throw new BadInput(BadInput.quote(text) + ": expected at most 600/min");
+          }
+          return rateHz;
+        });
   }
 }
