@@ -27,9 +27,6 @@ public final class GeocastTrace {
   /** Action with id, reason and position error in mm: an arrived copy is not delivered. */
   static final String DISMISS = "dismiss";
 
-  /** The reason of a dismissal which proves that the clock skew is too large. */
-  static final String EARLY = "early";
-
   static final String GCASTFLAG = "Gcastflag";
 
   private static final String IDLE = "IDLE";

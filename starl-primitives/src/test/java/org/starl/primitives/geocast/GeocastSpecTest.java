@@ -49,6 +49,24 @@ class GeocastSpecTest {
   }
 
   @Test
+  void onlyAnUncertainPositionExcusesARobotThatDismissesACopy() {
+    for (String why : List.of("early", "late", "outside")) {
+      assertThat(violationsAfterDismissal(why, "49")).as(why).isEqualTo(1);
+      assertThat(violationsAfterDismissal(why, "51")).as(why).isZero();
+    }
+  }
+
+  private long violationsAfterDismissal(String why, String errorMm) {
+    monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
+    castWithoutReceiversAfterTheFirstDatagram();
+    see(
+        new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"),
+        act(20, OTHER, "dismiss", "bot0#1/1", why, errorMm));
+    monitors.finish(2000);
+    return monitors.report().violations("inclusion");
+  }
+
+  @Test
   void anAcknowledgementBeforeTheDeliveryViolatesAcknowledged() {
     castWithoutReceiversAfterTheFirstDatagram();
     Sent ack = new Sent(20, OTHER, "bot0", SOURCE, 1, 10, "Ack[id=bot0#1/1]");
