@@ -1,8 +1,5 @@
 package org.starl.time;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
-
 /** Units of time. Times and durations are {@code long} nanoseconds; settings are milliseconds. */
 public final class Time {
 
@@ -23,7 +20,19 @@ public final class Time {
 
   /** {@code ns} in seconds with {@code decimals} decimals, from 0 to 9, for people: {@code 12.3 s}. */
   public static String text(long ns, int decimals) {
-    return BigDecimal.valueOf(ns, 9).setScale(decimals, RoundingMode.HALF_UP).toPlainString()
-        + " s";
+    long unit = NS_PER_S;
+    for (int i = 0; i < decimals; i++) {
+      unit /= 10;
+    }
+    long size = Math.abs(ns);
+    long units = size / unit + (size % unit * 2 >= unit ? 1 : 0);
+    StringBuilder text = new StringBuilder().append(units);
+    while (text.length() <= decimals) {
+      text.insert(0, '0');
+    }
+    if (decimals > 0) {
+      text.insert(text.length() - decimals, '.');
+    }
+    return (ns < 0 && units > 0 ? "-" : "") + text + " s";
   }
 }

@@ -2,18 +2,21 @@ package org.starl.input;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
-import java.math.RoundingMode;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads and writes quantities with units: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
  * throws {@link BadInput} with the text and the expected form; the caller adds the place of the text, with
  * {@link #in}.
+ *
+ * <p>Every command reads some at its start, and the JDK computes large powers when it loads
+ * {@link BigDecimal}: so common numbers do without it.
  */
 public final class Quantities {
 
@@ -25,24 +28,26 @@ public final class Quantities {
 
   private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]{1,1000}");
 
-  private static final Map<String, BigDecimal> NS_PER_UNIT = new LinkedHashMap<>();
-  private static final Map<String, BigDecimal> MM_PER_UNIT = new LinkedHashMap<>();
+  private static final Map<String, Long> NS_PER_UNIT = new LinkedHashMap<>();
+
+  /** The powers of ten. */
+  private static final Map<String, Integer> MM_PER_UNIT = new LinkedHashMap<>();
 
   static {
-    NS_PER_UNIT.put("ns", BigDecimal.ONE);
-    NS_PER_UNIT.put("us", BigDecimal.valueOf(1_000));
-    NS_PER_UNIT.put("ms", BigDecimal.valueOf(1_000_000));
-    NS_PER_UNIT.put("s", BigDecimal.valueOf(1_000_000_000));
-    NS_PER_UNIT.put("min", BigDecimal.valueOf(60_000_000_000L));
-    NS_PER_UNIT.put("h", BigDecimal.valueOf(3_600_000_000_000L));
-    MM_PER_UNIT.put("", BigDecimal.ONE);
-    MM_PER_UNIT.put("mm", BigDecimal.ONE);
-    MM_PER_UNIT.put("cm", BigDecimal.TEN);
-    MM_PER_UNIT.put("m", BigDecimal.valueOf(1_000));
+    NS_PER_UNIT.put("ns", 1L);
+    NS_PER_UNIT.put("us", 1_000L);
+    NS_PER_UNIT.put("ms", 1_000_000L);
+    NS_PER_UNIT.put("s", 1_000_000_000L);
+    NS_PER_UNIT.put("min", 60_000_000_000L);
+    NS_PER_UNIT.put("h", 3_600_000_000_000L);
+    MM_PER_UNIT.put("", 0);
+    MM_PER_UNIT.put("mm", 0);
+    MM_PER_UNIT.put("cm", 1);
+    MM_PER_UNIT.put("m", 3);
   }
 
-  private static final BigDecimal LONGEST_NS = BigDecimal.valueOf(Long.MAX_VALUE / 4);
-  static final BigDecimal LONGEST_MM = BigDecimal.valueOf(1_000_000_000);
+  private static final BigInteger LONGEST_NS = BigInteger.valueOf(Long.MAX_VALUE / 4);
+  static final double LONGEST_MM = 1e9;
 
   private Quantities() {}
 
@@ -62,18 +67,29 @@ public final class Quantities {
   }
 
   private static boolean isRateUnit(String unit) {
-    BigDecimal ns = NS_PER_UNIT.get(unit);
-    return ns != null && ns.compareTo(BigDecimal.valueOf(1_000_000_000)) >= 0;
+    Long ns = NS_PER_UNIT.get(unit);
+    return ns != null && ns >= 1_000_000_000;
   }
 
   /** A time span of at least 0, in ns: {@code 250us}, {@code 100ms}, {@code 1.5s}, {@code 0}. */
   public static long durationNs(String text) {
     String expected = "a duration with a unit (ns us ms s min h), such as 100ms";
-    BigDecimal ns = amount(text, NS_PER_UNIT, expected);
+    Matcher matcher = match(text, expected);
+    String number = matcher.group(1);
+    Long unit = unit(matcher, NS_PER_UNIT);
+    if (unit == null) {
+      throw notA(text, expected);
+    }
+    int point = number.indexOf('.');
+    BigInteger digits = new BigInteger(number.replace(".", ""));
+    BigInteger parts = BigInteger.TEN.pow(point < 0 ? 0 : number.length() - point - 1);
+    // Half a ns counts as one.
+    BigInteger ns =
+        digits.multiply(BigInteger.valueOf(2 * unit)).add(parts).divide(parts.shiftLeft(1));
     if (ns.compareTo(LONGEST_NS) > 0) {
       throw notA(text, "a duration below 70 years");
     }
-    return ns.setScale(0, RoundingMode.HALF_UP).longValueExact();
+    return ns.longValue();
   }
 
   /** The shortest text that {@link #durationNs} reads as {@code ns}: {@code 15ms}. */
@@ -93,11 +109,16 @@ public final class Quantities {
   /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */
   public static double distanceMm(String text) {
     String expected = "a distance of at least 0 (mm cm m; without a unit: mm), such as 20mm";
-    BigDecimal mm = amount(text, MM_PER_UNIT, expected);
-    if (mm.compareTo(LONGEST_MM) > 0) {
+    Matcher matcher = match(text, expected);
+    Integer power = unit(matcher, MM_PER_UNIT);
+    if (power == null) {
+      throw notA(text, expected);
+    }
+    double mm = Math.abs(Double.parseDouble(matcher.group(1) + "e" + power)); // no -0
+    if (mm > LONGEST_MM) {
       throw notA(text, "a distance below 1000 km");
     }
-    return mm.doubleValue();
+    return mm;
   }
 
   /** The text that {@link #distanceMm} reads as {@code mm}: {@code 165mm}. */
@@ -132,7 +153,7 @@ public final class Quantities {
     String stripped = text.trim();
     int slash = stripped.indexOf('/');
     String per = slash < 0 ? "" : stripped.substring(slash + 1).trim();
-    BigDecimal unit = NS_PER_UNIT.get(per);
+    Long unit = NS_PER_UNIT.get(per);
     if (unit == null || !isRateUnit(per)) {
       throw notA(text, expected);
     }
@@ -144,7 +165,7 @@ public final class Quantities {
     if (number <= 0) {
       throw notA(text, expected);
     }
-    return number * 1e9 / unit.doubleValue();
+    return number * 1e9 / unit;
   }
 
   /** An angle of at least 0, in radians: {@code 3deg}, {@code 0.05rad}, {@code 0}. */
@@ -207,21 +228,22 @@ public final class Quantities {
 
   /** A finite number without an exponent, which every reader here reads back. */
   public static String numberText(double number) {
-    return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+    double size = Math.abs(number);
+    if (size < 1e-3 || size >= 1e7 || Double.isNaN(number)) { // Java writes an exponent
+      return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+    }
+    String text = Double.toString(number);
+    return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
   }
 
-  /** At least 0, with a unit of {@code units}; 0 needs no unit. */
-  private static BigDecimal amount(String text, Map<String, BigDecimal> units, String expected) {
-    Matcher matcher = match(text, expected);
-    BigDecimal number = new BigDecimal(matcher.group(1));
-    BigDecimal unit = units.get(matcher.group(2));
-    if (number.signum() == 0 && matcher.group(2).isEmpty()) {
-      return BigDecimal.ZERO;
+  /** The unit of a number of at least 0; null if there is none or it is not one of these. 0 needs no unit. */
+  private static <T> @Nullable T unit(Matcher matcher, Map<String, T> units) {
+    double number = Double.parseDouble(matcher.group(1));
+    if (number < 0) {
+      return null;
     }
-    if (unit == null || number.signum() < 0) {
-      throw notA(text, expected);
-    }
-    return number.multiply(unit);
+    String unit = matcher.group(2);
+    return units.get(unit.isEmpty() && number == 0 ? units.keySet().iterator().next() : unit);
   }
 
   /** At least 0, without a unit. */

@@ -13,9 +13,9 @@ public enum Quantity {
   /** {@link Quantities#durationNs}. */
   DURATION(anyOf(Quantities.durationUnits()), 0),
   /** {@link Quantities#distanceMm}. */
-  DISTANCE(anyOf(Quantities.distanceUnits()) + "?", Quantities.LONGEST_MM.doubleValue()),
+  DISTANCE(anyOf(Quantities.distanceUnits()) + "?", Quantities.LONGEST_MM),
   /** {@link Quantities#speedMmPerS}. */
-  SPEED(anyOf(Quantities.distanceUnits()) + "?(/s)?", Quantities.LONGEST_MM.doubleValue()),
+  SPEED(anyOf(Quantities.distanceUnits()) + "?(/s)?", Quantities.LONGEST_MM),
   /** {@link Quantities#angleRad}. */
   ANGLE("(deg|rad)", 0),
   /** {@link Quantities#rateHz}. */

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.LongRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +47,27 @@ final class QuantitiesTest {
   @Property
   void durationTextsReadBack(@ForAll @LongRange(min = 0, max = Long.MAX_VALUE / 8) long ns) {
     assertThat(Quantities.durationNs(Quantities.durationText(ns))).isEqualTo(ns);
+  }
+
+  @Property
+  void durationsAreRoundedToTheNearestNs(
+      @ForAll @LongRange(min = 0, max = 1_000_000_000) long digits,
+      @ForAll @IntRange(min = 0, max = 14) int decimals) {
+    BigDecimal ms = BigDecimal.valueOf(digits, decimals);
+    BigDecimal ns = ms.movePointRight(6).setScale(0, RoundingMode.HALF_UP);
+    assertThat(Quantities.durationNs(ms.toPlainString() + "ms")).isEqualTo(ns.longValueExact());
+  }
+
+  @Property
+  void numberTextsHaveNoExponent(@ForAll double number) {
+    assertThat(Quantities.numberText(number))
+        .isEqualTo(BigDecimal.valueOf(number).stripTrailingZeros().toPlainString());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, -0.0, 1, 100, -2.5, 0.05, 0.001, 9.99e-4, 9_999_999, 1e7, 1e22})
+  void wholeAndLargeNumberTextsToo(double number) {
+    numberTextsHaveNoExponent(number);
   }
 
   @ParameterizedTest
