@@ -229,11 +229,13 @@ public final class Quantities {
   /** A finite number without an exponent, which every reader here reads back. */
   public static String numberText(double number) {
     double size = Math.abs(number);
-    if (size < 1e-3 || size >= 1e7 || Double.isNaN(number)) { // Java writes an exponent
-      return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+    if (size < 1e15 && number == StrictMath.rint(number)) {
+      return Long.toString((long) number);
     }
-    String text = Double.toString(number);
-    return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
+    if (size >= 1e-3 && size < 1e7) { // Java writes it without an exponent
+      return Double.toString(number);
+    }
+    return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }
 
   /** The unit of a number of at least 0; null if there is none or it is not one of these. 0 needs no unit. */
