@@ -3,7 +3,6 @@ package org.starl.workload;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.starl.apps.Demo;
@@ -35,7 +34,7 @@ public final class PrimitiveWorkloads {
               64,
               Duration.ofSeconds(4),
               parameters(10, "20s", Setup.PATIENCE),
-              Map.of(Setup.PATIENCE, Setup.SHORT),
+              List.of(new Variant(Setup.PATIENCE, Setup.SHORT)),
               AgreementClient::setUp),
           new Workload(
               "barrier",
@@ -44,7 +43,7 @@ public final class PrimitiveWorkloads {
               32,
               Duration.ofMillis(BarrierClient.DEADLINE_MS),
               parameters(10, "20s"),
-              Map.of(),
+              List.of(),
               BarrierClient::setUp),
           new Workload(
               "election",
@@ -53,7 +52,7 @@ public final class PrimitiveWorkloads {
               64,
               Duration.ofMillis(ElectionClient.DEADLINE_MS),
               parameters(5, "20s", ElectionClient.STRATEGY),
-              Map.of(ElectionClient.STRATEGY, "bully"),
+              List.of(new Variant(ElectionClient.STRATEGY, "bully")),
               ElectionClient::setUp),
           new Workload(
               "geocast",
@@ -62,7 +61,7 @@ public final class PrimitiveWorkloads {
               64,
               Duration.ofMillis(GeocastClient.MAX_D_MS),
               parameters(12, "20s"),
-              Map.of(),
+              List.of(),
               GeocastClient::setUp,
               GeocastClient::settings),
           new Workload(
@@ -72,7 +71,7 @@ public final class PrimitiveWorkloads {
               32,
               Duration.ofSeconds(10),
               parameters(10, "20s"),
-              Map.of(),
+              List.of(),
               MessagesClient::setUp),
           new Workload(
               "motion",
@@ -81,7 +80,7 @@ public final class PrimitiveWorkloads {
               64,
               Duration.ofSeconds(2),
               parameters(8, "20s"),
-              Map.of(),
+              List.of(),
               MotionClient::setUp,
               MotionClient::settings),
           new Workload(
@@ -91,7 +90,9 @@ public final class PrimitiveWorkloads {
               32,
               Duration.ofMillis(MutexTimes.DEFAULT.suspectMs()),
               parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS),
-              Map.of(MutexClient.SECTIONS, "2", MutexClient.MEMBERS, MutexClient.CHANGING),
+              List.of(
+                  new Variant(MutexClient.SECTIONS, "2"),
+                  new Variant(MutexClient.MEMBERS, MutexClient.CHANGING)),
               MutexClient::setUp),
           new Workload(
               "paths",
@@ -100,7 +101,7 @@ public final class PrimitiveWorkloads {
               16,
               Duration.ofMillis(PathsClient.TUBES.deadlineMs()),
               parameters(6, "60s", PathsClient.PLANNER),
-              Map.of(),
+              List.of(),
               PathsClient::setUp,
               PathsClient::settings),
           new Workload(
@@ -110,7 +111,7 @@ public final class PrimitiveWorkloads {
               32,
               Duration.ofSeconds(10),
               parameters(10, "20s", Setup.PATIENCE),
-              Map.of(Setup.PATIENCE, Setup.SHORT),
+              List.of(new Variant(Setup.PATIENCE, Setup.SHORT)),
               RegistrationClient::setUp));
 
   private static final int DEFAULT_ROBOTS = 5;
@@ -147,6 +148,9 @@ public final class PrimitiveWorkloads {
     return List.copyOf(parameters);
   }
 
+  /** Another value of a parameter. */
+  private record Variant(Parameter parameter, String value) {}
+
   /**
    * A primitive's workload as the command line knows it.
    *
@@ -163,7 +167,7 @@ public final class PrimitiveWorkloads {
       int maxRobots,
       Duration timeout,
       List<Parameter> parameters,
-      Map<Parameter, String> variants,
+      List<Variant> variants,
       Consumer<Setup> preparation,
       BiConsumer<Request, SimSettings.Builder> world)
       implements Demo {
@@ -175,7 +179,7 @@ public final class PrimitiveWorkloads {
         int maxRobots,
         Duration timeout,
         List<Parameter> parameters,
-        Map<Parameter, String> variants,
+        List<Variant> variants,
         Consumer<Setup> preparation) {
       this(
           name,
@@ -212,8 +216,8 @@ public final class PrimitiveWorkloads {
         String text = Quantities.durationText(longMs * Time.NS_PER_MS);
         varied = varied.drawParameter(parameters.get(1), text);
       }
-      for (Map.Entry<Parameter, String> variant : variants.entrySet()) {
-        varied = varied.drawParameter(variant.getKey(), variant.getValue());
+      for (Variant variant : variants) {
+        varied = varied.drawParameter(variant.parameter(), variant.value());
       }
       return varied;
     }
