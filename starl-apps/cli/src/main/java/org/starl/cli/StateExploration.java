@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.starl.input.BadInput;
 import org.starl.primitives.agreement.SynodStates;
@@ -92,7 +93,7 @@ final class StateExploration {
     StateSearch.Outcome outcome =
         space
             .search()
-            .apply(List.copyOf(bounds.values()))
+            .apply(name -> Objects.requireNonNull(bounds.get(name), name))
             .run(mostStates, states -> progress.show(states, mostStates));
     progress.end();
     if (isJson) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
@@ -24,12 +25,12 @@ public final class SynodStates implements Model<SynodStates.Node, SynodStates.Me
 
   private static final int MOST_ROBOTS = 5;
 
-  /** Robots that vote, propose and crash. */
+  /**
+   * Robots decide one value; a crash loses what is not flushed, and the robot starts again.
+   */
   public static final StateSpace SPACE =
       new StateSpace(
           "agreement",
-          "robots decide one value by the Synod; a crash loses what is not flushed, and the robot"
-              + " starts again",
           "a robot knows the decision",
           List.of(
               new Bound("robots", "robots", 1, 2, MOST_ROBOTS),
@@ -39,15 +40,16 @@ public final class SynodStates implements Model<SynodStates.Node, SynodStates.Me
               new Bound("ballots", "further ballots of one start of a robot", 0, 0, 3)),
           SynodStates::search);
 
-  private static StateSearch<?, ?, ?> search(List<Integer> bounds) {
-    int robots = bounds.get(0);
+  private static StateSearch<?, ?, ?> search(ToIntFunction<String> bounds) {
+    int robots = bounds.applyAsInt("robots");
+    int voters = bounds.applyAsInt("voters");
     Shape shape =
         new Shape(
             robots,
-            bounds.get(2) == 0 ? robots : Math.min(robots, bounds.get(2)),
-            Math.min(robots, bounds.get(3)),
-            bounds.get(4),
-            bounds.get(1),
+            voters == 0 ? robots : Math.min(robots, voters),
+            Math.min(robots, bounds.applyAsInt("proposers")),
+            bounds.applyAsInt("ballots"),
+            bounds.applyAsInt("crashes"),
             false);
     return new StateSearch<>(new SynodStates(shape));
   }

@@ -263,12 +263,13 @@ public final class StateSearch<N, M, S> {
       now.set(i, reached.local());
       BitSet more = (BitSet) sent.clone();
       more.or(reached.sent());
-      more.stream().filter(m -> isSpent(now, messages.get(m))).forEach(more::clear);
+      for (int m = more.nextSetBit(0); m >= 0; m = more.nextSetBit(m + 1)) {
+        M message = messages.get(m);
+        if (model.isSpent(now.get(model.to(message)).node, message)) {
+          more.clear(m);
+        }
+      }
       return new State(now, more, newShared, this, text);
-    }
-
-    private boolean isSpent(List<Local> now, M message) {
-      return model.isSpent(now.get(model.to(message)).node, message);
     }
   }
 }

@@ -2,22 +2,20 @@ package org.starl.primitives.exhaustive;
 
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.ToIntFunction;
 
 /**
  * The states of one protocol's code, within bounds.
  *
  * @param name of the primitive
- * @param meaning what participants may do, in one sentence
  * @param goal what holds in the states that the protocol is there for
- * @param bounds in order
- * @param search makes a search; its argument is one number for each bound, in their order
+ * @param search makes a search; its argument gives the number of each bound, by name
  */
 public record StateSpace(
     String name,
-    String meaning,
     String goal,
     List<Bound> bounds,
-    Function<List<Integer>, StateSearch<?, ?, ?>> search) {
+    Function<ToIntFunction<String>, StateSearch<?, ?, ?>> search) {
 
   /**
    * A number that bounds the states.

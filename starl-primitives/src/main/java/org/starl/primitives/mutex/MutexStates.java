@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.exhaustive.StateSearch;
@@ -26,11 +27,10 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
 
   private static final int MOST_ROBOTS = 4;
 
-  /** Members of one view that request sections. */
+  /** Members of one view request sections, enter, and release them one by one. */
   public static final StateSpace SPACE =
       new StateSpace(
           "mutex",
-          "members of one view request sections, enter, and release them one by one",
           "a member is in its sections",
           List.of(
               new Bound("robots", "members", 1, 2, MOST_ROBOTS),
@@ -98,21 +98,22 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
     this.ids = begin().last().ids();
   }
 
-  private static StateSearch<?, ?, ?> search(List<Integer> bounds) {
+  private static StateSearch<?, ?, ?> search(ToIntFunction<String> bounds) {
     List<ProcessId> members = new ArrayList<>();
-    for (int i = 0; i < bounds.get(0); i++) {
+    for (int i = 0; i < bounds.applyAsInt("robots"); i++) {
       members.add(new ProcessId(new RobotId("bot" + i), 1));
     }
-    List<List<String>> wants = List.of(List.of("A"), List.of("A", "B")).subList(0, bounds.get(4));
+    int requesters = bounds.applyAsInt("requesters");
+    List<List<String>> wants = List.of(List.of("A"), List.of("A", "B"));
     Shape shape =
         new Shape(
             List.of(View.closed(members)),
-            wants,
-            bounds.get(3),
-            bounds.get(2) == 0 ? bounds.get(0) : bounds.get(2),
-            bounds.get(5) == 1,
-            bounds.get(6),
-            bounds.get(1));
+            wants.subList(0, bounds.applyAsInt("sections")),
+            bounds.applyAsInt("requests"),
+            requesters == 0 ? members.size() : requesters,
+            bounds.applyAsInt("withdrawals") == 1,
+            bounds.applyAsInt("suspicions"),
+            bounds.applyAsInt("crashes"));
     return new StateSearch<>(new MutexStates(shape, MutexProtocol::new));
   }
 
