@@ -187,8 +187,7 @@ final class Neighbours {
    * of its storages is ever known.
    */
   boolean isKnown() {
-    int others = deployment.size() - 1;
-    return others == 0 || 2 * knownTo().size() > others;
+    return 2 * knownTo().size() > deployment.size() - 1;
   }
 
   /** The robots that have this robot's start in their storages, as far as they have said it. */
