@@ -118,7 +118,7 @@ public final class GeocastSpec extends LemmaMonitor {
         }
       }
       case GeocastTrace.DISMISS -> {
-        // A dismissal as early excuses nobody: clocks within the skew never give a reason for it.
+        // A dismissal as early is no excuse: clocks within the skew never give a reason for it.
         if (cast != null && Double.parseDouble(action.args().get(2)) > positionErrorMm) {
           cast.excuse(action.robot());
         }

@@ -11,7 +11,7 @@ import org.starl.platform.Strand;
  * storage. A robot that has lost its storage begins with a new one: its promises in the old one are
  * forgotten, so it must not promise anything in the new one before the others could say so.
  *
- * <p>Once known, it stays known: that is written into it, so a later start waits for nobody.
+ * <p>Once known, it stays known: that is written into it, so a later start does not wait.
  */
 final class KnownStorage implements StableStorage {
 
@@ -76,8 +76,7 @@ final class KnownStorage implements StableStorage {
     }
   }
 
-  // In the order of the writes: a write that is flushed from now on comes after those that were
-  // held.
+  // In the order of the writes: those that were held come before later ones.
   private void release() {
     if (!isKnown) {
       isKnown = true;

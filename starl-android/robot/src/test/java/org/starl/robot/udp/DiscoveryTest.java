@@ -298,7 +298,7 @@ class DiscoveryTest {
       }
       kept = me.stable;
     }
-    // Once known, it waits for nobody.
+    // Once known, it does not wait.
     try (Station again = new Station(ME, kept, 0).discover(Map.of(), 2, 60_000)) {
       again.promise();
       assertThat(again.flushed).succeedsWithin(MINUTE);
