@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -15,6 +16,9 @@ import org.starl.trace.TraceEvent.Left;
  * whether a fault is active. Progress is required only without faults. Pass it every event.
  */
 public final class FaultState {
+
+  /** After so long without faults all lost messages have been repeated, in ns. */
+  public static final long SETTLE_NS = 10 * Time.NS_PER_S;
 
   private final Set<RobotId> down = new TreeSet<>();
   // Active faults, each as affected robot and text. A fault may be in the list twice.

@@ -14,8 +14,10 @@ final class AgreementClient extends Client {
 
   private static final long THINK_MS = 50;
 
-  /** Some times the longest wait in 60 runs of 12 robots without faults. */
-  private static final long PROMPT_MS = 2_000;
+  /** Two to four times the longest wait in 360 runs, with delays of 1 to 200 ms. */
+  private static final long PROMPT_MS = 200;
+
+  private static final int PROMPT_MESSAGES = 20;
 
   private static final Codec<Integer> VALUE =
       Codec.of((value, out) -> out.u16(value), WireReader::u16);
@@ -34,7 +36,7 @@ final class AgreementClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new AgreementClient(gvh, setup));
     setup.simulation().monitor(() -> new AgreementSpec(setup.withinNs()));
-    setup.promise(PROMPT_MS, false);
+    setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 
   @Override

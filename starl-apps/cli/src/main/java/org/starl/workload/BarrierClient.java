@@ -9,6 +9,7 @@ import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSpec;
+import org.starl.spec.Deadlines;
 import org.starl.time.Time;
 
 /**
@@ -22,10 +23,15 @@ final class BarrierClient extends Client {
   private static final String XID = "yard";
   private static final long THINK_MS = 500;
 
-  /** Some times the longest wait in 60 runs of 12 robots without faults. */
-  private static final long PROMPT_MS = 12_000;
-
   static final long DEADLINE_MS = 10_000;
+
+  /** A member may have done its rounds, and never arrive. */
+  private static final long LATE_MS = DEADLINE_MS + 1_000;
+
+  /** After the last arrival. */
+  private static final long PROMPT_MS = 500;
+
+  private static final int PROMPT_MESSAGES = 40;
   private static final long SILENCE_MS = 2_000;
 
   /**
@@ -51,11 +57,11 @@ final class BarrierClient extends Client {
     setup.place(gvh -> new BarrierClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
     long releasedNs =
-        setup.isLossless()
-            ? RELEASED_MS * Time.NS_PER_MS + Setup.MESSAGES * setup.delayNs()
-            : setup.withinNs();
-    setup.simulation().monitor(() -> new BarrierSpec(releasedNs, TOLD_NS));
-    setup.promise(PROMPT_MS, true);
+        setup.isLossless() ? setup.withMessagesNs(RELEASED_MS, PROMPT_MESSAGES) : setup.withinNs();
+    long promptNs =
+        setup.isLossless() ? setup.withMessagesNs(PROMPT_MS, PROMPT_MESSAGES) : Deadlines.NO_BOUND;
+    setup.simulation().monitor(() -> new BarrierSpec(releasedNs, TOLD_NS, promptNs));
+    setup.promise(LATE_MS, PROMPT_MESSAGES, true);
   }
 
   @Override

@@ -1,6 +1,6 @@
 package org.starl.workload;
 
-import org.starl.primitives.mutex.MutexSpec;
+import org.starl.spec.FaultState;
 import org.starl.time.Time;
 
 /**
@@ -21,7 +21,7 @@ record Course(int rounds, long busyMs, boolean isCalm) {
   /** Maximum time by which a robot's clock is still ahead when the faults are over. */
   private static final long CLOCK_ERROR_MS = 2_000;
 
-  private static final long SETTLE_MS = MutexSpec.SETTLE_NS / Time.NS_PER_MS;
+  private static final long SETTLE_MS = FaultState.SETTLE_NS / Time.NS_PER_MS;
 
   Course {
     if (rounds <= 0 || busyMs < 0) {

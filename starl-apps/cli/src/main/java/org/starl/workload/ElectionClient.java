@@ -26,8 +26,10 @@ final class ElectionClient extends Client {
   static final long DEADLINE_MS = 10_000;
   private static final long THINK_MS = 1_000;
 
-  /** Some times the longest wait in 60 runs of 12 robots without faults. */
-  private static final long PROMPT_MS = 6_000;
+  /** Nearly twice the longest wait in 360 runs, with delays of 1 to 200 ms. */
+  private static final long PROMPT_MS = 2_500;
+
+  private static final int PROMPT_MESSAGES = 20;
 
   /**
    * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
@@ -59,7 +61,7 @@ final class ElectionClient extends Client {
           ElectionSpec spec = new ElectionSpec(electedNs, TOLD_NS);
           return setup.isLossless() ? spec.leaderStays() : spec;
         });
-    setup.promise(PROMPT_MS, false);
+    setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 
   @Override

@@ -25,16 +25,25 @@ final class GeocastClient extends Client {
 
   private static final String XID = "news";
   private static final long THINK_MS = 500;
-  private static final long PROMPT_MS = 3_000;
   private static final double REACH_MM = 900;
   private static final long MIN_D_MS = 100;
   static final long MAX_D_MS = 2_000;
+
+  /** A receipt is complete at the end of the interval, or before. */
+  private static final long PROMPT_MS = MAX_D_MS + 1;
 
   /** With a larger position error a robot owes nothing. */
   private static final double POSITION_ERROR_MM = 50;
 
   /** Maximum difference, after two minutes, of clocks that are up to 200 ppm off. */
   private static final long CLOCK_SKEW_NS = 50 * Time.NS_PER_MS;
+
+  private static final GeocastSettings SETTINGS =
+      new GeocastSettings(
+          GeocastSettings.DEFAULT.resendMs(),
+          GeocastSettings.DEFAULT.maxResendMs(),
+          CLOCK_SKEW_NS,
+          GeocastSettings.DEFAULT.openMembership());
 
   private static final Codec<Integer> CODEC =
       Codec.of((message, out) -> out.i32(message), WireReader::i32);
@@ -60,19 +69,15 @@ final class GeocastClient extends Client {
     super(gvh, setup, THINK_MS);
     sideMm = setup.sideMm();
     endsWithCopies = setup.course().isCalm();
-    GeocastSettings d = GeocastSettings.DEFAULT;
-    GeocastSettings settings =
-        new GeocastSettings(d.resendMs(), d.maxResendMs(), CLOCK_SKEW_NS, d.openMembership());
-    geocast = new Geocast<>(gvh, XID, CODEC, (origin, message) -> {}, settings);
-    broadcast = new Broadcast<>(gvh, XID, CODEC, (origin, message) -> {}, settings);
+    geocast = new Geocast<>(gvh, XID, CODEC, (origin, message) -> {}, SETTINGS);
+    broadcast = new Broadcast<>(gvh, XID, CODEC, (origin, message) -> {}, SETTINGS);
   }
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new GeocastClient(gvh, setup));
-    long reachNs =
-        setup.isLossless() ? GeocastSettings.DEFAULT.reachNs(setup.delayNs()) : GeocastSpec.NEVER;
-    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS, reachNs));
-    setup.promise(PROMPT_MS, false);
+    long delayNs = setup.isLossless() ? setup.delayNs() : GeocastSpec.NEVER;
+    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, SETTINGS, delayNs));
+    setup.promise(PROMPT_MS, 0, false);
   }
 
   /** Fixes with errors, so that robots near a border are uncertain. */

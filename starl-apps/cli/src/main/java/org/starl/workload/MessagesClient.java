@@ -2,6 +2,8 @@ package org.starl.workload;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -44,7 +46,9 @@ final class MessagesClient extends Client {
   static final Reliability BRIEF = new Reliability(100, 1.2, 500, 1_000, 5_000);
 
   /** A letter to a closed channel may hold back others to the same robot until it gives up. */
-  private static final long PROMPT_MS = 1_000 + BRIEF.deadlineMs();
+  private static final long PROMPT_MS = 500 + BRIEF.deadlineMs();
+
+  private static final int PROMPT_MESSAGES = 40;
 
   private static final double MANY = 0.1;
 
@@ -72,6 +76,10 @@ final class MessagesClient extends Client {
   private final List<RobotId> robots;
   private final Endpoint<Letter> letters;
   private @Nullable Endpoint<Letter> side;
+
+  /** Of the last letter on the channel side to each robot. */
+  private final SortedMap<RobotId, Receipt> sides = new TreeMap<>();
+
   private int lastNumber;
 
   private MessagesClient(GlobalVarHolder gvh, Setup setup) {
@@ -85,7 +93,7 @@ final class MessagesClient extends Client {
     long arrivesNs = setup.isLossless() ? setup.delayNs() : MessagesSpec.NEVER;
     long withinNs = setup.withinNs() + BRIEF.deadlineMs() * Time.NS_PER_MS;
     setup.simulation().monitor(() -> new MessagesSpec(withinNs, arrivesNs));
-    setup.promise(PROMPT_MS, false);
+    setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 
   private Endpoint<Letter> open(String name) {
@@ -118,17 +126,24 @@ final class MessagesClient extends Client {
     RobotId to = robots.get(rng.nextInt(robots.size()));
     letters.send(to, write(to.name(), "letters", "none"));
     if (side != null) {
-      sendReliably(side, "side", robots.get(rng.nextInt(robots.size())), BRIEF);
+      RobotId at = robots.get(rng.nextInt(robots.size()));
+      sides.put(at, sendReliably(side, "side", at, BRIEF));
     }
     int number =
         rng.nextBoolean(MANY) ? 1 + rng.nextInt(MOST_LETTERS) : 1 + rng.nextInt(FEW_LETTERS);
-    boolean isBrief = rng.nextBoolean(0.5);
+    boolean isBrief = rng.nextBoolean(0.5) && !mayBeHeldBack(to);
     List<Receipt> receipts = new ArrayList<>();
     for (int i = 0; i < number; i++) {
       receipts.add(sendReliably(letters, "letters", to, isBrief ? BRIEF : Reliability.DEFAULT));
     }
     await(() -> receipts.stream().allMatch(Receipt::isSettled));
     return receipts.stream().allMatch(Receipt::isDelivered);
+  }
+
+  /** Whether a letter whose channel may be closed there can hold back later ones for its whole life. */
+  private boolean mayBeHeldBack(RobotId to) {
+    Receipt side = sides.get(to);
+    return side != null && !side.isSettled();
   }
 
   private Receipt sendReliably(

@@ -8,7 +8,6 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.comms.Reliability;
 import org.starl.id.RobotId;
-import org.starl.primitives.mutex.MutexSpec;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
@@ -151,7 +150,7 @@ final class MessagesSpec extends LemmaMonitor {
   }
 
   private boolean isCalm(long nowNs) {
-    return faults.isCalm(nowNs, MutexSpec.SETTLE_NS);
+    return faults.isCalm(nowNs, FaultState.SETTLE_NS);
   }
 
   private void changed(TraceEvent event) {

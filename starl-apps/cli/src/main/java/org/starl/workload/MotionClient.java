@@ -48,7 +48,7 @@ final class MotionClient extends Client {
     setup.placeSilent(gvh -> new MotionClient(gvh, setup));
     MotionParameters parameters = setup.settings().motionParameters(0);
     setup.simulation().monitor(() -> new MotionSpec(parameters));
-    setup.promise(promptMs(parameters), true);
+    setup.promise(promptMs(parameters), 0, true);
   }
 
   /**

@@ -59,8 +59,12 @@ final class MutexClient extends Client {
   private static final long CONFINED_NS = (MutexTimes.DEFAULT.suspectMs() + 8_000) * Time.NS_PER_MS;
 
   private static final long SLACK_NS = Time.NS_PER_MS;
-  private static final long PROMPT_MS = 5_000;
-  private static final long PROMPT_EACH_MS = 2_000;
+
+  /** Each other robot may hold two sections first. */
+  private static final long PROMPT_EACH_MS = MAX_REQUESTED * HOLD_MS;
+
+  private static final long PROMPT_MS = 500;
+  private static final int PROMPT_MESSAGES = 40;
 
   /** How often a robot leaves after a round, if members change. */
   private static final double LEAVES = 0.3;
@@ -109,7 +113,7 @@ final class MutexClient extends Client {
             isOpen && setup.isLossless()
                 ? new MutexSpec(bounds, calm).confinedWithin(CONFINED_NS + 10 * setup.delayNs())
                 : new MutexSpec(bounds, calm));
-    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, false);
+    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, false);
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;

@@ -36,6 +36,7 @@ final class PathsClient extends Client {
   private static final long THINK_MS = 500;
   private static final long PROMPT_MS = 80_000;
   private static final long PROMPT_EACH_MS = 10_000;
+  private static final int PROMPT_MESSAGES = 100;
   private static final double MARGIN_MM = 500;
   private static final double WALL_MM = 1_200;
 
@@ -61,7 +62,7 @@ final class PathsClient extends Client {
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
     setup.simulation().obstacles(walls(setup.sideMm()));
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
-    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, true);
+    setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, true);
   }
 
   /** Wheels and fixes with errors, as for motion. */

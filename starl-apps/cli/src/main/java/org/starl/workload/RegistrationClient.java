@@ -10,8 +10,10 @@ final class RegistrationClient extends Client {
 
   private static final long THINK_MS = 500;
 
-  /** Some times the longest wait in 60 runs of 12 robots without faults. */
-  private static final long PROMPT_MS = 4_000;
+  /** Two to four times the longest wait in 360 runs, with delays of 1 to 200 ms. */
+  private static final long PROMPT_MS = 200;
+
+  private static final int PROMPT_MESSAGES = 50;
 
   /** A robot stays for at most a twentieth of the busy time, so that some views live long. */
   private static final int STAYS = 20;
@@ -29,7 +31,7 @@ final class RegistrationClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new RegistrationClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
-    setup.promise(PROMPT_MS, false);
+    setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 
   @Override

@@ -2,7 +2,6 @@ package org.starl.workload;
 
 import java.util.List;
 import org.starl.id.RobotId;
-import org.starl.primitives.mutex.MutexSpec;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
@@ -12,7 +11,7 @@ import org.starl.trace.TraceEvent.Action;
 
 /**
  * The service that a workload's robots get in a calm world: no fault has been active, and every robot
- * has been up, for {@link MutexSpec#SETTLE_NS}.
+ * has been up, for {@link FaultState#SETTLE_NS}.
  *
  * <ul>
  *   <li>{@code Prompt}: a request that a robot makes then is served, or has failed, within the bound.
@@ -47,7 +46,7 @@ final class ServiceSpec extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     finish(event.timeNs(), report);
     faults.observe(event);
-    if (!faults.isCalm(event.timeNs(), MutexSpec.SETTLE_NS)) {
+    if (!faults.isCalm(event.timeNs(), FaultState.SETTLE_NS)) {
       requests.clear();
     } else if (event instanceof Action action && action.source().equals(Client.SOURCE)) {
       acted(action, report);

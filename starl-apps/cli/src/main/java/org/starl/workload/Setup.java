@@ -34,9 +34,6 @@ record Setup(
   /** Maximum time between two copies of a message that is repeated until answered. */
   private static final long RESEND_NS = 2 * Time.NS_PER_S;
 
-  /** No request waits for more messages one after another. */
-  static final int MESSAGES = 100;
-
   static final String SHORT = "short";
 
   private static final List<String> PATIENCES = List.of("long", SHORT);
@@ -119,13 +116,19 @@ record Setup(
    * Promises service in a calm world, if the network has no loss then.
    *
    * @param promptMs the bound on one request, with messages that take no time
+   * @param messages how many messages one request waits for, one after another
    * @param mayFail whether requests may fail in a calm world, too
    */
-  void promise(long promptMs, boolean mayFail) {
+  void promise(long promptMs, int messages, boolean mayFail) {
     if (isLossless()) {
-      long promptNs = promptMs * Time.NS_PER_MS + MESSAGES * delayNs();
+      long promptNs = withMessagesNs(promptMs, messages);
       simulation.monitor(() -> new ServiceSpec(promptNs, mayFail));
     }
+  }
+
+  /** A time, and the longest delays of so many messages one after another, in ns. */
+  long withMessagesNs(long ms, int messages) {
+    return ms * Time.NS_PER_MS + messages * delayNs();
   }
 
   /**

@@ -23,7 +23,6 @@ import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
-import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.Setting;
@@ -120,8 +119,8 @@ public final class RaceDemo implements Demo {
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
     simulation.monitor(() -> new MotionSpec(motion));
-    long reachNs = loss == 0 ? GeocastSettings.DEFAULT.reachNs(delayNs) : GeocastSpec.NEVER;
-    simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS, reachNs));
+    long copyNs = loss == 0 ? delayNs : GeocastSpec.NEVER;
+    simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.SETTINGS, copyNs));
   }
 
   /** No robot on the floor, or at a point, is farther from any point. */

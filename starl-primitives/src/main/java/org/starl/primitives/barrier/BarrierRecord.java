@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
@@ -149,14 +150,25 @@ final class BarrierRecord {
 
   /** Whether each member of the generation in which {@code robot} waits has arrived or is dead. */
   boolean isNoneToCome(RobotId robot) {
+    return haveArrived(robot, this::isLive);
+  }
+
+  /** Whether each member of the generation in which {@code robot} waits has arrived. */
+  boolean haveAllArrived(RobotId robot) {
+    return haveArrived(robot, member -> true);
+  }
+
+  private boolean haveArrived(RobotId robot, Predicate<ProcessId> isAwaited) {
     Long generation = waiting.get(robot);
     if (generation == null) {
       return false;
     }
     Set<ProcessId> here = arrived.getOrDefault(generation, Set.of());
-    return missing.members(first, generation).stream()
-        .filter(member -> isUp(member.robot()) && member.equals(ids.get(member.robot())))
-        .allMatch(here::contains);
+    return missing.members(first, generation).stream().filter(isAwaited).allMatch(here::contains);
+  }
+
+  private boolean isLive(ProcessId member) {
+    return isUp(member.robot()) && member.equals(ids.get(member.robot()));
   }
 
   /** Whether a majority of the acceptors is up: a robot of two members is one acceptor. */

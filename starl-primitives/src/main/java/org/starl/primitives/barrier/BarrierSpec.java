@@ -7,6 +7,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -26,11 +27,17 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
       "A robot that waits at a barrier is told an outcome within the bound.";
 
   private final Deadlines released;
+  private final Deadlines prompt;
   private final Deadlines told;
 
   /** Safety only. */
   public BarrierSpec() {
     this(Deadlines.NO_BOUND, Deadlines.NO_BOUND);
+  }
+
+  /** As {@link #BarrierSpec(long, long, long)}, with no other bound in a calm world. */
+  public BarrierSpec(long releasedWithinNs, long toldWithinNs) {
+    this(releasedWithinNs, toldWithinNs, Deadlines.NO_BOUND);
   }
 
   /**
@@ -41,8 +48,10 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
    *     members' robots is up and no fault but crashes is active
    * @param toldWithinNs a waiting robot is told an outcome within this time, whatever happens, in ns:
    *     two of the barriers' deadlines
+   * @param promptNs a waiting robot is told within this time of the last member's arrival, in ns; while
+   *     no fault has been active, and every robot has been up, for {@link FaultState#SETTLE_NS}
    */
-  public BarrierSpec(long releasedWithinNs, long toldWithinNs) {
+  public BarrierSpec(long releasedWithinNs, long toldWithinNs, long promptNs) {
     super(BarrierTrace::isBarrier);
     lemma(NO_EARLY, "No robot passes the barrier before all its members have arrived.");
     lemma(UNIFORM, "All robots that wait at one barrier are told the same outcome.");
@@ -52,6 +61,12 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
             NOT_HUNG_SAYS,
             releasedWithinNs,
             sinceNs -> "waits, though no live member is absent, since " + sinceNs + " ns");
+    prompt =
+        progress(
+            NOT_HUNG,
+            NOT_HUNG_SAYS,
+            promptNs,
+            sinceNs -> "waits in a calm world, though all have arrived, since " + sinceNs + " ns");
     told =
         progress(
             NOT_HUNG, NOT_HUNG_SAYS, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
@@ -98,6 +113,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   protected void review(long nowNs, Report report) {
+    boolean isCalm = faults.isCalm(nowNs, FaultState.SETTLE_NS);
     instances()
         .forEach((source, generations) -> {
           boolean isFair = faults.isFaultFree() && generations.hasMajorityUp();
@@ -107,8 +123,11 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
               told.start(key, nowNs);
               released.start(key, nowNs);
               released.assume(key, isFair && generations.isNoneToCome(robot), nowNs);
+              prompt.start(key, nowNs);
+              prompt.assume(key, isCalm && generations.haveAllArrived(robot), nowNs);
             } else {
               released.stop(key);
+              prompt.stop(key);
               if (told.stop(key) && generations.isUp(robot)) {
                 report.checked(NOT_HUNG);
               }

@@ -6,6 +6,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -22,8 +23,6 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String TERMS = "Terms";
   static final String ELECTED = "Elected";
   static final String TOLD = "Told";
-
-  private static final long SETTLE_NS = 10_000_000_000L;
 
   private boolean leaderStays;
   private final Deadlines elected;
@@ -96,7 +95,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       case ElectionTrace.DO_ELECTION -> ballots.called(action.robot());
       case ElectionTrace.CANDIDATE -> {
         long term = Long.parseLong(args.get(0));
-        if (leaderStays && faults.isCalm(action.timeNs(), SETTLE_NS)) {
+        if (leaderStays && faults.isCalm(action.timeNs(), FaultState.SETTLE_NS)) {
           ballots.checkStays(term, action, report);
         }
         ballots.stood(term, ProcessId.parse(args.get(1)));

@@ -24,8 +24,11 @@ public record GeocastSettings(
     }
   }
 
-  /** In a network without loss a copy reaches every robot in any time of this length, in ns. */
-  public long reachNs(long longestDelayNs) {
+  /**
+   * In a network without loss a copy reaches every robot in any time of this length, in ns: the longest
+   * wait for a repetition, and its delay.
+   */
+  long reachNs(long longestDelayNs) {
     return maxResendMs * NS_PER_MS + longestDelayNs;
   }
 

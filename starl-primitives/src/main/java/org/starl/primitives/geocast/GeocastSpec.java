@@ -25,7 +25,8 @@ import org.starl.trace.TraceEvent.Sent;
  *
  * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin
  * never sent a copy): the network decides which copies arrive. It is owed for all robots, too, if the
- * interval ends with enough time without faults for one repetition to reach them.
+ * interval is long enough for the first copy to arrive, and ends with enough time without faults for
+ * one repetition to reach them.
  */
 public final class GeocastSpec extends LemmaMonitor {
 
@@ -35,14 +36,14 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String ONCE = "once";
   static final String ACKNOWLEDGED = "acknowledged";
 
-  /** No time is long enough for a copy to arrive certainly. */
+  /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;
 
   private static final String EVERYONE = "*";
 
   private final double positionErrorMm;
-  private final long clockSkewNs;
-  private final long reachNs;
+  private final GeocastSettings settings;
+  private final long delayNs;
   private final Casts casts;
   private final FaultState faults = new FaultState();
 
@@ -51,26 +52,26 @@ public final class GeocastSpec extends LemmaMonitor {
 
   /** For a world without clock skew, and with position errors below 50 mm. */
   public GeocastSpec() {
-    this(50, 0);
+    this(50, GeocastSettings.DEFAULT);
   }
 
   /** Inclusion is owed only for robots that a copy has reached. */
-  public GeocastSpec(double positionErrorMm, long clockSkewNs) {
-    this(positionErrorMm, clockSkewNs, NEVER);
+  public GeocastSpec(double positionErrorMm, GeocastSettings settings) {
+    this(positionErrorMm, settings, NEVER);
   }
 
   /**
    * @param positionErrorMm the largest position error for which inclusion is owed, in mm; not for
    *     robots within twice this of the border, since their estimated position must be inside for
    *     certain
-   * @param clockSkewNs the largest difference between two clocks, in ns
-   * @param reachNs without faults a copy reaches every robot in any time of this length: the longest
-   *     wait for a repetition, and its delay; {@link #NEVER} where messages are lost without faults
+   * @param settings those of the robots
+   * @param delayNs the longest delay of a copy without faults, in ns; {@link #NEVER} where messages
+   *     are lost without faults
    */
-  public GeocastSpec(double positionErrorMm, long clockSkewNs, long reachNs) {
+  public GeocastSpec(double positionErrorMm, GeocastSettings settings, long delayNs) {
     this.positionErrorMm = positionErrorMm;
-    this.clockSkewNs = clockSkewNs;
-    this.reachNs = reachNs;
+    this.settings = settings;
+    this.delayNs = delayNs;
     casts = new Casts(2 * positionErrorMm);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
@@ -169,7 +170,7 @@ public final class GeocastSpec extends LemmaMonitor {
   private void reached(Delivered delivered) {
     Copy copy = new Copy(delivered.from(), delivered.seq());
     for (CastRecord cast : casts.active()) {
-      boolean inTime = delivered.timeNs() <= cast.deadlineNs - 2 * clockSkewNs;
+      boolean inTime = delivered.timeNs() <= surelyOpenUntilNs(cast);
       if (inTime && cast.source.equals(delivered.channel()) && cast.isCopy(copy)) {
         cast.reached.add(delivered.robot());
       }
@@ -182,13 +183,24 @@ public final class GeocastSpec extends LemmaMonitor {
       String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
       report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
     }
-    boolean reachesAll = faults.isCalm(cast.deadlineNs - 2 * clockSkewNs, reachNs);
-    for (RobotId robot : cast.required(reachesAll)) {
+    for (RobotId robot : cast.required(reachesAll(cast))) {
       report.checked(INCLUSION);
       if (!cast.deliveredNs.containsKey(robot)) {
         String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);
         report.violated(INCLUSION, cast.deadlineNs, List.of(robot), detail);
       }
     }
+  }
+
+  private boolean reachesAll(CastRecord cast) {
+    long untilNs = surelyOpenUntilNs(cast);
+    return delayNs != NEVER
+        && untilNs - cast.startNs >= delayNs
+        && faults.isCalm(untilNs, settings.reachNs(delayNs));
+  }
+
+  /** A copy that arrives later may be too late by the clock of its receiver. */
+  private long surelyOpenUntilNs(CastRecord cast) {
+    return cast.deadlineNs - 2 * settings.clockSkewNs();
   }
 }

@@ -17,6 +17,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.membership.Liveness;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
 
 /** The part of {@link MutexSpec} for one instance: its requests, their consents and its views. */
@@ -59,14 +60,14 @@ final class MutexRecord {
   /** A robot or a fault has begun or ended. */
   void livenessChanged(long nowNs, Report report) {
     expire(nowNs, report);
-    isCalm = liveness.isCalm(nowNs, MutexSpec.SETTLE_NS);
+    isCalm = liveness.isCalm(nowNs, FaultState.SETTLE_NS);
     progress(p -> p.look(nowNs));
   }
 
   /** Reports what was due before {@code nowNs}. */
   void expire(long nowNs, Report report) {
     progress(p -> p.expire(nowNs, report));
-    if (isCalm != liveness.isCalm(nowNs, MutexSpec.SETTLE_NS)) {
+    if (isCalm != liveness.isCalm(nowNs, FaultState.SETTLE_NS)) {
       isCalm = !isCalm;
       progress(p -> p.look(nowNs));
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.primitives.membership.Liveness;
 import org.starl.spec.Deadlines;
+import org.starl.spec.FaultState;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -33,7 +34,7 @@ import org.starl.trace.TraceEvent;
  * </ul>
  *
  * <p>With bounds for a calm world the same two are also required there, within those: while no
- * fault has been active, and every robot has been up, for {@link #SETTLE_NS}. A request that ends at
+ * fault has been active, and every robot has been up, for {@link FaultState#SETTLE_NS}. A request that ends at
  * its deadline before d2, or as occupied without a ghost, violates {@code Served} at any time. So does
  * one that waits for one cause only, longer than that may last: for a ghost, or for a dead participant
  * ({@link #confinedWithin}).
@@ -52,9 +53,6 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   static final String KEPT = "Kept";
   static final String COMPLETE = "Complete";
-
-  /** After so long without faults all lost messages have been repeated, in ns. */
-  public static final long SETTLE_NS = 10_000_000_000L;
 
   private final @Nullable MutexBounds bounds;
   private final @Nullable MutexBounds calm;

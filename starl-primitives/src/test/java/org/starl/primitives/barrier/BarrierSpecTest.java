@@ -19,10 +19,14 @@ class BarrierSpecTest {
   private static final RobotId B = new RobotId("b");
   private static final RobotId C = new RobotId("c");
 
-  private final Monitors monitors = new Monitors(List.of(new BarrierSpec(100, 300)));
+  private Monitors monitors = new Monitors(List.of(new BarrierSpec(100, 300)));
   private long nowNs;
 
   BarrierSpecTest() {
+    begin();
+  }
+
+  private void begin() {
     for (RobotId robot : List.of(A, B, C)) {
       act(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1");
     }
@@ -155,6 +159,32 @@ class BarrierSpecTest {
       see(new Action(0, robot, other, "arrive", List.of("1", id)));
     }
     see(new Variable(300, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+  }
+
+  @Test
+  void inACalmWorldARobotIsToldSoonAfterTheLastArrival() {
+    monitors = new Monitors(List.of(new BarrierSpec(100, 300, 10)));
+    begin();
+    arrive(A, 1);
+    arrive(B, 1);
+    see(new Variable(20, A, "app", "loc", "x"));
+    nowNs = 50;
+    arrive(C, 1);
+    see(new Variable(60, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+    see(new Variable(61, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(3);
+  }
+
+  @Test
+  void soonAfterAFaultARobotMayWaitForTheWholeBound() {
+    monitors = new Monitors(List.of(new BarrierSpec(100, 300, 10)));
+    fault(A, Fault.CRASH, 5);
+    fault(A, Fault.RESTART, 5);
+    begin();
+    allArrive(1);
+    see(new Variable(105, A, "app", "loc", "x"));
     assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
   }
 

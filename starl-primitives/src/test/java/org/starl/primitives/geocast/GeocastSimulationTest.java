@@ -82,7 +82,9 @@ class GeocastSimulationTest {
 
   private static SimResult run(long seed, String loss, String noise) {
     Simulation.Builder builder =
-        Simulation.builder().seed(seed).monitor(() -> new GeocastSpec(200, 0));
+        Simulation.builder()
+            .seed(seed)
+            .monitor(() -> new GeocastSpec(200, GeocastSettings.DEFAULT));
     for (int i = 0; i < 5; i++) {
       builder.robot(
           new RobotSpec(new RobotId("bot" + i), new Pose(0, 1_000 * i, 0), true, Caller::new));

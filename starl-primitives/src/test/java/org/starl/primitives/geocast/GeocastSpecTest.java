@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -18,9 +19,10 @@ class GeocastSpecTest {
 
   private static final String SOURCE = "broadcast/news";
   private static final RobotId ORIGIN = new RobotId("bot0");
+  private static final long MS = Time.NS_PER_MS;
   private static final RobotId OTHER = new RobotId("bot1");
 
-  private Monitors monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
+  private Monitors monitors = new Monitors(List.of(new GeocastSpec()));
 
   private void see(TraceEvent... events) {
     List.of(events).forEach(monitors::observe);
@@ -31,11 +33,15 @@ class GeocastSpecTest {
   }
 
   private void castWithoutReceiversAfterTheFirstDatagram() {
+    castWithoutReceivers(1000);
+  }
+
+  private void castWithoutReceivers(long intervalNs) {
     for (RobotId robot : List.of(ORIGIN, OTHER)) {
       see(new Joined(0, robot, new Pose(0, 0, 0), 100), act(0, robot, "open", robot + "#1"));
     }
     see(
-        act(1, ORIGIN, "BCast", "bot0#1/1", "everywhere", "1000"),
+        act(1, ORIGIN, "BCast", "bot0#1/1", "everywhere", "" + intervalNs),
         act(1, ORIGIN, "copy", "bot0#1/1"),
         new Sent(1, ORIGIN, "*", SOURCE, 1, 10, "copy"));
   }
@@ -57,7 +63,7 @@ class GeocastSpecTest {
   }
 
   private long violationsAfterDismissal(String why, String errorMm) {
-    monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
+    monitors = new Monitors(List.of(new GeocastSpec()));
     castWithoutReceiversAfterTheFirstDatagram();
     see(
         new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"),
@@ -79,24 +85,40 @@ class GeocastSpecTest {
 
   @Test
   void inAWorldWithoutFaultsARepeatedCopyReachesEveryRobot() {
-    Monitors strict = new Monitors(List.of(new GeocastSpec(50, 0, 500)));
-    assertThat(withoutFaultsSince(strict, 400)).isEqualTo(1);
+    assertThat(violationsAfterAFault(MS)).isEqualTo(1);
   }
 
   @Test
   void whileAFaultIsActiveACopyMayReachNoRobot() {
-    Monitors strict = new Monitors(List.of(new GeocastSpec(50, 0, 500)));
-    assertThat(withoutFaultsSince(strict, 600)).isZero();
+    assertThat(violationsAfterAFault(2 * MS)).isZero();
   }
 
-  /** The violations of inclusion if no copy arrives, and a fault ends at {@code endNs} of 1001. */
-  private long withoutFaultsSince(Monitors strict, long endNs) {
-    monitors = strict;
+  @Test
+  void noCopyArrivesInAnIntervalThatIsShorterThanItsDelay() {
+    monitors = strict(2 * MS);
+    castWithoutReceivers(2 * MS);
+    monitors.finish(3 * MS);
+    assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
+    monitors = strict(2 * MS + 1);
+    castWithoutReceivers(2 * MS);
+    monitors.finish(3 * MS);
+    assertThat(monitors.report().checks("inclusion")).isZero();
+  }
+
+  /** The violations of inclusion if no copy arrives in 3 ms, and a fault ends at {@code endNs}. */
+  private long violationsAfterAFault(long endNs) {
+    monitors = strict(MS);
     see(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
-    castWithoutReceiversAfterTheFirstDatagram();
+    castWithoutReceivers(3 * MS);
     see(new TraceEvent.Fault(endNs, TraceEvent.Fault.WORLD, "end", "loss(1)"));
-    monitors.finish(2000);
+    monitors.finish(4 * MS);
     return monitors.report().violations("inclusion");
+  }
+
+  /** Copies take {@code delayNs}, and are repeated each ms. */
+  private static Monitors strict(long delayNs) {
+    GeocastSettings settings = new GeocastSettings(1, 1, 0, false);
+    return new Monitors(List.of(new GeocastSpec(50, settings, delayNs)));
   }
 
   @Test

@@ -59,13 +59,13 @@ final class GeocastWorld {
     this.mutant = mutant;
     this.errorMm = errorMm;
     this.skewNs = skewNs;
+    GeocastSettings settings = new GeocastSettings(100, 1_000, skewNs, false);
     this.monitors =
-        new Monitors(List.of(new GeocastSpec(errorMm, skewNs), new GeocastConformance()));
+        new Monitors(List.of(new GeocastSpec(errorMm, settings), new GeocastConformance()));
     List<RobotId> ids = new ArrayList<>();
     for (int i = 0; i < robotCount; i++) {
       ids.add(new RobotId("bot" + i));
     }
-    GeocastSettings settings = new GeocastSettings(100, 1_000, skewNs, false);
     for (RobotId id : ids) {
       robots.put(id, new Robot(id, Participants.of(ids), settings));
     }

@@ -13,6 +13,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
@@ -73,7 +74,7 @@ class MutexSpecTest {
     both.observe(action(20, new MutexEvent.OdMutex(I, 1, set("A"))));
     both.observe(action(21, new MutexEvent.Release(I, 1, set("A"), set(""))));
     assertThat(both.report().violations()).isEmpty();
-    long settledNs = 2 + MutexSpec.SETTLE_NS;
+    long settledNs = 2 + FaultState.SETTLE_NS;
     both.observe(action(settledNs, new MutexEvent.DoMutex(I, 2, 2, set("A"), ids(I, J, K))));
     both.observe(action(settledNs + 11, new MutexEvent.OdMutex(I, 2, set("A"))));
     assertThat(both.report().violations("NonInterference")).isEqualTo(1);

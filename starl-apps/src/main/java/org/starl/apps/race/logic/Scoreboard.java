@@ -31,9 +31,9 @@ public final class Scoreboard {
   private static final long MAX_QUIET_MS = 8_000;
 
   /** Clocks that are up to 200 ppm off differ by no more after four minutes. */
-  public static final long CLOCK_SKEW_NS = 100 * Time.NS_PER_MS;
+  private static final long CLOCK_SKEW_NS = 100 * Time.NS_PER_MS;
 
-  static final GeocastSettings SETTINGS =
+  public static final GeocastSettings SETTINGS =
       new GeocastSettings(
           GeocastSettings.DEFAULT.resendMs(),
           GeocastSettings.DEFAULT.maxResendMs(),
