@@ -171,7 +171,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       progress.end();
     }
     return print(
-        new Output(this, work, carriers, json.isOn(), shrink, report, typed()), tally, page);
+        new Output(this, work, carriers, threads.count(), json.isOn(), shrink, report, typed()),
+        tally,
+        page);
   }
 
   /** Adds each row to the sums and the page, and answers whether it decides the campaign. */
@@ -190,6 +192,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   /**
    * How to print a campaign: the options of a command, and what it ran.
    *
+   * @param workers threads for further runs
    * @param report the name of the report's file; null without
    * @param typed the command of the campaign, as the user typed it
    */
@@ -197,6 +200,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       BaseCommand command,
       SeedWork work,
       CarrierKind carriers,
+      int workers,
       boolean isJson,
       boolean shrinks,
       @Nullable String report,
@@ -215,24 +219,28 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     }
   }
 
-  /** Prints a finished campaign and writes its page; returns the exit status. */
+  /** Makes the steered runs of a campaign, prints it and writes its page; returns the exit status. */
   static int print(Output output, CampaignTally tally, @Nullable ReportFile page)
       throws InterruptedException, IOException {
     PrintWriter out = output.command().out();
     PrintWriter err = output.command().err();
     RunRequest request = output.request();
     Seeds.Range range = output.range();
-    SeedRow bad = tally.firstBad();
+    SteeredRuns steered = steered(output, tally, err);
+    SeedRow ofSeeds = tally.firstBad();
+    FirstBad bad = ofSeeds == null ? steered.firstBad() : new FirstBad(request, ofSeeds);
     Shrinking.Shrunk shrunk =
         bad == null || !output.shrinks()
             ? null
-            : new Shrinking(output.command().demos(), request, bad.seed(), output.carriers())
+            : new Shrinking(
+                    output.command().demos(), bad.request(), bad.row().seed(), output.carriers())
                 .run(err);
     if (page != null) {
       page.write(
           ReportFile.description(request, output.typed(), range),
           seed -> SeedRuns.plan(request, seed, output.carriers()),
           shrunk == null ? List.of() : shrunk.lines(),
+          steered.story(),
           tally,
           err);
     }
@@ -244,6 +252,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
         summary.put("until_shown", !output.ending().isMissed(tally));
       }
       summary.put("never_checked", List.copyOf(tally.neverChecked()));
+      summary.putAll(steered.json());
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
@@ -258,6 +267,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       Outcome.inapplicable(spec).forEach(out::println);
       tally.chances().lines().forEach(out::println);
       output.ending().lines(tally).forEach(out::println);
+      steered.lines().forEach(out::println);
       tally.coverage().lines().forEach(out::println);
       if (output.report() != null) {
         out.println("report: " + output.report());
@@ -276,22 +286,54 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           ? ExitStatus.VIOLATED
           : ExitStatus.GOOD;
     }
-    err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
-    sentences(request, tally).forEach(err::println);
-    err.println("replay: " + request.replay(bad.seed()));
+    err.println(bad.line());
+    sentences(bad, tally.violated()).forEach(err::println);
+    err.println(bad.replay());
     if (shrunk != null) {
       shrunk.lines().forEach(err::println);
     }
     return ExitStatus.VIOLATED;
   }
 
-  /** What each lemma says that a run violated first. */
-  private static List<String> sentences(RunRequest request, CampaignTally tally) {
-    SortedSet<String> violated = tally.violated();
+  /**
+   * The first bad run of a campaign.
+   *
+   * @param request of this run
+   */
+  record FirstBad(RunRequest request, SeedRow row) {
+
+    String line() {
+      return "seed " + row.seed() + ": " + row.outcome().detail();
+    }
+
+    String replay() {
+      return "replay: " + request.replay(row.seed());
+    }
+  }
+
+  private static SteeredRuns steered(Output output, CampaignTally tally, PrintWriter err)
+      throws InterruptedException {
+    SteeredRuns steered =
+        new SteeredRuns(
+            output.request(), output.work().keys().getFirst(), tally, output.carriers());
+    ProgressLine progress = new ProgressLine(err, "steered runs");
+    steered.run(tally, output.carriers(), output.workers(), progress::show);
+    progress.end();
+    return steered;
+  }
+
+  /**
+   * What each lemma says that a run violated first.
+   *
+   * @param violated the lemmas that runs of the campaign's seeds violated first; will be changed
+   */
+  private static List<String> sentences(FirstBad bad, SortedSet<String> violated) {
+    if (bad.row().outcome().verdict() == Verdict.VIOLATED) {
+      violated.add(bad.row().outcome().what());
+    }
     List<String> lines = new ArrayList<>();
-    SeedRow bad = tally.firstBad();
-    if (bad != null && !violated.isEmpty()) {
-      for (Monitor monitor : monitors(request, bad.seed()).monitors()) {
+    if (!violated.isEmpty()) {
+      for (Monitor monitor : monitors(bad.request(), bad.row().seed()).monitors()) {
         for (String lemma : monitor.lemmas()) {
           if (!monitor.description(lemma).isEmpty() && violated.remove(lemma)) {
             lines.add("  " + lemma + ": " + monitor.description(lemma));

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.cli.report.Chances;
 import org.starl.cli.report.Coverage;
+import org.starl.cli.report.RareParts;
 import org.starl.cli.report.SeedRow;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.Histogram;
@@ -26,6 +27,7 @@ final class CampaignTally {
   private final Histogram waitsNs = new Histogram();
   private final Chances chances = new Chances();
   private final Coverage coverage = new Coverage();
+  private final RareParts rareParts = new RareParts();
   private long runs;
   private long completed;
   private @Nullable SeedRow firstBad;
@@ -54,6 +56,7 @@ final class CampaignTally {
     }
     if (row.coverage() != null) {
       coverage.add(row.coverage());
+      rareParts.add(row.seed(), row.coverage());
     }
   }
 
@@ -124,5 +127,9 @@ final class CampaignTally {
 
   Coverage coverage() {
     return coverage;
+  }
+
+  RareParts rareParts() {
+    return rareParts;
   }
 }

@@ -84,6 +84,7 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
                   this,
                   work,
                   Carriers.select(null, err()),
+                  Runtime.getRuntime().availableProcessors(),
                   json.isOn(),
                   shrink,
                   report,

@@ -80,6 +80,7 @@ final class ReportFile implements Closeable {
       CampaignDescription description,
       LongFunction<Plan> plans,
       List<String> shrunk,
+      List<String> steered,
       CampaignTally tally,
       PrintWriter err)
       throws IOException {
@@ -108,7 +109,8 @@ final class ReportFile implements Closeable {
             monitors,
             example,
             illustrated,
-            shrunk);
+            shrunk,
+            steered);
     file.stream().write(new Page(report).write().getBytes(StandardCharsets.UTF_8));
   }
 

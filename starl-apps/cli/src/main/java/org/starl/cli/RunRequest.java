@@ -17,6 +17,7 @@ import org.starl.apps.Request;
 import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
+import org.starl.sim.Redraws;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.SimulationPlan;
@@ -62,6 +63,11 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   /** The same request with other settings. */
   RunRequest withSettings(SimSettings newSettings) {
     return new RunRequest(demo, parameters, newSettings);
+  }
+
+  /** The same request with these redraws, and no others. */
+  RunRequest with(Redraws redraws) {
+    return withSettings(settings.with(Setting.REDRAWS, redraws));
   }
 
   /** The same request with these faults too. */

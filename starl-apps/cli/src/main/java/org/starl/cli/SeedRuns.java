@@ -6,6 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.LongFunction;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -25,7 +26,7 @@ import org.starl.sim.kernel.CarrierKind;
 /** Runs the seeds of a campaign or a sweep, and hands on a row for each. */
 final class SeedRuns {
 
-  private final SeedWork work;
+  private final LongFunction<One> runs;
   private final CarrierKind carriers;
   private final boolean countsMessages;
 
@@ -36,16 +37,24 @@ final class SeedRuns {
   private final Map<Long, SeedRow> rows = new ConcurrentSkipListMap<>();
 
   /**
+   * One run.
+   *
+   * @param key of its point, as rows have it
+   */
+  record One(RunRequest request, String key, int point, long seed) {}
+
+  /**
+   * @param runs by number; may be called on several threads at once
    * @param countsMessages whether rows have the messages by channel, which only a report shows
    */
-  SeedRuns(SeedWork work, CarrierKind carriers, boolean countsMessages) {
-    this.work = work;
+  SeedRuns(LongFunction<One> runs, CarrierKind carriers, boolean countsMessages) {
+    this.runs = runs;
     this.carriers = carriers;
     this.countsMessages = countsMessages;
   }
 
   /**
-   * Runs the campaign, whose seeds are the numbers of the work.
+   * Runs the campaign, whose seeds are the numbers of the runs.
    *
    * @param isLast called on the calling thread for each row in order; after the first true the
    *     campaign ends
@@ -69,15 +78,14 @@ final class SeedRuns {
       SortedSet<String> faults,
       @Nullable RunFacts facts,
       @Nullable Coverage coverage) {
-    int point = work.point(number);
-    return new SeedRow(
-        work.keys().get(point), point, work.seed(number), outcome, faults, facts, coverage);
+    One one = runs.apply(number);
+    return new SeedRow(one.key, one.point, one.seed, outcome, faults, facts, coverage);
   }
 
   /** Runs one; may be called on several threads at once. */
   private RunOutcome run(long number) {
-    long seed = work.seed(number);
-    Plan plan = plan(work.points().get(work.point(number)), seed, carriers);
+    One one = runs.apply(number);
+    Plan plan = plan(one.request, one.seed, carriers);
     SortedSet<String> faults = Chances.watch(plan.simulation());
     kinds.put(number, faults);
     MessageCounts messages = new MessageCounts();
@@ -86,7 +94,7 @@ final class SeedRuns {
     if (countsMessages) {
       plan.simulation().observer(messages);
     }
-    SimResult result = correct(seed, () -> plan.simulation().build().run());
+    SimResult result = correct(one.seed, () -> plan.simulation().build().run());
     RunFacts facts = RunFacts.of(result, plan.story(), messages);
     RunOutcome outcome = RunOutcome.of(result);
     SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());

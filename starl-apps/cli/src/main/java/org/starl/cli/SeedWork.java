@@ -84,6 +84,11 @@ record SeedWork(
     return (int) ((number - firstNumber()) % points.size());
   }
 
+  private SeedRuns.One one(long number) {
+    int point = point(number);
+    return new SeedRuns.One(points.get(point), keys.get(point), point, seed(number));
+  }
+
   long seed(long number) {
     return seeds.first() + (number - firstNumber()) / points.size();
   }
@@ -192,6 +197,6 @@ record SeedWork(
   void runSeeds(Seeds.Range part, How how, boolean countsMessages, Predicate<SeedRow> isLast)
       throws InterruptedException {
     Campaign campaign = new Campaign(part.first(), part.last(), how.workers(), ending.stops());
-    new SeedRuns(this, how.carriers(), countsMessages).run(campaign, how.progress(), isLast);
+    new SeedRuns(this::one, how.carriers(), countsMessages).run(campaign, how.progress(), isLast);
   }
 }

@@ -85,9 +85,7 @@ final class SplitRuns {
   }
 
   private RunRequest with(Redraws redraws) {
-    return redraws.all().isEmpty()
-        ? request
-        : request.withSettings(request.settings().with(Setting.REDRAWS, redraws));
+    return redraws.all().isEmpty() ? request : request.with(redraws);
   }
 
   private int print(PrintWriter out, PrintWriter err, boolean isJson) {

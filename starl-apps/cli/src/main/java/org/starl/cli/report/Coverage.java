@@ -52,7 +52,25 @@ public final class Coverage {
    *
    * @param theories by the theory's name and the action's
    */
-  record Parts(SortedMap<String, SortedMap<String, Action>> theories, Deliveries deliveries) {}
+  record Parts(SortedMap<String, SortedMap<String, Action>> theories, Deliveries deliveries) {
+
+    /** Of all that was reached: an action, a conjunct that was false, a delivery. */
+    List<String> names() {
+      List<String> names = new ArrayList<>(deliveries.names());
+      theories.forEach((theory, actions) ->
+          actions.forEach((name, action) -> {
+            if (action.taken > 0) {
+              names.add(theory + "." + name);
+            }
+            action.guard.forEach((conjunct, values) -> {
+              if (values.failed > 0) {
+                names.add(theory + "." + name + ": " + conjunct);
+              }
+            });
+          }));
+      return names;
+    }
+  }
 
   private final SortedMap<String, SortedMap<String, Action>> theories;
   private final Deliveries deliveries;

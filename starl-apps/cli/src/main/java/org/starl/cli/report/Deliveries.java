@@ -59,6 +59,19 @@ final class Deliveries {
             })));
   }
 
+  /** Of all combinations that were reached. */
+  List<String> names() {
+    List<String> names = new ArrayList<>();
+    counts.forEach((channel, locations) ->
+        locations.forEach((location, phases) ->
+            phases.forEach((phase, types) ->
+                types
+                    .keySet()
+                    .forEach(
+                        type -> names.add(String.join(" ", channel, location, phase, type))))));
+    return names;
+  }
+
   /** A line for each channel with a delivery. */
   List<String> lines() {
     return tables().stream().map(Table::line).toList();

@@ -38,6 +38,7 @@ public final class Page {
     if (!report.bad().isEmpty()) {
       new BadRunsPart(html, report).write();
     }
+    steered();
     samples();
     CampaignTables tables = new CampaignTables(html, report);
     tables.messages();
@@ -49,6 +50,14 @@ public final class Page {
     html.close();
     footer(html);
     return html.page();
+  }
+
+  private void steered() {
+    if (!report.steered().isEmpty()) {
+      html.open("section").element("h2", "Steered runs");
+      report.steered().forEach(line -> html.element("p", line, "class", "note"));
+      html.close();
+    }
   }
 
   /** The end of a page: closes its body. */

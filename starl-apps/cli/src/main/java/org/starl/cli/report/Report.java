@@ -27,6 +27,7 @@ import org.starl.spec.Monitor;
  * @param example a run to show where all runs went well; may be null
  * @param illustrated some of the bad runs, with stories and pictures
  * @param shrunk lines about the shrunk first bad run; empty if it was not shrunk
+ * @param steered lines about the steered runs; empty if there were none
  */
 public record Report(
     CampaignDescription description,
@@ -37,7 +38,8 @@ public record Report(
     List<Monitor> monitors,
     @Nullable IllustratedRun example,
     List<IllustratedRun> illustrated,
-    List<String> shrunk) {
+    List<String> shrunk,
+    List<String> steered) {
 
   /** At most this many bad runs have a story and pictures on the page. */
   public static final int MAX_ILLUSTRATED = 10;

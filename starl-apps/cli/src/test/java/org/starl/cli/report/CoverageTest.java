@@ -97,6 +97,26 @@ class CoverageTest {
   }
 
   @Test
+  void aPartThatFewRunsReachedIsRare() {
+    RareParts parts = new RareParts();
+    Coverage common = of(run(new Up()));
+    for (long seed = 1; seed <= 9; seed++) {
+      parts.add(seed, seed == 3 || seed == 8 ? of(run(new Up(), new Down())) : common);
+    }
+    assertThat(parts.seeds(3)).containsExactly(3L, 8L, 3L);
+    parts.add(10, of(run(new Reset())));
+    assertThat(parts.seeds(4)).as("the rarest first").containsExactly(10L, 3L, 10L, 8L);
+  }
+
+  @Test
+  void ifAllRunsReachTheSameNoPartIsRare() {
+    RareParts parts = new RareParts();
+    parts.add(1, of(run(new Up())));
+    parts.add(2, of(run(new Up())));
+    assertThat(parts.seeds(3)).isEmpty();
+  }
+
+  @Test
   void aGuardThatWouldHaveStoppedAnEarlierActionCounts() {
     List<Step> steps = new ArrayList<>();
     // Up to three and down to none, again and again: each guard is false at one end.

@@ -1,0 +1,103 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.fault.Envelope;
+import org.starl.spec.Require;
+import org.starl.workload.PrimitiveWorkloads;
+
+class SteeredTest {
+
+  private static final Demo MUTEX = new Demos(PrimitiveWorkloads.ALL).byName("mutex").orElseThrow();
+  private static final Demos MUTEXES = new Demos(List.of(new Mutex(false), new Mutex(true)));
+
+  @TempDir private Path folder;
+
+  /**
+   * The workload of a mutex.
+   *
+   * @param isBad whether it violates a lemma in a run with redraws
+   */
+  private record Mutex(boolean isBad) implements Demo {
+    @Override
+    public String name() {
+      return isBad ? "bad" : "good";
+    }
+
+    @Override
+    public String summary() {
+      return MUTEX.summary();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return MUTEX.parameters();
+    }
+
+    @Override
+    public Envelope envelope() {
+      return MUTEX.envelope();
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return MUTEX.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = MUTEX.plan(request, settings);
+      boolean isRedrawn = settings.has(Setting.REDRAWS);
+      plan.simulation()
+          .monitor(() -> Require.always("seed", "it is a seed's", state -> !isBad || !isRedrawn));
+      return plan;
+    }
+  }
+
+  private static Cli campaign(String name, Object... more) {
+    String line = "campaign " + name + " --chaos --robots 3 --seeds 1..8 --set rounds=4";
+    return Cli.line(MUTEXES, line, more);
+  }
+
+  @Test
+  void aCampaignWithChaosGoesOnNearWhatFewSeedsReached() {
+    Cli one = campaign("good", "--threads", "1");
+    campaign("good", "--threads", "2").assertSame(one);
+    assertThat(one.status()).isEqualTo(ExitStatus.GOOD);
+    assertThat(one.out()).contains("steered: 4 further runs near what few seeds reached, 0 bad");
+  }
+
+  @Test
+  void withoutChaosNoRunIsSteered() {
+    Cli cli = Cli.line(MUTEXES, "campaign bad --robots 3 --seeds 1..8 --set rounds=4");
+    assertThat(cli.status()).isEqualTo(ExitStatus.GOOD);
+    assertThat(cli.out()).noneMatch(line -> line.startsWith("steered"));
+  }
+
+  @Test
+  void aBadSteeredRunFailsTheCampaignAndItsReplayShowsIt() {
+    Path page = folder.resolve("page.html");
+    Cli cli = campaign("bad", "--report", page.toString());
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    String steered = "steered: 4 further runs near what few seeds reached, 4 bad";
+    assertThat(cli.out()).contains(steered);
+    assertThat(cli.out()).anyMatch(line -> line.startsWith("bad runs: 0 of 8"));
+    assertThat(page).content().contains(steered);
+    String replay = cli.err().getLast();
+    assertThat(replay).startsWith("replay: ./starl run bad --seed ").contains("redraws=");
+    String command = replay.substring("replay: ./starl ".length()).replace("'", "");
+    Cli again = Cli.line(MUTEXES, command, "--png", folder.resolve("replay.png").toString());
+    assertThat(again.out()).anyMatch(line -> line.startsWith("VIOLATED: seed"));
+  }
+}
