@@ -49,7 +49,8 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
    * @param toldWithinNs a waiting robot is told an outcome within this time, whatever happens, in ns:
    *     two of the barriers' deadlines
    * @param promptNs a waiting robot is told within this time of the last member's arrival, in ns; while
-   *     no fault has been active, and every robot has been up, for {@link FaultState#SETTLE_NS}
+   *     a majority of the members takes part, and no fault has been active, and every robot has been up,
+   *     for {@link FaultState#SETTLE_NS}
    */
   public BarrierSpec(long releasedWithinNs, long toldWithinNs, long promptNs) {
     super(BarrierTrace::isBarrier);
@@ -124,7 +125,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
               released.start(key, nowNs);
               released.assume(key, isFair && generations.isNoneToCome(robot), nowNs);
               prompt.start(key, nowNs);
-              prompt.assume(key, isCalm && generations.haveAllArrived(robot), nowNs);
+              prompt.assume(key, isCalm && isFair && generations.haveAllArrived(robot), nowNs);
             } else {
               released.stop(key);
               prompt.stop(key);

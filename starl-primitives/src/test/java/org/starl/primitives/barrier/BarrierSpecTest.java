@@ -178,6 +178,20 @@ class BarrierSpecTest {
   }
 
   @Test
+  void inACalmWorldHalfOfTheMembersNeedNotDecideSoon() {
+    monitors = new Monitors(List.of(new BarrierSpec(100, 300, 10)));
+    for (RobotId robot : List.of(A, B)) {
+      act(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1", "d#1");
+      arrive(robot, 1);
+    }
+    // Robots c and d have restarted, and know nothing of this barrier.
+    act(C, "arrive", "1", "c#1");
+    act(new RobotId("d"), "arrive", "1", "d#1");
+    see(new Variable(61, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+  }
+
+  @Test
   void soonAfterAFaultARobotMayWaitForTheWholeBound() {
     monitors = new Monitors(List.of(new BarrierSpec(100, 300, 10)));
     fault(A, Fault.CRASH, 5);
