@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Nowhere;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
@@ -36,10 +37,16 @@ final class MotionBodies {
     void followed(MotionRecord motion, @Nullable Moved moved);
   }
 
+  private static final double BEHIND_MM = 20;
+
+  /** A body that is farther from the region to avoid may drive at any speed. */
+  private static final double NEAR_MM = 500;
+
   private final double goalRadiusMm;
   private final double rollMm;
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, Moved> drives = new TreeMap<>();
+  private final Map<RobotId, Long> standsFromNs = new TreeMap<>();
   private final Map<RobotId, MotionRecord> motions = new TreeMap<>();
   private long commands;
 
@@ -68,6 +75,26 @@ final class MotionBodies {
     return drive != null
         && bodies.isOnFloor(robot)
         && (drive.linearMmPerS() != 0 || drive.angularRadPerS() != 0);
+  }
+
+  /** Since when the body neither drives nor turns; {@code nowNs} if it does. */
+  long standsFromNs(RobotId robot, long nowNs) {
+    return isDriving(robot) ? nowNs : standsFromNs.getOrDefault(robot, nowNs);
+  }
+
+  /** Whether neither the region to avoid nor a wall or another body is right behind the body. */
+  boolean mayBackOff(MotionRecord motion, Obstacles walls, long nowNs) {
+    Pose pose = bodies.poseAt(motion.robot, nowNs);
+    double rad = pose.headingRad();
+    Point behind =
+        pose.at().minus(new Point(StrictMath.cos(rad), StrictMath.sin(rad)).times(BEHIND_MM));
+    double radiusMm = bodies.radiusMm(motion.robot);
+    return motion.avoid.distanceMm(pose.at()) > radiusMm + NEAR_MM
+        && walls.distanceMm(behind) > radiusMm
+        && bodies.robots().stream()
+            .filter(other -> !other.equals(motion.robot))
+            .allMatch(other ->
+                bodies.poseAt(other, nowNs).distanceMm(behind) > radiusMm + bodies.radiusMm(other));
   }
 
   /** The true pose of a body on the floor. */
@@ -106,12 +133,16 @@ final class MotionBodies {
           end(variable.robot(), variable.timeNs(), path);
       case Moved moved -> {
         follow(moved.robot(), moved.timeNs(), path);
+        if (isDriving(moved.robot())) {
+          standsFromNs.put(moved.robot(), moved.timeNs());
+        }
         bodies.observe(moved);
         drives.put(moved.robot(), moved);
       }
       case Joined joined -> {
         bodies.observe(joined);
         drives.remove(joined.robot());
+        standsFromNs.put(joined.robot(), joined.timeNs());
         MotionRecord motion = motions.get(joined.robot());
         if (motion != null) {
           startOf(motion, joined.timeNs());

@@ -27,6 +27,15 @@ final class MotionRecord {
 
   boolean owesArrives;
 
+  /** Whether no fault has changed the robot's clock since the command. */
+  boolean hasTrueClock;
+
+  /** Whether no fault has been active since the command. */
+  boolean isCalm;
+
+  /** Whether the body has driven backwards. */
+  boolean hasBackedOff;
+
   /** The time until which the body was followed. */
   long followedNs;
 

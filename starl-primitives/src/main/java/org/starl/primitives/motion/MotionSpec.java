@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
@@ -32,12 +34,21 @@ public final class MotionSpec extends LemmaMonitor {
   static final String ARRIVES = "arrives";
   static final String TOLD = "told";
 
+  private static final String IN_THE_WAY = "the region to avoid is in the way";
+  private static final String BUMPED = "bumped into something";
+  private static final String NO_FIX = "no position fix";
+  private static final String CONTRADICTED = "fixes contradict the commands";
+  private static final String UNCERTAIN = "the position is too uncertain";
+
   private static final long NEVER = Long.MAX_VALUE;
 
   /**
    * A correct motion's largest deviation from the straight line; its arcs begin within 25 degrees.
    */
   private static final double SWERVE_MM = 100;
+
+  /** A clock without faults counts less time than this wrongly in a second. */
+  private static final long CLOCK_MS = 1;
 
   /** The faults of clocks and of computing time, by their names in the trace. */
   private static final List<String> TIME_FAULTS = List.of("compute", "drift", "skew");
@@ -55,6 +66,10 @@ public final class MotionSpec extends LemmaMonitor {
   private final SortedMap<RobotId, Long> standsFromNs = new TreeMap<>();
   private long firstStandsNs = NEVER;
   private boolean isRealTime;
+
+  private final long heldUpMs;
+  private Obstacles walls = Obstacles.NONE;
+  private boolean isBackingOff;
 
   /** For robots with the default motion parameters, and position errors below 50 mm. */
   public MotionSpec() {
@@ -79,16 +94,33 @@ public final class MotionSpec extends LemmaMonitor {
     double rollMm = mostMmPerS * p.reactionMs() / 1e3;
     double stepMm = mostMmPerS * p.automatonPeriodMs() / 1e3;
     marginMm = SWERVE_MM + 2 * (positionErrorMm + rollMm + stepMm);
+    // It waits for a fix, for a certain position and for the region to avoid, and backs off in
+    // vain.
+    long waitsMs =
+        2 * p.failFixAgeMs() + p.avoidPatienceMs() + p.collisionBackMs() + p.reactionMs();
+    boolean pushes = p.collisionPolicy() == CollisionPolicy.BUMPERCARS;
+    heldUpMs = waitsMs + (pushes ? p.stuckAfterMs() : 0);
     lemma(AVOIDS, "No part of a robot enters the area that its move must avoid.");
     lemma(ARRIVES, "A move without an obstacle succeeds.");
     lemma(
         TOLD,
-        "A move ends in time, at its goal or failed; after a failure or a stop the robot stands.");
+        "A move ends in time, at its goal or failed, and does not give up early; after a failure"
+            + " or a stop the robot stands.");
   }
 
   /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
   public MotionSpec inTubes() {
     never(ARRIVES, "robots drive in tubes, where a move need not succeed at the first try");
+    return this;
+  }
+
+  /**
+   * Of robots that nothing keeps from backing off but other bodies, these walls, and the region to
+   * avoid: with the policy to do so, each does.
+   */
+  public MotionSpec backingOff(Obstacles around) {
+    walls = around;
+    isBackingOff = p.collisionPolicy() == CollisionPolicy.USE_COLBACK;
     return this;
   }
 
@@ -101,6 +133,9 @@ public final class MotionSpec extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     checkDeadlines(event.timeNs(), report);
     checkStanding(event.timeNs(), report);
+    if (event instanceof Moved moved) {
+      moves(moved, report);
+    }
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
       case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
@@ -118,6 +153,14 @@ public final class MotionSpec extends LemmaMonitor {
     checkDeadlines(endNs, report);
     checkStanding(endNs, report);
     bodies.finish(endNs, (motion, moved) -> followed(motion, moved, report));
+  }
+
+  private void moves(Moved moved, Report report) {
+    MotionRecord motion = bodies.of(moved.robot());
+    if (motion != null) {
+      checkHeldUp(motion, moved.timeNs(), report);
+      motion.hasBackedOff |= moved.linearMmPerS() < 0;
+    }
   }
 
   private void acted(Action action, Report report) {
@@ -139,6 +182,8 @@ public final class MotionSpec extends LemmaMonitor {
     if (motion == null) {
       return;
     }
+    motion.hasTrueClock = faultsOfTime == 0;
+    motion.isCalm = faults == 0;
     double distanceMm = 0;
     if (bodies.isOnFloor(robot)) {
       Point start = bodies.poseAt(robot, nowNs).at();
@@ -244,7 +289,10 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void failed(MotionRecord motion, String why, long nowNs, Report report) {
-    if (motion.owesArrives && !isExternal(why)) {
+    checkPatience(motion, why, nowNs, report);
+    checkHeldUp(motion, nowNs, report);
+    checkBump(motion, why, nowNs, report);
+    if (motion.owesArrives && !isExternal(motion, why)) {
       report.checked(ARRIVES);
       String detail = "fails without an obstacle on the way to " + motion.target + ": " + why;
       report.violated(ARRIVES, nowNs, List.of(motion.robot), detail);
@@ -252,17 +300,66 @@ public final class MotionSpec extends LemmaMonitor {
     motion.owesArrives = false;
   }
 
+  /** A motion that is held back must wait, and one that does not move must try, before it fails. */
+  private void checkPatience(MotionRecord motion, String why, long nowNs, Report report) {
+    long sinceNs = motion.startNs;
+    if (why.equals(IN_THE_WAY)) {
+      sinceNs = Math.max(sinceNs, bodies.standsFromNs(motion.robot, nowNs));
+    }
+    long leastMs = patienceMs(why) - p.reactionMs() - CLOCK_MS;
+    if (nowNs - sinceNs < leastMs * NS_PER_MS && motion.hasTrueClock && !isRealTime) {
+      String detail =
+          "fails " + (nowNs - sinceNs) / NS_PER_MS + " ms after it began to try: " + why;
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+  }
+
+  /** A robot reacts to a bump, and does not push on; one whose wheels turn in vain fails. */
+  private void checkHeldUp(MotionRecord motion, long nowNs, Report report) {
+    long stoodNs = nowNs - Math.max(motion.startNs, bodies.standsFromNs(motion.robot, nowNs));
+    if (motion.isOpen && motion.isCalm && stoodNs > heldUpMs * NS_PER_MS && !isRealTime) {
+      String detail = "stands for " + stoodNs / NS_PER_MS + " ms during its move";
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+  }
+
+  /** After a bump a motion fails by the policy, and only then; it may have to back off first. */
+  private void checkBump(MotionRecord motion, String why, long nowNs, Report report) {
+    if (!why.equals(BUMPED)) {
+      return;
+    }
+    boolean owesRetreat = isBackingOff && motion.isCalm && !motion.hasBackedOff;
+    if (!p.collisionPolicy().fails()) {
+      String detail = "fails after a bump, and its policy is to go on";
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    } else if (owesRetreat && bodies.mayBackOff(motion, walls, nowNs)) {
+      String detail = "fails after a bump, and has not backed off";
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+  }
+
+  private long patienceMs(String why) {
+    return switch (why) {
+      case IN_THE_WAY -> p.avoidPatienceMs();
+      case "no progress" -> p.stuckAfterMs();
+      case NO_FIX, CONTRADICTED, UNCERTAIN -> p.failFixAgeMs();
+      default -> 0;
+    };
+  }
+
   /**
    * Whether the cause is outside the motion: the body touched something, or its position is
    * unknown.
    */
-  private boolean isExternal(String why) {
-    boolean isHeldUp = why.equals("no progress") || why.equals("too slow");
-    return why.equals("bumped into something")
-        || why.equals("no position fix")
-        || why.equals("fixes contradict the commands")
-        || why.equals("the position is too uncertain")
-        || (isHeldUp && !p.collisionPolicy().fails());
+  private boolean isExternal(MotionRecord motion, String why) {
+    boolean isHeldUp =
+        why.equals("no progress") || why.equals("too slow") || why.equals(IN_THE_WAY);
+    boolean goesOnAfterBump = !p.collisionPolicy().fails() || motion.hasBackedOff;
+    return why.equals(BUMPED)
+        || why.equals(NO_FIX)
+        || why.equals(CONTRADICTED)
+        || why.equals(UNCERTAIN)
+        || (isHeldUp && goesOnAfterBump);
   }
 
   private void failing(Fault fault) {
@@ -270,8 +367,14 @@ public final class MotionSpec extends LemmaMonitor {
     switch (fault.name()) {
       case Fault.BEGIN -> {
         faults++;
-        faultsOfTime += isOfTime(fault) ? 1 : 0;
-        bodies.motions().values().forEach(motion -> motion.owesArrives = false);
+        if (isOfTime(fault)) {
+          faultsOfTime++;
+          bodies.motions().values().forEach(motion -> motion.hasTrueClock = false);
+        }
+        for (MotionRecord motion : bodies.motions().values()) {
+          motion.owesArrives = false;
+          motion.isCalm = false;
+        }
       }
       case Fault.END -> {
         faults--;

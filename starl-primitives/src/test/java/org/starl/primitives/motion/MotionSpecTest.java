@@ -4,10 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFlag;
 import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
@@ -54,6 +58,104 @@ class MotionSpecTest {
     drivesAndHas("FAIL");
     monitors.finish(5_000 * MS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  @Test
+  void aMotionThatIsHeldBackWaitsBeforeItFails() {
+    moves(1_000, "circle(2000 0 300)");
+    monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
+    fails(2_260, "the region to avoid is in the way");
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  @Test
+  void aMotionThatFailsAtOnceWhenItIsHeldBackViolatesTold() {
+    moves(1_000, "circle(2000 0 300)");
+    monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
+    fails(2_060, "the region to avoid is in the way");
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aMotionThatFailsWithoutProgressTooEarlyViolatesTold() {
+    moves(1_000, "nowhere");
+    fails(5_000, "no progress");
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aClockThatIsSetAheadExcusesAnEarlyFailure() {
+    moves(1_000, "nowhere");
+    monitors.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "skew(a,5s)"));
+    fails(3_000, "no progress");
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  @Test
+  void aRobotThatStandsForLongDuringItsMoveViolatesTold() {
+    moves(1_000, "nowhere");
+    monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
+    monitors.observe(new Moved(9_000 * MS, A, HERE, 100, 0));
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatBumpsAndDoesNotBackOffViolatesTold() {
+    Monitors backing = new Monitors(List.of(backingOff()));
+    bumps(backing);
+    assertThat(backing.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatGoesOnAfterABumpDoesNotFailForIt() {
+    CollisionPolicy policy = CollisionPolicy.USE_COLAVOID;
+    Monitors avoiding =
+        new Monitors(
+            List.of(new MotionSpec(MotionParameters.builder().collisionPolicy(policy).build())));
+    bumps(avoiding);
+    assertThat(avoiding.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotWithAnotherBehindItNeedNotBackOff() {
+    Monitors backing = new Monitors(List.of(backingOff()));
+    backing.observe(new Joined(0, new RobotId("b"), new Pose(-340, 0, 0), 165));
+    bumps(backing);
+    assertThat(backing.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  private static MotionSpec backingOff() {
+    MotionParameters parameters =
+        MotionParameters.builder().collisionPolicy(CollisionPolicy.USE_COLBACK).build();
+    return new MotionSpec(parameters).backingOff(Obstacles.NONE);
+  }
+
+  private static void bumps(Monitors backing) {
+    moves(backing, 1_000, "nowhere");
+    backing.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
+    fails(backing, 2_800, "bumped into something");
+  }
+
+  private void moves(long atMs, String avoid) {
+    moves(monitors, atMs, avoid);
+  }
+
+  private static void moves(Monitors monitors, long atMs, String avoid) {
+    monitors.observe(new Joined(0, A, HERE, 165));
+    List<String> args = List.of("target@3000,0", avoid);
+    monitors.observe(new Action(atMs * MS, A, MotionTrace.SOURCE, MotionTrace.MOAT_MOVE, args));
+    monitors.observe(
+        new Variable(atMs * MS, A, MotionTrace.SOURCE, "motionflag", MotionFlag.MOVING.name()));
+    monitors.observe(new Moved(atMs * MS, A, HERE, 100, 0));
+  }
+
+  private void fails(long atMs, String why) {
+    fails(monitors, atMs, why);
+  }
+
+  private static void fails(Monitors monitors, long atMs, String why) {
+    monitors.observe(
+        new Action(atMs * MS, A, MotionTrace.SOURCE, MotionTrace.FAILED, List.of(why)));
   }
 
   private void drivesAndHas(String flag) {
