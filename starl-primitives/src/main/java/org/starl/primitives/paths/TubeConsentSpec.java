@@ -23,9 +23,10 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <ul>
  *   <li>{@code Consents}: a robot consents to no tube that meets one of another robot to which it has
- *       consented, unless that robot has told it of newer tubes.
+ *       consented, unless that robot has told it of newer tubes. A refusal names no older ones.
  *   <li>{@code Claimed}: a new tube is held after the consent of a majority; other changes, those of a
- *       restart too, only give parts back.
+ *       restart too, only give parts back, and not the last one. A restarted robot tells the others
+ *       what it still holds.
  * </ul>
  *
  * <p>{@code Claimed} is not checked of runs in real time, since the end of a killed process's trace
@@ -35,6 +36,11 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
 
   static final String CONSENTS = "Consents";
   static final String CLAIMED = "Claimed";
+
+  private static final long NONE = -1;
+
+  /** The time within which a restarted robot tells of its tubes. */
+  private static final long TELL_NS = 1_000_000_000;
 
   private boolean isRealTime;
 
@@ -62,6 +68,18 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
     private List<Tube> held = List.of();
     private @Nullable Holding asked;
     private final Set<RobotId> votes = new TreeSet<>();
+
+    // Whether it has held a second tube: then a tube survives a crash.
+    private boolean hasSettled;
+    private boolean hasCrashed;
+
+    // When it began to hold tubes from before a restart; the others do not know it yet.
+    private long untoldNs = NONE;
+
+    private void onCrash() {
+      hasCrashed = true;
+      untoldNs = NONE;
+    }
   }
 
   @Override
@@ -77,8 +95,14 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
       List<Tube> now = Tube.parse(variable.value());
       if (!isRealTime && !all.participants.isEmpty()) {
         checkClaimed(variable, all, claimant, now, report);
+        checkTold(claimant, variable.robot(), variable.timeNs(), report);
       }
+      claimant.hasSettled |= now.size() > 1;
       claimant.held = now;
+      if (claimant.hasCrashed && !now.isEmpty()) {
+        claimant.untoldNs = variable.timeNs();
+      }
+      claimant.hasCrashed = false;
     }
   }
 
@@ -97,6 +121,18 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
         report.violated(CLAIMED, variable.timeNs(), List.of(variable.robot()), detail);
       }
     }
+    if (now.isEmpty() && claimant.hasSettled) {
+      String detail = "holds no tube any more, after " + Tube.text(claimant.held);
+      report.violated(CLAIMED, variable.timeNs(), List.of(variable.robot()), detail);
+    }
+  }
+
+  private static void checkTold(Claimant claimant, RobotId robot, long nowNs, Report report) {
+    if (claimant.untoldNs != NONE && nowNs > claimant.untoldNs + TELL_NS) {
+      String detail = "has not told of the tubes that it still holds after a restart";
+      report.violated(CLAIMED, nowNs, List.of(robot), detail);
+    }
+    claimant.untoldNs = NONE;
   }
 
   private static boolean isRestOf(Tube tube, Tube before) {
@@ -113,7 +149,12 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
     switch (event) {
       case Sent sent when TubeTrace.isTubes(sent.channel()) -> sent(sent, report);
       case Delivered delivered when TubeTrace.isTubes(delivered.channel()) -> delivered(delivered);
-      case Fault fault -> isRealTime |= fault.isRealTime();
+      case Fault fault -> {
+        isRealTime |= fault.isRealTime();
+        if (fault.name().equals(Fault.CRASH)) {
+          instances().values().forEach(all -> all.claimant(fault.robot()).onCrash());
+        }
+      }
       default -> {}
     }
   }
@@ -123,6 +164,7 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
     if (MessageText.isA("Ask", sent.message())) {
       all.participants.add(sent.to());
       Claimant claimant = all.claimant(sent.robot());
+      checkTold(claimant, sent.robot(), sent.timeNs(), report);
       Holding asked = holding(sent.message());
       if (!asked.equals(claimant.asked) && !asked.wanted().isEmpty()) {
         claimant.asked = asked;
@@ -130,6 +172,20 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
       }
     } else if (MessageText.isA("Vote", sent.message())) {
       voted(sent, all, report);
+    } else if (MessageText.isA("Refuse", sent.message())) {
+      refused(sent, all, report);
+    }
+  }
+
+  private static void refused(Sent sent, Instance all, Report report) {
+    RobotId who = new RobotId(MessageText.field(sent.message(), "who"));
+    Holding known = byVoter(all.consents, sent.robot()).get(who);
+    String theirs = MessageText.field(sent.message(), "theirs");
+    long version = Long.parseLong(MessageText.field(theirs, "version"));
+    report.checked(CONSENTS);
+    if (known != null && version < known.version()) {
+      String detail = "has forgotten its consent to " + Tube.text(known.all()) + " of " + who;
+      report.violated(CONSENTS, sent.timeNs(), List.of(sent.robot()), detail);
     }
   }
 

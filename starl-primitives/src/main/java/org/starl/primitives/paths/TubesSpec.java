@@ -22,12 +22,12 @@ import org.starl.trace.TraceEvent.Variable;
  * The specification of every {@link DistributedPathPlanning} in a run.
  *
  * <ul>
- *   <li>{@code Tubes}: tubes held by two robots in one instance do not meet. A crashed robot keeps
- *       its tubes.
+ *   <li>{@code Tubes}: tubes held by two robots in one instance do not meet, and none meets the body
+ *       of a robot that holds no tube yet. A crashed robot keeps its tubes.
  *   <li>{@code Inside}: the true body of a robot that holds tubes lies wholly in one part of a
  *       tube. Checked every 10 ms of movement.
  *   <li>{@code Told}: every {@code goTo} is DONE or FAIL within the bound, unless its robot
- *       crashes.
+ *       crashes. A robot drives in its tube only.
  * </ul>
  */
 public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tube>>> {
@@ -38,12 +38,16 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   private static final long STEP_NS = 10_000_000;
 
+  /** The time within which a robot stands after its drive. */
+  private static final long STOP_NS = 1_000_000_000;
+
   /** Rounding of positions in closed form. */
   private static final double ROUNDING_MM = 1e-3;
 
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> outside = new TreeSet<>();
   private final Deadlines tasks;
+  private final SortedMap<RobotId, Long> standsFromNs = new TreeMap<>();
   private long nextCheckNs;
 
   /** Safety only. */
@@ -64,7 +68,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
         new Deadlines(
             TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
     if (tasks.isBounded()) {
-      lemma(TOLD, "Every drive ends, done or failed, within the bound.");
+      lemma(TOLD, "Every drive ends, done or failed, within the bound, and then the robot stands.");
     }
   }
 
@@ -82,6 +86,9 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   public void observe(TraceEvent event, Report report) {
     tasks.expire(event.timeNs(), report);
     checkInsideUntil(event.timeNs(), report);
+    if (event instanceof TraceEvent.Moved moved) {
+      checkStands(moved, report);
+    }
     bodies.observe(event);
     super.observe(event, report);
   }
@@ -117,8 +124,15 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
       all.put(robot, Tube.parse(variable.value()));
       checkTubes(variable, all, report);
       checkInsideAt(variable.timeNs(), report);
-    } else if (variable.name().equals(TubeTrace.FLAG) && isEnd(variable.value())) {
-      tasks.meet(new ProcessKey(variable.source(), robot), report);
+    } else if (variable.name().equals(TubeTrace.FLAG)) {
+      if (variable.value().equals(TubeFlag.MOVING.name())) {
+        standsFromNs.remove(robot);
+      } else {
+        standsFromNs.putIfAbsent(robot, variable.timeNs() + STOP_NS);
+      }
+      if (isEnd(variable.value())) {
+        tasks.meet(new ProcessKey(variable.source(), robot), report);
+      }
     }
   }
 
@@ -126,21 +140,47 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
     return flag.equals(TubeFlag.DONE.name()) || flag.equals(TubeFlag.FAIL.name());
   }
 
-  private static void checkTubes(
-      Variable variable, SortedMap<RobotId, List<Tube>> all, Report report) {
+  private void checkStands(TraceEvent.Moved moved, Report report) {
+    Long fromNs = standsFromNs.get(moved.robot());
+    boolean drives = bodies.isOnFloor(moved.robot()) && bodies.isMoving(moved.robot());
+    if (drives && fromNs != null && moved.timeNs() > fromNs && tasks.isBounded()) {
+      standsFromNs.remove(moved.robot());
+      String detail = "drives, although no drive is under way";
+      report.violated(TOLD, moved.timeNs(), List.of(moved.robot()), detail);
+    }
+  }
+
+  private void checkTubes(Variable variable, SortedMap<RobotId, List<Tube>> all, Report report) {
     report.checked(TUBES);
     List<Tube> mine = all.getOrDefault(variable.robot(), List.of());
     for (Map.Entry<RobotId, List<Tube>> other : all.entrySet()) {
-      if (!other.getKey().equals(variable.robot()) && Tube.meet(mine, other.getValue())) {
-        report.violated(
-            TUBES,
-            variable.timeNs(),
-            List.copyOf(new TreeSet<>(List.of(variable.robot(), other.getKey()))),
-            String.format(
-                "tubes meet: %s holds %s, %s holds %s",
-                variable.robot(), variable.value(), other.getKey(), Tube.text(other.getValue())));
+      RobotId robot = other.getKey();
+      List<Tube> theirs = other.getValue();
+      if (!robot.equals(variable.robot()) && Tube.meet(mine, theirs)) {
+        violatesTubes(variable, robot, "holds " + Tube.text(theirs), report);
+      } else if (theirs.isEmpty() && meetsBody(mine, robot, variable.timeNs())) {
+        violatesTubes(variable, robot, "stands there, and holds no tube yet", report);
       }
     }
+  }
+
+  private static void violatesTubes(Variable held, RobotId other, String what, Report report) {
+    report.violated(
+        TUBES,
+        held.timeNs(),
+        List.copyOf(new TreeSet<>(List.of(held.robot(), other))),
+        String.format("tubes meet: %s holds %s, %s %s", held.robot(), held.value(), other, what));
+  }
+
+  private boolean meetsBody(List<Tube> tubes, RobotId robot, long nowNs) {
+    if (!bodies.isOnFloor(robot)) {
+      return false;
+    }
+    Point at = bodies.poseAt(robot, nowNs).at();
+    double radiusMm = bodies.radiusMm(robot);
+    return tubes.stream()
+        .flatMap(tube -> tube.capsules().stream())
+        .anyMatch(part -> part.axis().distanceMm(at) < part.radiusMm() + radiusMm);
   }
 
   private void checkInsideUntil(long timeNs, Report report) {

@@ -8,6 +8,7 @@ import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -78,6 +79,50 @@ class TubeConsentSpecTest {
     votes(B, B, 1);
     votes(B, A, 1);
     assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aRobotThatGivesBackItsLastTubeViolatesClaimed() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(A, A, 1);
+    votes(B, A, 1);
+    holds(A, HERE);
+    asks(A, new Holding(2, List.of(HERE), List.of(FAR)));
+    votes(A, A, 2);
+    votes(B, A, 2);
+    monitors.observe(new Variable(0, A, "tubes/x", "held", HERE + ";" + FAR));
+    assertThat(monitors.report().holds()).isTrue();
+    monitors.observe(new Variable(0, A, "tubes/x", "held", ""));
+    assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
+  }
+
+  @Test
+  void aRestartedRobotThatDoesNotTellOfItsTubesViolatesClaimed() {
+    aTubeWithTheConsentOfAllIsHeldAndGivenBackInParts();
+    monitors.observe(new Fault(0, A, Fault.CRASH, ""));
+    holds(A, HERE.from(1));
+    String ask = new TubeMessage.Ask(new Holding(9, List.of(HERE.from(1)), List.of())).toString();
+    monitors.observe(new Sent(2_000_000_000L, A, B.name(), "tubes/x", 1, 1, ask));
+    assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
+  }
+
+  @Test
+  void aRestartedRobotThatTellsOfItsTubesAtOnceSatisfiesClaimed() {
+    aTubeWithTheConsentOfAllIsHeldAndGivenBackInParts();
+    monitors.observe(new Fault(0, A, Fault.CRASH, ""));
+    holds(A, HERE.from(1));
+    asks(A, new Holding(9, List.of(HERE.from(1)), List.of()));
+    holds(A, HERE.from(1));
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aVoterThatForgetsItsConsentViolatesConsentsByARefusal() {
+    asks(A, new Holding(1, List.of(), List.of(HERE)));
+    votes(B, A, 1);
+    String refusal = new TubeMessage.Refuse(1, A, Holding.NONE).toString();
+    monitors.observe(new Sent(0, B, B.name(), "tubes/x", 1, 1, refusal));
+    assertThat(monitors.report().violations(TubeConsentSpec.CONSENTS)).isEqualTo(1);
   }
 
   private static Tube tube(double x1, double y1, double x2, double y2) {

@@ -62,6 +62,28 @@ class TubesSpecTest {
   }
 
   @Test
+  void aTubeOverARobotThatHoldsNoneYetViolatesTubes() {
+    monitors.observe(new Joined(0, B, new Pose(500, 0, 0), 165));
+    monitors.observe(new Variable(0, B, X, "held", ""));
+    holds(1, A, X, "300@0,600>1000,600");
+    assertThat(monitors.report().violations(TubesSpec.TUBES)).isZero();
+    holds(2, A, X, "300@0,400>1000,400");
+    assertThat(monitors.report().violations(TubesSpec.TUBES)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatDrivesAfterItsDriveViolatesTold() {
+    monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
+    monitors.observe(new Variable(0, A, X, "tubeflag", "MOVING"));
+    monitors.observe(new Moved(S, A, new Pose(0, 0, 0), 100, 0));
+    monitors.observe(new Variable(2 * S, A, X, "tubeflag", "FAIL"));
+    monitors.observe(new Moved(2 * S + S / 2, A, new Pose(150, 0, 0), 100, 0));
+    assertThat(monitors.report().violations(TubesSpec.TOLD)).isZero();
+    monitors.observe(new Moved(4 * S, A, new Pose(300, 0, 0), 0, 0));
+    assertThat(monitors.report().violations(TubesSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
   void aGoToThatIsNeitherDoneNorFailedInTimeViolatesTold() {
     goTo(S, A);
     goTo(S, B);
