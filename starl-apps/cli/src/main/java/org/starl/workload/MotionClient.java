@@ -7,6 +7,7 @@ import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionControl;
@@ -18,8 +19,8 @@ import org.starl.sim.SimSettings;
 
 /**
  * Each robot drives to places around its start, outside a region that is sometimes in the way: then
- * it stops, reports failure, and tries elsewhere. Robots sometimes bump into each other, and cancel
- * some of their motions.
+ * it stops, reports failure, and tries elsewhere. Robots bump into each other, in half of the runs
+ * into walls, too, and cancel some of their motions.
  */
 final class MotionClient extends Client {
 
@@ -46,9 +47,13 @@ final class MotionClient extends Client {
 
   static void setUp(Setup setup) {
     setup.placeSilent(gvh -> new MotionClient(gvh, setup));
+    // Robots bump into walls far more often than into each other.
+    boolean hasWalls = new Rng(setup.request().seed()).fork("motion/walls").nextBoolean(0.5);
+    Obstacles walls = hasWalls ? setup.walls() : Obstacles.NONE;
+    setup.simulation().obstacles(walls);
     MotionParameters parameters = setup.settings().motionParameters(0);
-    setup.simulation().monitor(() -> new MotionSpec(parameters));
-    setup.promise(promptMs(parameters), 0, true);
+    setup.simulation().monitor(() -> new MotionSpec(parameters).backingOff(walls));
+    setup.promise(hasWalls ? parameters.longestMs(2 * REACH_MM) : promptMs(parameters), 0, true);
   }
 
   /**

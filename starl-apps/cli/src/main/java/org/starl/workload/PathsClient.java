@@ -5,9 +5,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.geometry.ItemPosition;
-import org.starl.geometry.Obstacle;
-import org.starl.geometry.Obstacles;
-import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.input.Form;
 import org.starl.primitives.paths.DistributedPathPlanning;
@@ -23,7 +20,7 @@ import org.starl.time.Time;
 
 /**
  * Robots drive to places all over a floor with walls, each in a tube that it has claimed. A robot
- * that finds no path or gets no tube tries elsewhere.
+ * that finds no path or gets no tube tries elsewhere. Robots stop some of their drives.
  */
 final class PathsClient extends Client {
 
@@ -38,7 +35,11 @@ final class PathsClient extends Client {
   private static final long PROMPT_EACH_MS = 10_000;
   private static final int PROMPT_MESSAGES = 100;
   private static final double MARGIN_MM = 500;
-  private static final double WALL_MM = 1_200;
+
+  /** Part of the drives that are stopped, after at most so much time. */
+  private static final double CANCELLED = 0.1;
+
+  private static final long CANCEL_MS = 10_000;
 
   static final TubeSettings TUBES = new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
 
@@ -60,7 +61,7 @@ final class PathsClient extends Client {
   static void setUp(Setup setup) {
     boolean isOptimal = setup.choice(PLANNER, PLANNERS).equals("optimal");
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
-    setup.simulation().obstacles(walls(setup.sideMm()));
+    setup.simulation().obstacles(setup.walls());
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, true);
   }
@@ -68,19 +69,6 @@ final class PathsClient extends Client {
   /** Wheels and fixes with errors, as for motion. */
   static void settings(Request request, SimSettings.Builder settings) {
     MotionClient.errors(new Rng(request.seed()).fork("motion"), settings);
-  }
-
-  /** A wall on each corner between four robots, alternately horizontal and vertical. */
-  private static Obstacles walls(double sideMm) {
-    Obstacles walls = Obstacles.NONE;
-    int corners = (int) (sideMm / Setup.SPACING_MM) - 1;
-    for (int i = 0; i < corners * corners; i++) {
-      double xMm = (i % corners + 1) * Setup.SPACING_MM;
-      Point at = new Point(xMm, (i / corners + 1) * Setup.SPACING_MM);
-      Point half = i % 2 == 0 ? new Point(WALL_MM / 2, 0) : new Point(0, WALL_MM / 2);
-      walls = walls.plus(Obstacle.wall(at.minus(half), at.plus(half)));
-    }
-    return walls;
   }
 
   private static PathPlanner planner(Rng rng, boolean isOptimal) {
@@ -97,6 +85,10 @@ final class PathsClient extends Client {
   @Override
   protected boolean obtain(int round) {
     paths.goTo(new ItemPosition("place" + round, somewhere(), somewhere()));
+    if (rng.nextBoolean(CANCELLED)) {
+      await(() -> !paths.isUnderWay(), rng.nextLong(0, CANCEL_MS));
+      paths.stop();
+    }
     await(() -> !paths.isUnderWay());
     return !paths.failed();
   }

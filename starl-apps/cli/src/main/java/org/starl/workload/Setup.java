@@ -5,6 +5,9 @@ import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -30,6 +33,8 @@ record Setup(
 
   /** Distance between the robots' starts, so that no robot blocks another. */
   static final double SPACING_MM = 3000;
+
+  private static final double WALL_MM = 1_200;
 
   /** Maximum time between two copies of a message that is repeated until answered. */
   private static final long RESEND_NS = 2 * Time.NS_PER_S;
@@ -65,6 +70,19 @@ record Setup(
   /** The robots start on a square grid; this is the length of the floor's sides. */
   double sideMm() {
     return SPACING_MM * Math.ceil(Math.sqrt(robots));
+  }
+
+  /** A wall on each corner between four robots, alternately horizontal and vertical. */
+  Obstacles walls() {
+    Obstacles walls = Obstacles.NONE;
+    int corners = (int) (sideMm() / SPACING_MM) - 1;
+    for (int i = 0; i < corners * corners; i++) {
+      double xMm = (i % corners + 1) * SPACING_MM;
+      Point at = new Point(xMm, (i / corners + 1) * SPACING_MM);
+      Point half = i % 2 == 0 ? new Point(WALL_MM / 2, 0) : new Point(0, WALL_MM / 2);
+      walls = walls.plus(Obstacle.wall(at.minus(half), at.plus(half)));
+    }
+    return walls;
   }
 
   /** Adds the robots, and what every workload requires of their datagrams. */
