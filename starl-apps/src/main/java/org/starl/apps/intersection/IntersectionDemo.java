@@ -90,7 +90,9 @@ public final class IntersectionDemo implements Demo {
 
   @Override
   public Request varied(Request request) {
-    return scenario(request).equals(DRAWN) ? request.drawRobots(2, 12) : request;
+    return scenario(request).equals(DRAWN)
+        ? request.drawRobots(2, 12).drawParameter(ARRIVALS, DEFAULT_ARRIVALS)
+        : request;
   }
 
   @Override

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import org.starl.apps.Request;
+import org.starl.apps.intersection.robot.IntersectionFactory;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
@@ -34,6 +37,18 @@ class ScenariosTest {
         left.put(gone.robot(), came.getOrDefault(gone.robot(), new Point(0, 0)));
       }
     }
+  }
+
+  @Test
+  void chaosPutsHalfOfTheSeedsOnAnOpenRoad() {
+    IntersectionDemo demo = new IntersectionDemo();
+    int open = 0;
+    for (long seed = 1; seed <= 100; seed++) {
+      Request varied = demo.varied(new Request(seed, OptionalInt.empty(), demo.defaults()));
+      open += varied.parameter(IntersectionFactory.ARRIVALS.key()).isEmpty() ? 0 : 1;
+      assertThat(varied.robots().orElseThrow()).isBetween(2, 12);
+    }
+    assertThat(open).isBetween(30, 70);
   }
 
   private static Path originals() {
