@@ -78,6 +78,21 @@ class MotionRunTest {
   }
 
   @Test
+  void aWaitForFixesIsNoTimeWithoutProgress() {
+    MotionWorld world = world();
+    world.mobility = 0;
+    world.begin(TARGET, new Nowhere());
+    world.runFor(1_500);
+    world.fixesCome = false;
+    world.runFor(1_900);
+    world.fixesCome = true;
+    world.runFor(2_600);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
+    world.runFor(1_500);
+    assertThat(world.run().failure()).isEqualTo("no progress");
+  }
+
+  @Test
   void stuckWheelsFailATurnToo() {
     MotionWorld world = world();
     world.mobility = 0;
