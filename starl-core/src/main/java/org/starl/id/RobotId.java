@@ -15,8 +15,10 @@ public final class RobotId implements Comparable<RobotId> {
   // Compared before the name, which is another object and usually not in the cache.
   private final int hash;
 
-  // Most names are a stem and a number, and these compare by the number alone.
-  private final int stem;
+  // Most names are a stem of up to eight characters and a number. Among those of one stem, the
+  // number
+  // alone decides. Other names have the stem 0.
+  private final long stem;
   private final int number;
 
   public RobotId(String name) {
@@ -26,17 +28,27 @@ public final class RobotId implements Comparable<RobotId> {
     }
     this.name = name;
     this.hash = name.hashCode();
-    this.stem = stem(name);
-    this.number = number(name, stem);
+    int digits = startOfNumber(name);
+    this.number = number(name, digits);
+    this.stem = number < 0 || digits > Long.BYTES ? 0 : stem(name, digits);
   }
 
   /** How many characters are before the digits at the end. */
-  private static int stem(String name) {
+  private static int startOfNumber(String name) {
     int end = name.length();
     while (isDigit(name.charAt(end - 1))) {
       end--;
     }
     return end;
+  }
+
+  /** The characters before {@code end} in one number: they are ASCII. */
+  private static long stem(String name, int end) {
+    long stem = 0;
+    for (int i = 0; i < end; i++) {
+      stem = stem << Byte.SIZE | name.charAt(i);
+    }
+    return stem;
   }
 
   /** The value of the digits from {@code from}; -1 for none, a leading zero, or more than nine. */
@@ -69,10 +81,7 @@ public final class RobotId implements Comparable<RobotId> {
     if (this == other) {
       return 0;
     }
-    if (stem == other.stem
-        && number >= 0
-        && other.number >= 0
-        && name.regionMatches(0, other.name, 0, stem)) {
+    if (stem == other.stem && stem != 0) {
       return Integer.compare(number, other.number);
     }
     String a = name;

@@ -58,6 +58,13 @@ class RobotIdTest {
   }
 
   @Example
+  void longNamesWithNumbersAreOrderedByTheirLettersFirst() {
+    assertThat(new RobotId("abcdefghi2").compareTo(new RobotId("bbcdefghi1"))).isNegative();
+    assertThat(new RobotId("abcdefghi2").compareTo(new RobotId("abcdefghi10"))).isNegative();
+    assertThat(new RobotId("abcdefgh2").compareTo(new RobotId("abcdefgh10"))).isNegative();
+  }
+
+  @Example
   void invalidNamesAreRefused() {
     for (String bad : List.of("", "1bot", "-", "b b", "bät", "b".repeat(33))) {
       assertThatThrownBy(() -> new RobotId(bad)).hasMessageContaining("'" + bad + "'");
