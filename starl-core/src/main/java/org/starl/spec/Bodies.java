@@ -4,7 +4,6 @@ import java.util.Collections;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -25,8 +24,32 @@ public final class Bodies {
   /** How many of them move: specifications ask at every event whether any does. */
   private int moving;
 
-  private record Body(
-      double radiusMm, long sinceNs, Pose from, double linearMmPerS, double angularRadPerS) {
+  /** One body. It is changed in place: it moves often. */
+  private static final class Body {
+    private double radiusMm;
+    private long sinceNs;
+    private Pose from;
+    private double linearMmPerS;
+    private double angularRadPerS;
+
+    Body(Pose from) {
+      this.from = from;
+    }
+
+    Body copy() {
+      Body copy = new Body(from);
+      copy.radiusMm = radiusMm;
+      copy.moves(sinceNs, from, linearMmPerS, angularRadPerS);
+      return copy;
+    }
+
+    void moves(long timeNs, Pose pose, double mmPerS, double radPerS) {
+      sinceNs = timeNs;
+      from = pose;
+      linearMmPerS = mmPerS;
+      angularRadPerS = radPerS;
+    }
+
     boolean isMoving() {
       return linearMmPerS != 0;
     }
@@ -37,6 +60,7 @@ public final class Bodies {
     Bodies copy = new Bodies();
     // Copying a sorted map takes linear time.
     copy.onFloor.putAll(onFloor);
+    copy.onFloor.replaceAll((robot, body) -> body.copy());
     copy.moving = moving;
     return copy;
   }
@@ -44,32 +68,34 @@ public final class Bodies {
   /** Processes the next event. */
   public void observe(TraceEvent event) {
     switch (event) {
-      case Joined joined ->
-          replace(
-              joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose(), 0, 0));
+      case Joined joined -> {
+        Body body = onFloor.get(joined.robot());
+        if (body == null) {
+          body = new Body(joined.pose());
+          onFloor.put(joined.robot(), body);
+        }
+        body.radiusMm = joined.radiusMm();
+        moves(body, joined.timeNs(), joined.pose(), 0, 0);
+      }
       case Moved moved ->
-          replace(
-              moved.robot(),
-              new Body(
-                  radiusMm(moved.robot()),
-                  moved.timeNs(),
-                  moved.pose(),
-                  moved.linearMmPerS(),
-                  moved.angularRadPerS()));
-      case Left left -> count(onFloor.remove(left.robot()), -1);
+          moves(
+              body(moved.robot()),
+              moved.timeNs(),
+              moved.pose(),
+              moved.linearMmPerS(),
+              moved.angularRadPerS());
+      case Left left -> {
+        Body body = onFloor.remove(left.robot());
+        moving -= body != null && body.isMoving() ? 1 : 0;
+      }
       default -> {}
     }
   }
 
-  private void replace(RobotId robot, Body body) {
-    count(onFloor.put(robot, body), -1);
-    count(body, 1);
-  }
-
-  private void count(@Nullable Body body, int change) {
-    if (body != null && body.isMoving()) {
-      moving += change;
-    }
+  private void moves(Body body, long timeNs, Pose pose, double mmPerS, double radPerS) {
+    moving -= body.isMoving() ? 1 : 0;
+    body.moves(timeNs, pose, mmPerS, radPerS);
+    moving += body.isMoving() ? 1 : 0;
   }
 
   /** The robots whose bodies are on the floor, sorted. */

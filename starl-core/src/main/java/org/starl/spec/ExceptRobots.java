@@ -77,7 +77,7 @@ public final class ExceptRobots implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    monitor.observe(event, new Filter(report));
+    monitor.observe(event, robots.isEmpty() ? report : new Filter(report));
   }
 
   @Override

@@ -209,7 +209,8 @@ public final class SpecReport implements Monitor.Report {
   }
 
   private Tally tally(String lemma) {
-    return tallies.computeIfAbsent(lemma, name -> new Tally());
+    Tally known = tallies.get(lemma); // almost always there
+    return known != null ? known : tallies.computeIfAbsent(lemma, name -> new Tally());
   }
 
   /** One line per lemma, then one line per kept violation; no line end after the last. */

@@ -27,6 +27,8 @@ public class Within<K> {
   private final Map<K, Long> sinceNs = new LinkedHashMap<>();
   private final Set<K> suspended = new LinkedHashSet<>();
   private boolean allSuspended;
+  // No deadline began before this. Asked at every event.
+  private long oldestNs = Long.MAX_VALUE;
 
   /**
    * @param boundNs at least 0; an event exactly this long after the start of its deadline is in
@@ -45,9 +47,13 @@ public class Within<K> {
 
   /** Starts a deadline for {@code key}, unless it has one, suspended or not. */
   public void start(K key, long nowNs) {
-    if (!suspended.contains(key)) {
-      sinceNs.putIfAbsent(key, nowNs);
+    if (!suspended.contains(key) && sinceNs.putIfAbsent(key, nowNs) == null) {
+      began(nowNs);
     }
+  }
+
+  private void began(long nowNs) {
+    oldestNs = Math.min(oldestNs, nowNs);
   }
 
   /**
@@ -72,6 +78,7 @@ public class Within<K> {
     if (holds) {
       if (suspended.remove(key)) {
         sinceNs.put(key, nowNs);
+        began(nowNs);
       }
     } else if (sinceNs.remove(key) != null) {
       suspended.add(key);
@@ -100,7 +107,7 @@ public class Within<K> {
    * Removes every deadline that passed before {@code nowNs}, and reports each to {@code expired}.
    */
   public void expire(long nowNs, Expired<? super K> expired) {
-    if (allSuspended || sinceNs.isEmpty()) {
+    if (allSuspended || nowNs - oldestNs <= boundNs) {
       return;
     }
     Iterator<Map.Entry<K, Long>> oldestFirst = sinceNs.entrySet().iterator();
@@ -108,12 +115,14 @@ public class Within<K> {
       Map.Entry<K, Long> deadline = oldestFirst.next();
       long since = deadline.getValue();
       if (nowNs - since <= boundNs) {
+        oldestNs = since;
         return;
       }
       K key = deadline.getKey();
       oldestFirst.remove();
       expired.expired(key, since, since + boundNs);
     }
+    oldestNs = Long.MAX_VALUE;
   }
 
   /** Receives a missed deadline; must not call back. */

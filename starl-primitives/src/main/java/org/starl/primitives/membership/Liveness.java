@@ -22,6 +22,8 @@ public final class Liveness {
   // crash alone does not tell: before the boot number is stored, the next start uses it again.
   private final Map<RobotId, Long> latest = new TreeMap<>();
   private final Map<RobotId, Long> ended = new TreeMap<>();
+  // Each robot's id in its latest action, while it changes nothing: most actions repeat it.
+  private final Map<RobotId, String> known = new TreeMap<>();
 
   /**
    * Sees the next event.
@@ -30,15 +32,24 @@ public final class Liveness {
    */
   public boolean observe(TraceEvent event) {
     RobotId robot = event.robot();
-    if (event instanceof Action action && isOwnId(action)) {
-      long start = start(ProcessId.parse(action.args().get(0)));
-      latest.put(robot, start);
-      ended.computeIfPresent(robot, (id, before) -> Math.min(before, start - 1));
+    if (event instanceof Action action) {
+      if (isOwnId(action)) {
+        acted(robot, action.args().get(0));
+      }
     } else if (event instanceof Left
         || (event instanceof Fault fault && fault.name().equals(Fault.CRASH))) {
       ended.put(robot, latest.getOrDefault(robot, 1L));
+      known.remove(robot);
     }
     return faults.observe(event);
+  }
+
+  private void acted(RobotId robot, String id) {
+    if (!id.equals(known.put(robot, id))) {
+      long start = start(ProcessId.parse(id));
+      latest.put(robot, start);
+      ended.computeIfPresent(robot, (same, before) -> Math.min(before, start - 1));
+    }
   }
 
   public boolean isDead(ProcessId id) {

@@ -45,6 +45,9 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
 
   private final MotionBodies bodies;
 
+  // The single instance, for the motions of all robots.
+  private final Replay<States, MotionControlAction> replay;
+
   /**
    * @param parameters how the robots move, as for {@link MotionSpec}
    */
@@ -63,16 +66,12 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
         MotionTrace.SOURCE::equals,
         source -> new Replay<>(new MotionControlAutomaton(Place::isNear), source, steps));
     bodies = new MotionBodies(parameters);
-  }
-
-  /** The single instance, for the motions of all robots. */
-  private Replay<States, MotionControlAction> replay() {
-    return instance(MotionTrace.SOURCE);
+    replay = instance(MotionTrace.SOURCE);
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (!replay().hasDeviated()) {
+    if (!replay.hasDeviated()) {
       bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
       super.observe(event, report);
     }
@@ -81,7 +80,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
   @Override
   protected void happened(TraceEvent event, Report report) {
     if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
-      replay().step(fault, new MotionControlAction.motion_stop(fault.robot()), report);
+      replay.step(fault, new MotionControlAction.motion_stop(fault.robot()), report);
     }
   }
 
@@ -93,7 +92,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
   private void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     if (moved != null) {
       Place inside = Place.of(Sets.singleton(motion.number), Sets.emptyset());
-      replay().step(moved, new MotionControlAction.move(motion.robot, inside), report);
+      replay.step(moved, new MotionControlAction.move(motion.robot, inside), report);
     }
   }
 
@@ -107,11 +106,11 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
           boolean isFree = bodies.isOnFloor(i) && !motion.owesAvoids;
           Area avoid = isFree ? Area.NONE : new Area(motion.number);
           Place target = Place.target(motion.number);
-          replay().step(action, new MotionControlAction.do_move(i, target, avoid), report);
+          replay.step(action, new MotionControlAction.do_move(i, target, avoid), report);
         }
       }
       case MotionTrace.MOTION_STOP ->
-          replay().step(action, new MotionControlAction.motion_stop(i), report);
+          replay.step(action, new MotionControlAction.motion_stop(i), report);
       default -> {}
     }
   }
@@ -121,7 +120,6 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
     if (!MotionTrace.isFlag(variable)) {
       return;
     }
-    Replay<States, MotionControlAction> replay = replay();
     RobotId i = variable.robot();
     MotionFlag flag = MotionFlag.valueOf(variable.value());
     switch (flag) {

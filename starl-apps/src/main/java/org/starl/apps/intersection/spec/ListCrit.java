@@ -14,6 +14,7 @@ import org.starl.primitives.mutex.MutexTrace;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * {@code Inv_list_crit} (paper, Figure 6): the zones ahead of a car ({@code myseq}) are its whole path
@@ -45,6 +46,9 @@ public final class ListCrit extends LemmaMonitor {
     private Set<String> requested = Set.of();
     private boolean isReported;
 
+    // What is wrong; null if it must be looked at again, because something has changed.
+    private @Nullable String wrong;
+
     void setMyseq(List<String> zones) {
       myseq = zones;
       ahead = new TreeSet<>(zones);
@@ -73,24 +77,42 @@ public final class ListCrit extends LemmaMonitor {
       check(last, report);
     }
     last = event;
-    zones.observe(event);
-    if (event instanceof TraceEvent.Left) {
-      states.remove(event.robot());
+    switch (event) {
+      case Action action -> acted(action);
+      case Variable variable -> changed(variable);
+      case TraceEvent.Left left -> states.remove(left.robot());
+      default -> {
+        // Neither a car's zones nor its location.
+      }
+    }
+  }
+
+  private void acted(Action action) {
+    if (MutexTrace.isOfAccess(action)) {
+      zones.observe(action);
+      states.values().forEach(state -> state.wrong = null);
     }
     // A restarted program writes another trip, from where the car stands.
-    CrossingTrace.trip(event)
+    CrossingTrace.trip(action)
         .ifPresent(
-            trip -> states.computeIfAbsent(event.robot(), r -> new State()).path = trip.zones());
-    State state = states.get(event.robot());
+            trip -> states.computeIfAbsent(action.robot(), r -> new State()).path = trip.zones());
+    State state = states.get(action.robot());
     if (state != null) {
-      CrossingTrace.location(event).ifPresent(location -> state.location = location);
-      CrossingTrace.myseq(event).ifPresent(state::setMyseq);
-      if (event instanceof Action action
-          && action.source().equals(mutex)
+      state.wrong = null;
+      if (action.source().equals(mutex)
           && MutexTrace.isOfAccess(action)
           && MutexTrace.read(action).orElseThrow() instanceof MutexEvent.DoMutex request) {
         state.requested = request.want();
       }
+    }
+  }
+
+  private void changed(Variable variable) {
+    State state = states.get(variable.robot());
+    if (state != null && variable.source().equals(CrossingTrace.SOURCE)) {
+      state.wrong = null;
+      CrossingTrace.location(variable).ifPresent(location -> state.location = location);
+      CrossingTrace.myseq(variable).ifPresent(state::setMyseq);
     }
   }
 
@@ -108,7 +130,11 @@ public final class ListCrit extends LemmaMonitor {
       return;
     }
     report.checked(LEMMA);
-    String wrong = violation(robot, state);
+    String wrong = state.wrong;
+    if (wrong == null) {
+      wrong = violation(robot, state);
+      state.wrong = wrong;
+    }
     if (!wrong.isEmpty()) {
       state.isReported = true;
       report.violated(LEMMA, event.timeNs(), List.of(robot), wrong);

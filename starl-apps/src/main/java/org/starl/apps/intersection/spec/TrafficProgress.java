@@ -13,9 +13,11 @@ import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * {@code traffic_progress} (paper, section 3): every approaching vehicle departs within a bound. The
@@ -61,16 +63,18 @@ final class TrafficProgress extends LemmaMonitor {
       }
       case Fault fault when faults.isUp(robot) -> dead.remove(robot);
       case Fault fault -> dead.add(robot);
-      default -> {
-        if (CrossingTrace.trip(event).filter(trip -> !trip.zones().isEmpty()).isPresent()) {
+      case Action action -> {
+        if (CrossingTrace.trip(action).filter(trip -> !trip.zones().isEmpty()).isPresent()) {
           cars.add(robot);
         }
+      }
+      default -> {
+        // Changes nothing here.
       }
     }
     boolean isHeldUp = !dead.isEmpty() || !Collections.disjoint(stray, held.holders());
     departures.assumeAll(faults.isFaultFree() && !isHeldUp, event.timeNs());
-    if (event instanceof Left
-        || CrossingTrace.location(event).filter(Location.DONE::equals).isPresent()) {
+    if (event instanceof Left || isDone(event)) {
       cars.remove(robot);
       if (departures.stop(robot)) {
         report.checked(LEMMA);
@@ -78,6 +82,11 @@ final class TrafficProgress extends LemmaMonitor {
     } else if (cars.contains(robot) && onFloor.contains(robot)) {
       departures.start(robot, event.timeNs());
     }
+  }
+
+  private static boolean isDone(TraceEvent event) {
+    return event instanceof Variable
+        && CrossingTrace.location(event).filter(Location.DONE::equals).isPresent();
   }
 
   @Override

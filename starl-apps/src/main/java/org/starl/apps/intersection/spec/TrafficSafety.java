@@ -60,6 +60,9 @@ final class TrafficSafety extends LemmaMonitor {
   // Whether a robot holds other zones than at the last check, or a body has come or gone.
   private boolean hasChanged;
 
+  // No clearance is used up before this.
+  private long sufficientUntilNs;
+
   // Occupants are few: a list costs less than a sorted set.
   private record Zone(String name, Region region, List<RobotId> occupants) {}
 
@@ -95,6 +98,12 @@ final class TrafficSafety extends LemmaMonitor {
     boolean isUsedUp(long timeNs) {
       return leftMm - mmPerNs * (timeNs - sinceNs) < ROUNDING_MM;
     }
+
+    /** Not after the time from which it is used up. */
+    long sufficesUntilNs() {
+      double restNs = (leftMm - ROUNDING_MM) / mmPerNs - STEP_NS;
+      return restNs > 0 ? sinceNs + (long) Math.min(restNs, 1e18) : sinceNs;
+    }
   }
 
   TrafficSafety(SortedMap<String, ? extends Region> zones) {
@@ -113,6 +122,7 @@ final class TrafficSafety extends LemmaMonitor {
         Clearance clearance = clearances.get(moved.robot());
         if (clearance != null) {
           clearance.moves(moved);
+          sufficientUntilNs = Math.min(sufficientUntilNs, clearance.sufficesUntilNs());
         }
       }
       case Joined joined -> {
@@ -168,14 +178,22 @@ final class TrafficSafety extends LemmaMonitor {
   private void check(long timeNs, Report report) {
     report.checked(SAFETY);
     report.checked(HELD);
+    if (hasChanged || timeNs >= sufficientUntilNs) {
+      look(timeNs, report);
+    }
+  }
+
+  private void look(long timeNs, Report report) {
     if (hasChanged) {
       zones.forEach(zone -> zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot)));
     }
+    sufficientUntilNs = Long.MAX_VALUE;
     clearances.forEach((robot, clearance) -> {
       if (hasChanged || clearance.isUsedUp(timeNs)) {
         Point at = bodies.poseAt(robot, timeNs).at();
         clearance.measured(at, check(robot, at, timeNs, report), timeNs);
       }
+      sufficientUntilNs = Math.min(sufficientUntilNs, clearance.sufficesUntilNs());
     });
     hasChanged = false;
   }
