@@ -14,9 +14,11 @@ import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Variable;
 
 /** Reports when each car came, registered, waited and crossed. */
 final class IntersectionStory implements Story {
@@ -45,13 +47,9 @@ final class IntersectionStory implements Story {
     List<Crossed> trips =
         cars.computeIfAbsent(event.robot(), id -> new ArrayList<>(List.of(new Crossed())));
     Crossed car = trips.get(trips.size() - 1);
-    CrossingTrace.trip(event).ifPresent(trip -> car.trip = trip.label());
-    CrossingTrace.myseq(event).ifPresent(myseq -> car.rest = myseq);
-    CrossingTrace.location(event).ifPresent(location -> located(car, location, event.timeNs()));
-    if (CrossingTrace.isStopped(event)) {
-      car.stops++;
-    }
     switch (event) {
+      case Action action -> CrossingTrace.trip(action).ifPresent(trip -> car.trip = trip.label());
+      case Variable variable -> changed(car, variable);
       case Joined joined when car.cameNs < 0 -> car.cameNs = joined.timeNs();
       case Joined joined -> {
         Crossed again = new Crossed();
@@ -64,6 +62,15 @@ final class IntersectionStory implements Story {
       default -> {
         // Not part of the story.
       }
+    }
+  }
+
+  private static void changed(Crossed car, Variable variable) {
+    CrossingTrace.myseq(variable).ifPresent(myseq -> car.rest = myseq);
+    CrossingTrace.location(variable)
+        .ifPresent(location -> located(car, location, variable.timeNs()));
+    if (CrossingTrace.isStopped(variable)) {
+      car.stops++;
     }
   }
 

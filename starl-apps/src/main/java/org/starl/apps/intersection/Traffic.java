@@ -93,15 +93,26 @@ class Traffic implements Director, SimObserver {
         queue.remove();
       }
     }
-    isOver =
-        isLast
-            && queues.values().stream().allMatch(Deque::isEmpty)
-            && cars.stream().allMatch(car -> control.isFinished(car.id()));
+    isOver = isLast && areAllFinished(control);
     if (isOver) {
       finish(control);
     } else {
       control.at(control.nowNs() + LOOK_EVERY_NS, () -> direct(control));
     }
+  }
+
+  private boolean areAllFinished(SimControl control) {
+    for (Deque<Car> queue : queues.values()) {
+      if (!queue.isEmpty()) {
+        return false;
+      }
+    }
+    for (Car car : cars) {
+      if (!control.isFinished(car.id())) {
+        return false;
+      }
+    }
+    return true;
   }
 
   @Override

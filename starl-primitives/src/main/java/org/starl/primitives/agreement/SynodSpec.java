@@ -217,10 +217,12 @@ public final class SynodSpec extends LemmaMonitor {
 
     /** The promises that report no vote in a higher ballot; null is below all. */
     private long upTo(@Nullable Ballot highest) {
-      return promises.values().stream()
-          .map(Attempt::ballot)
-          .filter(ballot -> ballot == null || (highest != null && ballot.compareTo(highest) <= 0))
-          .count();
+      long count = 0;
+      for (String vote : promises.values()) {
+        Ballot ballot = ballot(vote);
+        count += ballot == null || (highest != null && ballot.compareTo(highest) <= 0) ? 1 : 0;
+      }
+      return count;
     }
 
     static @Nullable Ballot ballot(String vote) {

@@ -1,7 +1,6 @@
 package org.starl.primitives.membership;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
@@ -98,8 +97,8 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
       throw new IllegalArgumentException(args + ": expected who, sections and fencers");
     }
     TreeSet<ProcessId> fencers = new TreeSet<>();
-    if (!args.get(2).isEmpty()) {
-      Arrays.stream(args.get(2).split(" ", -1)).map(ProcessId::parse).forEach(fencers::add);
+    for (String fencer : Sections.split(args.get(2), ' ')) {
+      fencers.add(ProcessId.parse(fencer));
     }
     return new Confinement(ProcessId.parse(args.get(0)), Sections.parse(args.get(1)), fencers);
   }

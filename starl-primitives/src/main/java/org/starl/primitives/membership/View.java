@@ -213,13 +213,14 @@ public record View(
     }
     int bar = text.indexOf('|');
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-    for (String entry : entries(text.substring(colon + 1, bar < 0 ? text.length() : bar))) {
+    for (String entry :
+        Sections.split(text.substring(colon + 1, bar < 0 ? text.length() : bar), ',')) {
       int at = at(entry);
       admitted.put(
           ProcessId.parse(entry.substring(0, at)), Long.parseLong(entry.substring(at + 1)));
     }
     SortedMap<ProcessId, Ghost> ghosts = new TreeMap<>();
-    for (String entry : entries(bar < 0 ? "" : text.substring(bar + 1))) {
+    for (String entry : Sections.split(bar < 0 ? "" : text.substring(bar + 1), ',')) {
       int at = at(entry);
       int bracket = entry.indexOf('[');
       if (bracket < at || !entry.endsWith("]")) {
@@ -232,10 +233,6 @@ public record View(
       ghosts.put(ProcessId.parse(entry.substring(0, at)), ghost);
     }
     return new View(Long.parseLong(text.substring(0, colon)), admitted, ghosts);
-  }
-
-  private static List<String> entries(String text) {
-    return text.isEmpty() ? List.of() : List.of(text.split(",", -1));
   }
 
   private static int at(String entry) {

@@ -113,7 +113,11 @@ final class MutexProgress {
     }
     ahead.values().forEach(before -> before.removeIf(assumptions::isOwedNothing));
     overdue.removeIf(assumptions::isOwedNothing);
-    requests.active().stream().filter(assumptions::isOwedNothing).forEach(holding::stop);
+    for (Request request : requests.active()) {
+      if (assumptions.isOwedNothing(request)) {
+        holding.stop(request);
+      }
+    }
     impeded.clear();
     for (Request request : ahead.keySet()) {
       if (assumptions.isImpeded(request)) {

@@ -1,10 +1,10 @@
 package org.starl.apps.intersection.logic;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.trace.MessageText;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -48,7 +48,7 @@ public final class CrossingTrace {
     return event instanceof Action action
             && action.source().equals(SOURCE)
             && action.name().equals(TRIP)
-        ? Optional.of(new TripEvent(action.args().get(0), list(action.args().get(1))))
+        ? Optional.of(new TripEvent(action.args().get(0), MessageText.parts(action.args().get(1))))
         : Optional.empty();
   }
 
@@ -60,14 +60,7 @@ public final class CrossingTrace {
 
   /** The new {@link #MYSEQ} of the event's robot, if the event changes it. */
   public static Optional<List<String>> myseq(TraceEvent event) {
-    return variable(event, MYSEQ).map(CrossingTrace::list);
-  }
-
-  /** Reads a list such as {@code [A, C, D1]}. */
-  private static List<String> list(String value) {
-    return value.equals("[]")
-        ? List.of()
-        : Arrays.asList(value.substring(1, value.length() - 1).split(", ", -1));
+    return variable(event, MYSEQ).map(MessageText::parts);
   }
 
   private static Optional<String> variable(TraceEvent event, String name) {
