@@ -25,6 +25,15 @@ class LivenessTest {
   }
 
   @Test
+  void aRobotThatUsesItsIdAgainAfterACrashIsNotDead() {
+    acts(1);
+    crash();
+    assertThat(liveness.isDead(id(1))).isTrue();
+    acts(1);
+    assertThat(liveness.isDead(id(1))).isFalse();
+  }
+
+  @Test
   void aRobotThatCrashesBeforeItActsIsDeadUntilItActs() {
     crash();
     assertThat(liveness.isDead(id(1))).isTrue();
