@@ -1,18 +1,24 @@
 ;; What the proofs in some theories rest on besides proof: asked of PVS itself, after it has read and
 ;; type-checked them, so that no trick of spelling hides anything.  pvs/check loads this file.
 ;;
-;; (starl-audit FILE), FILE without .pvs, prints a line each, `starl: KIND WORDS`:
+;; (starl-audit FILE LIBRARY), FILE without .pvs, LIBRARY the folder of the library's theories, prints a
+;; line each, `starl: KIND WORDS`:
 ;;   theory FILE NAME          each theory of the file, and each that these rest on
 ;;   axiom THEORY NAME         taken for true without a proof
 ;;   undischarged THEORY NAME  an assumption of a theory that none uses but those that assume something, too
 ;;   empty THEORY NAME         a value parameter whose type may have no values, of a theory that no theory
 ;;                             without parameters uses: its theorems may be about nothing
+;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the library's theory OF for
+;;                             something of its own that can be taken for it
 ;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
 ;;                             wrong about later updates of that place (docs/proofs.md)
 (in-package :pvs)
 
 (defun starl-line (kind theory what)
   (format t "~&starl: ~a ~a ~a~%" kind (id theory) what))
+
+(defun starl-in-library? (th library)
+  (probe-file (format nil "~a/~a.pvs" library (filename th))))
 
 (defun starl-own (theories)
   "Those of THEORIES that are files of this folder, not of PVS."
@@ -122,7 +128,39 @@
                  (starl-narrower? (type (definition d)) (type d)))
         (tell (definition d) d)))))
 
-(defun starl-audit (file)
+(defun starl-alike? (own its)
+  "Whether a value of type OWN can be taken for one of type ITS, of a library's theory, by its type."
+  (let ((own (find-supertype (starl-type own)))
+        (its (find-supertype (starl-type its))))
+    (cond ((type-name? its)
+           (let ((d (declaration its)))
+             (or (formal-type-decl? d) ; it may be any type
+                 (and (type-name? own) (eq (declaration own) d))
+                 (and (type-name? own) (tc-eq own its)))))
+          ((and (funtype? own) (funtype? its))
+           (and (starl-alike? (domain own) (domain its)) (starl-alike? (range own) (range its))))
+          ((and (recordtype? own) (recordtype? its))
+           (null (set-exclusive-or (mapcar #'id (fields own)) (mapcar #'id (fields its)))))
+          ((and (tupletype? own) (tupletype? its))
+           (and (= (length (types own)) (length (types its)))
+                (every #'starl-alike? (types own) (types its)))))))
+
+(defun starl-redefines? (own its)
+  "Whether declaration OWN can be taken for ITS. An automaton of its own has states and actions, too."
+  (and (eq (id own) (id its))
+       (cond ((and (const-decl? own) (const-decl? its)) (starl-alike? (type own) (type its)))
+             ((and (type-decl? own) (type-decl? its))
+              (or (not (member (id own) '(|states| |actions|)))
+                  (starl-alike? (type-value own) (type-value its)))))))
+
+(defun starl-redefined (th of)
+  (dolist (own (theory th))
+    (when (and (declaration? own)
+               (null (generated-by own))
+               (some #'(lambda (its) (and (declaration? its) (starl-redefines? own its))) (theory of)))
+      (starl-line "redefined" th (format nil "~a ~a" (id own) (id of))))))
+
+(defun starl-audit (file library)
   (let* ((all (starl-own (imported-theories-in-theories (theories-in-file file)))))
     (dolist (th all)
       (starl-line "theory" th (filename th)))
@@ -131,5 +169,9 @@
         (starl-axioms th)
         (starl-assumptions th all)
         (starl-parameters th all)
-        (starl-narrow th)))
+        (starl-narrow th)
+        (unless (starl-in-library? th library)
+          (dolist (of all)
+            (when (starl-in-library? of library)
+              (starl-redefined th of))))))
     (starl-line "audited" (car all) (length all))))

@@ -1,6 +1,6 @@
 # Reads a file that `starl run --pvs` exported, and tells each line that such a file does not have. The
-# statements of a run follow from the number of its steps: each is made here again and compared, so a
-# file cannot state less, or mean its own `enabled` by it. Used by pvs/check: awk -v library=FOLDER.
+# statements of a run follow from its steps: each is made here again and compared, so a file cannot state
+# less, or mean its own `enabled` by it. Of a result the recorded value is open. Used by pvs/check: awk -v library=FOLDER.
 # Prints "run THEORY STEPS" for each theory, or "wrong LINE WHAT" for the first line that differs.
 
 function wrong(what) {
@@ -20,7 +20,22 @@ function is_value(text) {
   return text !~ / (importing|exporting|conversion|auto_rewrite|judgement|library|type|var|let|with|end|begin|lemma|axiom) /
 }
 
-# The statement that must come next; that of a result may come, and is as recorded.
+# What step n, of an action, must state of the state after it; "" if it states nothing.
+function result_of(action, n, name, i) {
+  name = action
+  sub(/\(.*/, "", name)
+  i = action
+  sub(/^[^(]*\(/, "", i)
+  sub(/[,)].*/, "", i)
+  if (automaton == "Mutex_decls" && name ~ /^(od_mutex|release)$/) return "s_" n "`crit_set(" i ")"
+  if (automaton == "Registration_decls" && name == "learn") return "rList(" i ", s_" n ")"
+  if (automaton == "Registration_decls" && name == "give_up") return "s_" n "`gone(" i ")"
+  if (automaton == "SetAgreement_decls" && name ~ /^(decide|restart)$/) return "s_" n "`decided(" i ")"
+  if (automaton == "Election_decls" && name ~ /^(learn|fail)$/) return "s_" n "`Leader(" i ")"
+  return ""
+}
+
+# The statement that must come next.
 function expected(name, n, before) {
   n = name
   sub(/^[a-z]+_?/, "", n)
@@ -30,16 +45,21 @@ function expected(name, n, before) {
   return "enabled(a_" n ", s_" before ") AND trans(a_" n ", s_" before ") = s_" n
 }
 
-function statement(line, name, text) {
+function statement(line, name, text, step) {
   name = text = line
   sub(/^  /, "", name)
   sub(/: LEMMA .*/, "", name)
   sub(/^[^:]*: LEMMA /, "", text)
-  if (name ~ /^result_[0-9]+(_[0-9]+)?$/ && stated > 2 && stated % 2 == 1) {
-    split(name, part, "_")
-    if (part[2] != (stated - 1) / 2 || text !~ /^[A-Za-z0-9_`]+\(.*\) = / || !is_value(text)) wrong("not what a run states")
+  step = (stated - 1) / 2
+  if (name ~ /^result_/ && stated > 2 && stated % 2 == 1) {
+    results++
+    if (name != "result_" step (results == 1 ? "" : "_" results)) wrong("states " name " as result " results " of step_" step)
+    if (text !~ /^[A-Za-z0-9_`]+\(.*\) = / || !is_value(text)) wrong("not what a run states")
+    if (results == 1 && needed[step] != "" && index(text, needed[step] " = ") != 1) wrong(name " states something else; expected " needed[step] " = ...")
     return
   }
+  if (name ~ /^reached_/ && stated > 2 && needed[step] != "" && results == 0) wrong("step_" step " has no result; expected result_" step ": LEMMA " needed[step] " = ...")
+  results = 0
   stated++
   next_name = stated == 1 ? "begins" : stated % 2 == 0 ? "reached_" (stated / 2 - 1) : "step_" (stated - 1) / 2
   if (name != next_name) wrong("states " name "; expected " next_name)
@@ -86,6 +106,7 @@ place == "states" {
     if ($1 != "a_" steps ":" || states != steps) wrong("expected a_" steps " after s_" (steps - 1))
     sub(/^  a_[0-9]+: actions = /, "")
     if (!is_value($0)) wrong("not an action of a run")
+    needed[steps] = result_of($0, steps)
     next
   }
   if (/^    /) {

@@ -163,6 +163,17 @@ class RunTheoriesTest {
         .contains("  result_3: LEMMA rList(b_1, s_3) = {x: PIDS | x = b_1}\n");
   }
 
+  /** Each learn has its result, so that its absence shows. */
+  @Test
+  void aListThatIsKnownBeforeAskingIsAResult() throws IOException {
+    acts("b", "registration/x", "do_register", "b#1");
+    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
+    acts("b", "registration/x", "do_register", "b#2");
+    assertThat(text())
+        .contains("  a_5: actions = learn(b_2, 1)\n")
+        .contains("  result_5: LEMMA rList(b_2, s_5) = {x: PIDS | x = b_1}\n");
+  }
+
   @Test
   void anAgreementRunHasItsValuesAndTheUndecidedOnes() throws IOException {
     acts("b", "agreement/x", "propose", "01ff");
@@ -285,6 +296,10 @@ class RunTheoriesTest {
     assertThat(statements(folder, text.replace("enabled(a_2, s_1) AND ", ""))).contains("wrong ");
     assertThat(statements(folder, text.replace("reached_2: LEMMA", "reached_2: AXIOM")))
         .contains("wrong ");
+    assertThat(statements(folder, text.replaceFirst("  result_4: LEMMA .*\n.*\n\n", "")))
+        .contains("step_4 has no result; expected result_4: LEMMA s_4`Leader(b_1) = ...");
+    assertThat(statements(folder, text.replaceFirst("  result_2: LEMMA .*\n.*\n\n", "")))
+        .contains("step_2 has no result; expected result_2: LEMMA s_2`crit_set(b) = ...");
     assertThat(statements(folder, text.replace("  IMPORTING ", "  IMPORTING own, ")))
         .contains("wrong ");
     assertThat(statements(folder, text.replace("= do_mutex(b", "= do_mutex(LET b: PIDS = c IN b")))

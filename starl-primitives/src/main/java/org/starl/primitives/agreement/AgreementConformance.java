@@ -18,7 +18,8 @@ import org.starl.trace.TraceEvent.Variable;
  * propose v                      propose(i, v)
  * decided v, for the first time  choose(v): the decision itself is not in the trace
  * decided v                      decide(i); decided(i) is v
- * decided null                   restart(i), if the robot's program before knew a decision
+ * decided null                   restart(i), if the robot's program before knew a decision;
+ *                                decided(i) is none
  * all other events               none
  * </pre>
  *
@@ -60,6 +61,8 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
     if (value.equals(Decision.NONE_YET)) {
       if (replay.state().decided().at(i).isUp()) {
         replay.step(variable, new AgreementAction.restart(i), report);
+        replay.<Lift<String>>result(
+            variable, "decided", i, new Lift.bottom<>(), replay.state().decided().at(i), report);
       }
       return;
     }

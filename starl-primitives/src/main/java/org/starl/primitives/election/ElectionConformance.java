@@ -26,7 +26,7 @@ import org.starl.trace.TraceEvent.Variable;
  * candidate n i                    candidate(i, n), if i is an id of the event's robot
  * Leader n:j, for the first time   elect(n, j): the decision itself is not in the trace
  * Leader n:j                       learn(i, n); Leader(i) is j in term n
- * Leader fail                      fail(i)
+ * Leader fail                      fail(i); Leader(i) is none
  * Leader null                      fail(i), if i knew a leader: a new term began, or the robot's
  *                                  program started again
  * all other events                 none
@@ -94,6 +94,9 @@ public final class ElectionConformance extends Conformance<ElectionConformance.R
     } else if (i != null
         && (leader.equals(Leader.FAIL) || run.replay.state().Leader().at(i).who().isUp())) {
       run.replay.step(variable, new ElectionAction.fail(i), report);
+      Known shown = run.replay.state().Leader().at(i);
+      Known recorded = new Known(shown.term(), new Lift.bottom<>()); // the trace has no term here
+      run.replay.result(variable, "Leader", i, recorded, shown, report);
     }
   }
 

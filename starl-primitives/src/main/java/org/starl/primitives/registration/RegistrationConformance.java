@@ -18,7 +18,8 @@ import org.starl.trace.TraceEvent.Variable;
  * event                                  action
  * do_register i                          do_register(i), and learn(i, n) if its robot knows list n
  * unregister i                           unregister(i), if i is an id of the event's robot
- * give_up i                              give_up(i), if i is an id of the event's robot and has asked
+ * give_up i                              give_up(i), if i is an id of the event's robot and has asked;
+ *                                        gone(i) is true
  * confine i sections fencers             confine(i), if there are fencers, or i is an id of the
  *                                        event's robot
  * view n: L, for the first time          decide(L)

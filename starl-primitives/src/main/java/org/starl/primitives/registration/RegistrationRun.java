@@ -30,6 +30,7 @@ final class RegistrationRun {
   private static final class Program {
     private @Nullable ProcessId id;
     private long knows;
+    private SortedSet<ProcessId> list = Collections.emptySortedSet();
   }
 
   /** A list that a robot has shown before the lists of all lower numbers are decided. */
@@ -56,9 +57,17 @@ final class RegistrationRun {
     Program program = program(event.robot());
     program.id = id;
     long knows = program.knows;
+    SortedSet<ProcessId> list = program.list;
     if (knows > 0) {
       onceDecided(
-          knows, later -> step(event, new RegistrationAction.learn(id, knows), later), report);
+          knows,
+          later -> {
+            step(event, new RegistrationAction.learn(id, knows), later);
+            if (!isForgotten(knows)) {
+              replay.result(event, "rList", id, list, replay.state().rList(id), later);
+            }
+          },
+          report);
     }
   }
 
@@ -71,6 +80,7 @@ final class RegistrationRun {
   void gaveUp(TraceEvent event, ProcessId id, Report report) {
     if (id.robot().equals(event.robot()) && replay.state().asked().contains(id)) {
       step(event, new RegistrationAction.give_up(id), report);
+      replay.result(event, "gone", id, true, replay.state().gone().contains(id), report);
     }
   }
 
@@ -84,6 +94,7 @@ final class RegistrationRun {
     program.knows = view.number();
     SortedSet<ProcessId> list =
         Collections.unmodifiableSortedSet(new TreeSet<>(view.admitted().keySet()));
+    program.list = list;
     if (view.number() > replay.state().number() && !replay.hasDeviated()) {
       early.computeIfAbsent(view.number(), number -> new Early(event, list, new ArrayList<>()));
       decide(report);

@@ -43,6 +43,7 @@ class AgreementConformanceTest {
             "decide(a)",
             "decided(a) = up(01)",
             "restart(b)",
+            "decided(b) = bottom",
             "decide(b)",
             "decided(b) = up(01)");
   }

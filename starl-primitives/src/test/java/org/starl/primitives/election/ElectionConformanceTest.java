@@ -53,7 +53,9 @@ class ElectionConformanceTest {
             "learn(b#1, 1)",
             "Leader(b#1) = Known[term=1, who=up(a#1)]",
             "fail(b#1)",
-            "fail(a#1)");
+            "Leader(b#1) = Known[term=1, who=bottom]",
+            "fail(a#1)",
+            "Leader(a#1) = Known[term=1, who=bottom]");
   }
 
   @Test
@@ -65,7 +67,11 @@ class ElectionConformanceTest {
     acts("a", "Election", "2", "a#2");
     shows("a", "1:a#1");
     assertThat(run.steps())
-        .containsExactly("fail(a#1)", "learn(a#2, 1)", "Leader(a#2) = Known[term=1, who=up(a#1)]");
+        .containsExactly(
+            "fail(a#1)",
+            "Leader(a#1) = Known[term=1, who=bottom]",
+            "learn(a#2, 1)",
+            "Leader(a#2) = Known[term=1, who=up(a#1)]");
     acts("a", "candidate", "2", "a#2");
     assertThat(run.details())
         .containsExactly(

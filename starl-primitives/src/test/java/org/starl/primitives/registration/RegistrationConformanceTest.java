@@ -69,6 +69,7 @@ class RegistrationConformanceTest {
             "list(1) = [a#1]",
             "do_register(b#1)",
             "learn(b#1, 1)",
+            "rList(b#1) = [a#1]",
             "decide([a#1, b#1])",
             "learn(b#1, 2)",
             "rList(b#1) = [a#1, b#1]",
@@ -77,7 +78,8 @@ class RegistrationConformanceTest {
             "learn(b#1, 3)",
             "rList(b#1) = [b#1]",
             "unregister(b#1)",
-            "give_up(a#1)");
+            "give_up(a#1)",
+            "gone(a#1) = true");
   }
 
   @Test
