@@ -158,18 +158,26 @@ class ProgramsTest {
   }
 
   @Test
-  void javaOfTheIntersectionsPageIsThatOfItsCar() throws IOException {
+  void javaAndTheoryOfTheIntersectionsPageAreThoseOfItsCar() throws IOException {
     Path car =
         Path.of("../starl-apps/src/main/java/org/starl/apps/intersection/logic/IcpProgram.java");
     String page = Files.readString(Path.of("../docs/apps/intersection.md"));
-    assertThat(Files.readString(car)).contains(java(page));
+    assertThat(Files.readString(car)).contains(excerpt(page, "java\nswitch ", 6));
+    assertThat(Files.readString(Path.of("../pvs/IcpProgram.pvs")))
+        .contains(excerpt(page, "\nenabled(a, s): bool =", 2) + "\n  IMPORTING time_machine");
   }
 
-  /** The first excerpt of a page, indented as in its file. */
+  /** The Java of the manual, indented as in its file. */
   private static String java(String page) {
-    Matcher found = Pattern.compile("(?s)\n```java\n(case .*?)```").matcher(page);
-    assertThat(found.find()).isTrue();
-    return found.group(1).indent(8);
+    return excerpt(page, "java\ncase ", 8);
+  }
+
+  /** The excerpt of a page that begins so, indented as in its file. */
+  private static String excerpt(String page, String begin, int indent) {
+    int at = page.indexOf("\n```" + begin);
+    assertThat(at).isNotNegative();
+    String text = page.substring(page.indexOf('\n', at + 1) + 1);
+    return text.substring(0, text.indexOf("```")).indent(indent).replaceAll("(?m)^ +$", "");
   }
 
   @Test
