@@ -107,6 +107,20 @@ class NewCommandTest {
     assertThat(campaign.status()).as("%s", campaign).isZero();
   }
 
+  /** Gradle may run on a JDK that cannot load StarL; a task of its own would use that one. */
+  @Test
+  void gradleRunsStarlOnTheJdkThatCompilesIt() throws IOException {
+    String build = project.text("build.gradle.kts");
+    assertThat(build).contains("JavaExec>");
+    assertThat(build.substring(build.indexOf("toolchain.languageVersion.set(")))
+        .contains(
+            """
+                tasks.withType<JavaExec>().configureEach {
+                    javaLauncher.set(javaToolchains.launcherFor(java.toolchain))
+                }
+            """);
+  }
+
   @Test
   void itsTheoryHasTheLocationsOfItsAppAndTheGuardOfItsTour() throws IOException {
     String theory = project.text("dock.pvs");
