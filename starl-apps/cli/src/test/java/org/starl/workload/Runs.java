@@ -18,11 +18,11 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
 /** Runs workloads as the command line does. */
-final class Runs {
+public final class Runs {
 
   private Runs() {}
 
-  static Demo demo(String name) {
+  public static Demo demo(String name) {
     return PrimitiveWorkloads.ALL.stream()
         .filter(demo -> demo.name().equals(name))
         .findFirst()
@@ -32,7 +32,7 @@ final class Runs {
   /**
    * @param set parameters and settings alike, as {@code --set} takes them
    */
-  static Plan plan(String name, long seed, Map<String, String> set) {
+  public static Plan plan(String name, long seed, Map<String, String> set) {
     Demo demo = demo(name);
     SortedMap<String, String> parameters = new TreeMap<>();
     demo.parameters().forEach(p -> parameters.put(p.key(), p.defaultValue()));

@@ -5,18 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.lang.check.Mutants;
 import org.starl.lang.prove.Claim.Verdict;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 
-/** The primitives' automata, as they stand in {@code pvs/starl}, and wrong ones. */
+/** The primitives' automata, as they stand in {@code pvs/starl}. */
 @Tag("long")
 class PrimitivesProofTest {
 
@@ -28,12 +26,6 @@ class PrimitivesProofTest {
       invariant Left_out:
         forall h, g: nat ::
           h > 0 and outcome(h) is failed and h < g => outcome(h).missing disjoint members(g)
-      """;
-
-  /** Holds of the mutex, and not of some wrong ones. */
-  private static final String WAITS =
-      """
-      invariant Waits: forall i: PIDS :: req_set(i) != {} => crit_set(i) = {}
       """;
 
   @ParameterizedTest
@@ -70,36 +62,6 @@ class PrimitivesProofTest {
     assertThat(report.isProved()).isTrue();
     assertThat(report.claim("Traffic_safety")).isPresent();
     assertThat(report.claim("Occupied_is_held").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
-  }
-
-  @Test
-  void mutexThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
-    assertThat(caught(read("Mutex_decls", WAITS)))
-        .containsExactly(
-            "do_mutex without crit_set(i) = {}",
-            "do_mutex with not crit_set(i) = {}",
-            "od_mutex without free_for?(i, RS)",
-            "od_mutex with not free_for?(i, RS)",
-            "od_mutex without effect 2");
-  }
-
-  @Test
-  void registrationThatMayBreakAnInvariantIsNotProved() throws IOException, SourceErrors {
-    assertThat(caught(read("Registration_decls", "")))
-        .contains(
-            "unregister without i in asked",
-            "decide without list(number) minus gone subset L",
-            "decide without effect 2",
-            "decide without effect 3",
-            "learn without n <= number");
-  }
-
-  /** The automata with one condition dropped or denied, or one effect dropped, that are not proved. */
-  private static List<String> caught(Automaton automaton) {
-    return Mutants.of(automaton).stream()
-        .filter(mutant -> !prove(mutant.automaton()).isProved())
-        .map(Mutants.Mutant::toString)
-        .toList();
   }
 
   private static Report prove(Automaton automaton) {
