@@ -17,7 +17,8 @@ import org.starl.time.Time;
 /**
  * Robots send letters over {@code gvh.comms}: reliably to one robot, and best effort to one or all.
  * In each round a robot sends one letter, a few, or more than all windows hold, and is served when
- * they have been delivered. A second channel is open in every other round only.
+ * they have been delivered. A second channel is closed in some rounds; in half of the others it closes
+ * with letters under way, and opens again at once.
  */
 final class MessagesClient extends Client {
 
@@ -51,6 +52,12 @@ final class MessagesClient extends Client {
   private static final int PROMPT_MESSAGES = 40;
 
   private static final double MANY = 0.1;
+
+  /** Of so many rounds the second channel is closed in one: not in the last of any course. */
+  private static final int SIDE_PERIOD = 3;
+
+  /** Until the second channel closes during a round, at most. */
+  private static final long LATE_MS = 500;
 
   /** More than are tracked individually of a sender, or of a session. */
   private static final int MOST_LETTERS = 1_300;
@@ -108,12 +115,11 @@ final class MessagesClient extends Client {
         MAIL, HANDLE, from, channel.name(), letter.boot(), letter.number(), letter.clock(), clock);
   }
 
-  @Override
-  protected void prepare() {
+  private void setSide(boolean isOpen) {
     Endpoint<Letter> open = side;
-    if (open == null) {
+    if (isOpen && open == null) {
       side = open("side");
-    } else {
+    } else if (!isOpen && open != null) {
       gvh.trace.action(MAIL, CLOSE, MAIL + "/side");
       open.close();
       side = null;
@@ -122,11 +128,13 @@ final class MessagesClient extends Client {
 
   @Override
   protected boolean obtain(int round) {
+    setSide(round % SIDE_PERIOD != 1);
     letters.broadcast(write("*", "letters", "none"));
     RobotId to = robots.get(rng.nextInt(robots.size()));
     letters.send(to, write(to.name(), "letters", "none"));
     if (side != null) {
-      RobotId at = robots.get(rng.nextInt(robots.size()));
+      RobotId any = robots.get(rng.nextInt(robots.size()));
+      RobotId at = rng.nextBoolean(0.5) ? to : any;
       sides.put(at, sendReliably(side, "side", at, BRIEF));
     }
     int number =
@@ -135,6 +143,11 @@ final class MessagesClient extends Client {
     List<Receipt> receipts = new ArrayList<>();
     for (int i = 0; i < number; i++) {
       receipts.add(sendReliably(letters, "letters", to, isBrief ? BRIEF : Reliability.DEFAULT));
+    }
+    if (side != null && rng.nextBoolean(0.5)) {
+      sleep(rng.nextLong(0, LATE_MS));
+      setSide(false);
+      setSide(true);
     }
     await(() -> receipts.stream().allMatch(Receipt::isSettled));
     return receipts.stream().allMatch(Receipt::isDelivered);

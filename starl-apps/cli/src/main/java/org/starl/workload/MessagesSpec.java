@@ -23,13 +23,14 @@ import org.starl.trace.TraceEvent.Left;
  *
  * <ul>
  *   <li>{@code Genuine}: a letter that is handled was sent to this robot on this channel, which is
- *       open, and advances the logical clock to its own.
+ *       open, and advances the logical clock to its own. Its own is above each that its sender knew.
  *   <li>{@code Once}: a reliable letter is handled at most once in each start of the receiver.
- *   <li>{@code Fresh}: no letter of a sender's earlier start is handled after one of a later start.
+ *   <li>{@code Fresh}: no letter of a sender's earlier start is handled after one of a later start,
+ *       and no two starts have one number.
  *   <li>{@code Handled}: a receipt that says delivered is true.
  *   <li>{@code Settled}: while no fault is active and the sender is up, a reliable letter is
  *       delivered or given up by its deadline; while the receiver is up, too, it is delivered within
- *       the bound.
+ *       the bound. It is given up at once if its channel closes, and never earlier than it must.
  *   <li>{@code Received}: in a calm world each plain letter is handled by each receiver, once.
  *   <li>{@code Paced}: no datagram is sent twice at one time.
  * </ul>
@@ -59,6 +60,8 @@ final class MessagesSpec extends LemmaMonitor {
   private final Map<RobotId, Program> programs = new TreeMap<>();
   private final Map<LetterId, Sent> sent = new TreeMap<>();
   private final Set<String> everHandled = new TreeSet<>();
+  private final Map<RobotId, Integer> newestStarts = new TreeMap<>();
+  private final Within<LetterId> closed = new Within<>(0);
   private final Within<LetterId> deliveries;
   private final Within<LetterId> brief =
       new Within<>(MessagesClient.BRIEF.deadlineMs() * Time.NS_PER_MS + LATE_NS);
@@ -82,7 +85,14 @@ final class MessagesSpec extends LemmaMonitor {
 
   private record Arrival(LetterId letter, RobotId to) {}
 
-  private record Sent(String to, String channel, boolean isPlain) {
+  /**
+   * @param afterClock the latest logical clock that its sender is known to have had
+   */
+  private record Sent(String to, String channel, String reliability, long atNs, long afterClock) {
+    boolean isPlain() {
+      return reliability.equals(PLAIN);
+    }
+
     boolean isTo(RobotId robot, LetterId letter) {
       return to.equals(ALL) ? !robot.equals(letter.from) : to.equals(robot.name());
     }
@@ -90,6 +100,9 @@ final class MessagesSpec extends LemmaMonitor {
 
   /** What a robot has done since its latest start. */
   private static final class Program {
+    int boot;
+    long clock;
+    final Set<LetterId> unsettled = new TreeSet<>();
     final Set<LetterId> handled = new TreeSet<>();
     final Map<RobotId, Integer> newestBoots = new TreeMap<>();
     final Set<String> open = new TreeSet<>();
@@ -159,7 +172,7 @@ final class MessagesSpec extends LemmaMonitor {
         event instanceof Left || (event instanceof Fault fault && fault.name().equals(Fault.CRASH));
     if (isEnd) {
       programs.remove(robot);
-      for (Within<LetterId> each : List.of(deliveries, brief, lasting)) {
+      for (Within<LetterId> each : List.of(closed, deliveries, brief, lasting)) {
         // A program that has ended settles nothing.
         sent.keySet().stream().filter(id -> id.from.equals(robot)).forEach(each::stop);
       }
@@ -182,12 +195,14 @@ final class MessagesSpec extends LemmaMonitor {
     Program self = programs.computeIfAbsent(action.robot(), any -> new Program());
     switch (action.name()) {
       case MessagesClient.OPEN -> self.open.add(args.get(0));
-      case MessagesClient.CLOSE -> self.open.remove(args.get(0));
-      case MessagesClient.SEND -> sent(action, id(action.robot(), args, 2));
+      case MessagesClient.CLOSE -> closed(action, self);
+      case MessagesClient.SEND -> sent(action, self, id(action.robot(), args, 2), report);
       case MessagesClient.HANDLE ->
           handled(action, self, id(new RobotId(args.get(0)), args, 2), report);
-      case MessagesClient.DELIVERED -> settled(action, id(action.robot(), args, 1), true, report);
-      case MessagesClient.FAILED -> settled(action, id(action.robot(), args, 1), false, report);
+      case MessagesClient.DELIVERED ->
+          settled(action, self, id(action.robot(), args, 1), true, report);
+      case MessagesClient.FAILED ->
+          settled(action, self, id(action.robot(), args, 1), false, report);
       default -> throw new IllegalStateException("unknown action " + action.name());
     }
   }
@@ -196,13 +211,31 @@ final class MessagesSpec extends LemmaMonitor {
     return new LetterId(from, Integer.parseInt(args.get(at)), Integer.parseInt(args.get(at + 1)));
   }
 
-  private void sent(Action action, LetterId letter) {
-    Sent what =
-        new Sent(action.args().get(0), action.args().get(1), action.args().get(4).equals(PLAIN));
-    sent.put(letter, what);
+  private void closed(Action action, Program self) {
+    String channel = action.args().get(0);
+    self.open.remove(channel);
+    for (LetterId letter : self.unsettled) {
+      Sent known = sent.get(letter);
+      if (known != null && known.channel.equals(channel)) {
+        closed.start(letter, action.timeNs());
+      }
+    }
+  }
+
+  private void sent(Action action, Program self, LetterId letter, Report report) {
+    List<String> args = action.args();
     long nowNs = action.timeNs();
-    if (!what.isPlain) {
-      (action.args().get(4).equals(BRIEF) ? brief : lasting).start(letter, nowNs);
+    Sent what = new Sent(args.get(0), args.get(1), args.get(4), nowNs, self.clock);
+    sent.put(letter, what);
+    if (self.boot != letter.boot) {
+      Integer earlier = newestStarts.put(letter.from, letter.boot);
+      boolean isNew = earlier == null || earlier < letter.boot;
+      check(FRESH, isNew, action, letter + " after its start " + earlier, report);
+      self.boot = letter.boot;
+    }
+    if (!what.isPlain()) {
+      self.unsettled.add(letter);
+      (what.reliability.equals(BRIEF) ? brief : lasting).start(letter, nowNs);
       // The other channel is closed at times.
       if (what.channel.endsWith("/letters")) {
         deliveries.start(letter, nowNs);
@@ -220,15 +253,20 @@ final class MessagesSpec extends LemmaMonitor {
   private void handled(Action action, Program self, LetterId letter, Report report) {
     List<String> args = action.args();
     Sent known = sent.get(letter);
+    long itsClock = Long.parseLong(args.get(4));
+    long clock = Long.parseLong(args.get(5));
+    self.clock = clock;
     boolean isGenuine =
         known != null
             && known.channel.equals(args.get(1))
             && known.isTo(action.robot(), letter)
             && self.open.contains(args.get(1))
-            && Long.parseLong(args.get(5)) >= Long.parseLong(args.get(4));
+            && clock >= itsClock
+            && itsClock > known.afterClock
+            && itsClock >= letter.number; // the clock ticks for each letter
     check(GENUINE, isGenuine, action, letter + " on " + args.get(1) + ": not so sent", report);
     boolean isFirst = self.handled.add(letter);
-    if (known != null && known.isPlain) {
+    if (known != null && known.isPlain()) {
       if (arrivals != null && arrivals.stop(new Arrival(letter, action.robot()))) {
         report.checked(RECEIVED);
       } else if (!isFirst && isCalm(action.timeNs())) {
@@ -242,8 +280,14 @@ final class MessagesSpec extends LemmaMonitor {
     everHandled.add(letter + " by " + action.robot());
   }
 
-  private void settled(Action action, LetterId letter, boolean isDelivered, Report report) {
-    if (isDelivered) {
+  private void settled(
+      Action action, Program self, LetterId letter, boolean isDelivered, Report report) {
+    self.unsettled.remove(letter);
+    closed.stop(letter);
+    if (!isDelivered) {
+      check(
+          SETTLED, !isTooEarly(action, self, letter), action, letter + " fails too early", report);
+    } else {
       boolean isHandled = everHandled.contains(letter + " by " + action.args().get(0));
       check(HANDLED, isHandled, action, letter + " is told delivered, but is not", report);
     }
@@ -257,6 +301,30 @@ final class MessagesSpec extends LemmaMonitor {
     }
   }
 
+  /** Whether a letter on an open channel is given up before its deadline or its last retry. */
+  private boolean isTooEarly(Action action, Program self, LetterId letter) {
+    Sent known = sent.get(letter);
+    if (known == null || !self.open.contains(known.channel)) {
+      return false;
+    }
+    long agoNs = action.timeNs() - known.atNs;
+    Reliability used = known.reliability.equals(BRIEF) ? MessagesClient.BRIEF : Reliability.DEFAULT;
+    return faults.isCalm(action.timeNs(), agoNs) && agoNs < leastNs(used);
+  }
+
+  /** How long a message is at least sent again before it is given up. */
+  private static long leastNs(Reliability reliability) {
+    double deadlineMs = reliability.deadlineMs();
+    double maxWaitMs = reliability.maxWaitMs();
+    double waitMs = reliability.firstRetryMs();
+    double allMs = 0;
+    for (int i = 0; i < reliability.maxRetries() && allMs < deadlineMs; i++) {
+      allMs += waitMs;
+      waitMs = Math.min(waitMs * reliability.backoff(), maxWaitMs);
+    }
+    return (long) (Math.min(allMs, deadlineMs) * Time.NS_PER_MS);
+  }
+
   private static void check(
       String lemma, boolean holds, Action action, String detail, Report report) {
     report.checked(lemma);
@@ -267,6 +335,7 @@ final class MessagesSpec extends LemmaMonitor {
 
   @Override
   public void finish(long endNs, Report report) {
+    expire(closed, endNs, report);
     expire(deliveries, endNs, report);
     expire(brief, endNs, report);
     expire(lasting, endNs, report);

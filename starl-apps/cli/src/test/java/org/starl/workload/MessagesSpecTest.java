@@ -88,6 +88,15 @@ class MessagesSpecTest {
   }
 
   @Test
+  void aClockThatStandsStillViolatesGenuine() {
+    act(1, RECEIVER, "send", "bot0", LETTERS, "1", "1", "default");
+    act(2, SENDER, "handle", "bot1", LETTERS, "1", "1", "7", "7");
+    send(3, 1, 1, "default");
+    handle(4, 1, 1);
+    assertThat(at(5).violations("Genuine")).isEqualTo(1);
+  }
+
+  @Test
   void aReliableLetterThatIsHandledTwiceViolatesOnceUnlessTheReceiverRestarts() {
     send(1, 1, 1, "default");
     handle(2, 1, 1);
@@ -108,6 +117,16 @@ class MessagesSpecTest {
     send(3, 2, 1, "default");
     handle(4, 2, 1);
     handle(5, 1, 1);
+    assertThat(at(5).violations("Fresh")).isEqualTo(1);
+  }
+
+  @Test
+  void aStartWithTheNumberOfAnEarlierOneViolatesFresh() {
+    send(1, 1, 1, "default");
+    fault(2, SENDER, "crash");
+    fault(2, SENDER, "restart");
+    send(3, 1, 1, "default");
+    send(3, 1, 2, "default");
     assertThat(at(5).violations("Fresh")).isEqualTo(1);
   }
 
@@ -134,6 +153,29 @@ class MessagesSpecTest {
     fault(2, RECEIVER, "crash");
     assertThat(at(7).violations("Settled")).isZero();
     assertThat(at(9).violations("Settled")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterThatIsPendingWhenItsChannelHasClosedViolatesSettled() {
+    send(1, 1, 1, "default");
+    send(1, 1, 2, "default");
+    act(2, SENDER, "close", LETTERS);
+    act(2, SENDER, "failed", "bot1", "1", "1");
+    assertThat(at(3).violations("Settled")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterThatIsGivenUpBeforeItsDeadlineViolatesSettledUnlessAFaultMeetsIt() {
+    send(1, 1, 1, "brief");
+    act(6, SENDER, "failed", "bot1", "1", "1");
+    send(11, 1, 2, "brief");
+    fault(12, RECEIVER, "crash");
+    act(13, SENDER, "failed", "bot1", "1", "2");
+    fault(14, RECEIVER, "restart");
+    assertThat(at(14).violations("Settled")).isZero();
+    send(15, 1, 3, "brief");
+    act(19, SENDER, "failed", "bot1", "1", "3");
+    assertThat(at(20).violations("Settled")).isEqualTo(1);
   }
 
   @Test
