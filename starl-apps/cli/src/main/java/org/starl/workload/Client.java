@@ -2,6 +2,7 @@ package org.starl.workload;
 
 import java.util.List;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.primitives.registration.Registration;
@@ -27,6 +28,9 @@ abstract class Client extends LogicThread {
   /** Action with the round's number: the request failed. */
   static final String TOLD = "told";
 
+  /** Action with a time in ms: a wait ended so much too late by the robot's clock. */
+  static final String LATE = "late";
+
   /** The robot's own random numbers; different after each restart. */
   protected final Rng rng;
 
@@ -47,7 +51,7 @@ abstract class Client extends LogicThread {
   public final List<Object> callStarL() {
     int told = 0;
     for (int round = 0; round < course.allRounds(); round++) {
-      sleep(Math.max(0, course.beginMs(round) - gvh.plat.clock.nowNs() / Time.NS_PER_MS));
+      pause(Math.max(0, course.beginMs(round) - gvh.plat.clock.nowNs() / Time.NS_PER_MS));
       while (!isDone(round)) {
         told++;
       }
@@ -57,7 +61,7 @@ abstract class Client extends LogicThread {
   }
 
   private boolean isDone(int round) {
-    sleep(rng.nextLong(0, thinkMs));
+    pause(rng.nextLong(0, thinkMs));
     prepare();
     gvh.trace.action(SOURCE, ASK, round);
     boolean served = obtain(round);
@@ -66,6 +70,34 @@ abstract class Client extends LogicThread {
       use();
     }
     return served;
+  }
+
+  /** As {@link #sleep}; fails if it ends too early, and traces if it ends too late. */
+  protected final void pause(long ms) {
+    long dueNs = gvh.plat.clock.nowNs() + ms * Time.NS_PER_MS;
+    sleep(ms);
+    checkWoken(dueNs, false);
+  }
+
+  /** As {@link #await} with a timeout; fails and traces as {@link #pause} does. */
+  protected final boolean isTrueWithin(BooleanSupplier condition, long ms) {
+    long dueNs = gvh.plat.clock.nowNs() + ms * Time.NS_PER_MS;
+    boolean held = await(condition, ms);
+    if (held != condition.getAsBoolean()) {
+      throw new IllegalStateException("await returned " + held + ": the condition says otherwise");
+    }
+    checkWoken(dueNs, held);
+    return held;
+  }
+
+  private void checkWoken(long dueNs, boolean mayBeEarly) {
+    long lateNs = gvh.plat.clock.nowNs() - dueNs;
+    if (lateNs < 0 && !mayBeEarly) {
+      throw new IllegalStateException("woken " + -lateNs + " ns too early");
+    }
+    if (lateNs >= Time.NS_PER_MS) {
+      gvh.trace.action(SOURCE, LATE, lateNs / Time.NS_PER_MS);
+    }
   }
 
   /** Prepares a request. */

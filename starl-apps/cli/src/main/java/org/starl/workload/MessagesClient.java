@@ -145,7 +145,7 @@ final class MessagesClient extends Client {
       receipts.add(sendReliably(letters, "letters", to, isBrief ? BRIEF : Reliability.DEFAULT));
     }
     if (side != null && rng.nextBoolean(0.5)) {
-      sleep(rng.nextLong(0, LATE_MS));
+      pause(rng.nextLong(0, LATE_MS));
       setSide(false);
       setSide(true);
     }

@@ -107,7 +107,7 @@ final class MotionClient extends Client {
     Circle avoid = new Circle(centre, MAX_RADIUS_MM * rng.nextDouble());
     motion.do_move(new ItemPosition("place" + round, to.xMm(), to.yMm()), avoid);
     if (rng.nextBoolean(CANCELLED)) {
-      sleep(rng.nextLong(0, CANCEL_MS));
+      pause(rng.nextLong(0, CANCEL_MS));
       motion.motion_stop();
     }
     await(() -> motion.motionflag().get() != MotionFlag.MOVING);

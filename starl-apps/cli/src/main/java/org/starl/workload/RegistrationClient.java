@@ -43,7 +43,7 @@ final class RegistrationClient extends Client {
 
   @Override
   protected void use() {
-    sleep(rng.nextLong(0, stayMs));
+    pause(rng.nextLong(0, stayMs));
     unregister(reg);
   }
 }

@@ -53,6 +53,9 @@ final class RoundsStory implements Story {
         robot.waitsNs.add(action.timeNs() - robot.askedNs);
       }
       case Client.TOLD -> robot.failures++;
+      case Client.LATE -> {
+        // ServiceSpec judges it.
+      }
       default -> throw new IllegalStateException("unknown action " + action.name());
     }
   }

@@ -15,6 +15,7 @@ import org.starl.trace.TraceEvent.Action;
  *
  * <ul>
  *   <li>{@code Prompt}: a request that a robot makes then is served, or has failed, within the bound.
+ *       Each wait of a robot ends when it is due.
  *   <li>{@code Granted}: it does not fail; only for primitives that need not fail then.
  * </ul>
  *
@@ -55,7 +56,11 @@ final class ServiceSpec extends LemmaMonitor {
 
   private void acted(Action action, Report report) {
     RobotId robot = action.robot();
-    if (action.name().equals(Client.ASK)) {
+    if (action.name().equals(Client.LATE)) {
+      report.checked(PROMPT);
+      String detail = "wakes " + action.args().get(0) + " ms too late in a calm world";
+      report.violated(PROMPT, action.timeNs(), List.of(robot), detail);
+    } else if (action.name().equals(Client.ASK)) {
       requests.start(robot, action.timeNs());
     } else if (requests.stop(robot)) {
       report.checked(PROMPT);

@@ -50,6 +50,17 @@ class ServiceSpecTest {
   }
 
   @Test
+  void aWaitThatEndsTooLateInACalmWorldViolatesPrompt() {
+    fault(1, "begin");
+    act(2, "late");
+    fault(3, "end");
+    act(12, "late");
+    assertThat(monitors.report().violations("Prompt")).isZero();
+    act(13, "late");
+    assertThat(end(14).violations("Prompt")).isEqualTo(1);
+  }
+
+  @Test
   void nothingIsOwedToARequestThatAFaultMeets() {
     act(1, "ask");
     fault(2, "begin");
