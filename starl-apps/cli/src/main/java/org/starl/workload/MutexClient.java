@@ -20,7 +20,7 @@ import org.starl.time.Time;
 
 /**
  * Robots register, enter one or two of a few sections again and again, release them one by one, and
- * unregister.
+ * unregister. One that is removed while it holds sections may register again before it releases them.
  */
 final class MutexClient extends Client {
 
@@ -38,6 +38,20 @@ final class MutexClient extends Client {
               + " fixed: all robots, which tolerates no crash",
           Form.choice(MEMBERSHIPS));
 
+  static final String SOON = "soon";
+
+  private static final List<String> SUSPICIONS = List.of("late", SOON);
+
+  static final Parameter SUSPECT =
+      new Parameter(
+          "suspect",
+          SUSPICIONS.get(0),
+          "whether a silent process is suspected of a crash after 10 s (late) or 2 s (soon)",
+          Form.choice(SUSPICIONS));
+
+  /** Shorter than some waits. */
+  private static final long SOON_MS = 2_000;
+
   private static final String XID = "crossing";
   private static final long THINK_MS = 500;
 
@@ -52,11 +66,11 @@ final class MutexClient extends Client {
   /** The same by a clock without error. */
   private static final long CALM_D1_NS = MAX_REQUESTED * HOLD_MS * Time.NS_PER_MS;
 
-  /** A robot that waits longer waits for a silent one. */
-  private static final long PATIENCE_MS = MutexTimes.DEFAULT.suspectMs() / 2;
-
-  /** Until a dead participant that a request waits for is confined, with messages that take no time. */
-  private static final long CONFINED_NS = (MutexTimes.DEFAULT.suspectMs() + 8_000) * Time.NS_PER_MS;
+  /**
+   * From a suspicion until a dead participant that a request waits for is confined, with messages that
+   * take no time.
+   */
+  private static final long CONFINED_MS = 8_000;
 
   private static final long SLACK_NS = Time.NS_PER_MS;
 
@@ -71,10 +85,15 @@ final class MutexClient extends Client {
 
   private final int sections;
   private final boolean leaves;
+
+  /** A robot that waits longer waits for a silent one. */
+  private final long patienceMs;
+
   private final MutexPrim mux;
   private final @Nullable Registration reg;
 
   /**
+   * @param patienceMs a robot that waits longer waits for a silent one
    * @param leaves whether the robot leaves after some rounds
    * @param reg the registration of the members, or null if all robots are members
    */
@@ -82,11 +101,13 @@ final class MutexClient extends Client {
       GlobalVarHolder gvh,
       Setup setup,
       int sections,
+      long patienceMs,
       boolean leaves,
       MutexPrim mux,
       @Nullable Registration reg) {
     super(gvh, setup, THINK_MS);
     this.sections = sections;
+    this.patienceMs = patienceMs;
     this.leaves = leaves;
     this.mux = mux;
     this.reg = reg;
@@ -102,7 +123,13 @@ final class MutexClient extends Client {
     boolean isOpen = !members.equals("fixed");
     MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
     // After the bounds: a late grant violates the specification before the request fails.
-    MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS);
+    boolean isSoon = setup.choice(SUSPECT, SUSPICIONS).equals(SOON);
+    long suspectMs = isSoon ? SOON_MS : MutexTimes.DEFAULT.suspectMs();
+    MutexTimes times =
+        MutexTimes.DEFAULT
+            .withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS)
+            .withSuspectMs(suspectMs);
+    long confinedNs = (suspectMs + CONFINED_MS) * Time.NS_PER_MS + 10 * setup.delayNs();
     MutexBounds calm =
         setup.isLossless()
             ? MutexBounds.of(setup.robots(), CALM_D1_NS, setup.delayNs() + SLACK_NS)
@@ -111,7 +138,7 @@ final class MutexClient extends Client {
         .simulation()
         .monitor(() ->
             isOpen && setup.isLossless()
-                ? new MutexSpec(bounds, calm).confinedWithin(CONFINED_NS + 10 * setup.delayNs())
+                ? new MutexSpec(bounds, calm).confinedWithin(confinedNs)
                 : new MutexSpec(bounds, calm));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, false);
     setup.place(gvh -> {
@@ -119,7 +146,8 @@ final class MutexClient extends Client {
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;
       Membership group = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
       M_Mutex mutex = new M_Mutex(gvh, XID, group, times);
-      return new MutexClient(gvh, setup, sections, members.equals(CHANGING), mutex, reg);
+      boolean isChanging = members.equals(CHANGING);
+      return new MutexClient(gvh, setup, sections, suspectMs / 2, isChanging, mutex, reg);
     });
     if (isOpen) {
       setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
@@ -136,8 +164,11 @@ final class MutexClient extends Client {
   @Override
   protected boolean obtain(int round) {
     mux.do_mutex(some());
-    if (reg != null && leaves && rng.nextBoolean(LEAVES) && !await(this::isAnswered, PATIENCE_MS)) {
-      leaveWithOthers(reg);
+    if (reg != null
+        && leaves
+        && rng.nextBoolean(LEAVES)
+        && !isTrueWithin(this::isAnswered, patienceMs)) {
+      giveUpWithOthers(reg);
     }
     await(this::isAnswered);
     return mux.od_mutex();
@@ -147,12 +178,19 @@ final class MutexClient extends Client {
     return mux.crit().get() || mux.failed().get();
   }
 
-  /** Gives up and leaves when another change of the list is proposed: that of a silent robot. */
-  private void leaveWithOthers(Registration registration) {
+  /**
+   * Gives up when another change of the list is proposed: that of a silent robot. Asks again after it,
+   * in half of the cases as another member.
+   */
+  private void giveUpWithOthers(Registration registration) {
     await(() -> isAnswered() || !registration.rList().get().isAgreed());
     if (!isAnswered()) {
       mux.withdraw();
-      leave();
+      if (rng.nextBoolean(0.5)) {
+        leave();
+      } else {
+        await(() -> registration.rList().get().isAgreed() || !registration.mayRequest());
+      }
       prepare();
       mux.do_mutex(some());
     }
@@ -169,7 +207,10 @@ final class MutexClient extends Client {
   @Override
   protected void use() {
     for (String section : List.copyOf(mux.held())) {
-      sleep(rng.nextLong(0, HOLD_MS));
+      pause(rng.nextLong(0, HOLD_MS));
+      if (reg != null && !reg.mayRequest() && rng.nextBoolean(0.5)) {
+        register(reg);
+      }
       mux.release(section);
     }
     if (leaves && rng.nextBoolean(LEAVES)) {

@@ -89,10 +89,11 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               32,
               Duration.ofMillis(MutexTimes.DEFAULT.suspectMs()),
-              parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS),
+              parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS, MutexClient.SUSPECT),
               List.of(
                   new Variant(MutexClient.SECTIONS, "2"),
-                  new Variant(MutexClient.MEMBERS, MutexClient.CHANGING)),
+                  new Variant(MutexClient.MEMBERS, MutexClient.CHANGING),
+                  new Variant(MutexClient.SUSPECT, MutexClient.SOON)),
               MutexClient::setUp),
           new Workload(
               "paths",

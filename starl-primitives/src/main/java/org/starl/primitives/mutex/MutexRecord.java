@@ -35,6 +35,8 @@ final class MutexRecord {
   // The latest view that each robot has learned.
   private final Map<RobotId, View> latest = new TreeMap<>();
   private boolean isCalm = true;
+  private final boolean hasCalmBounds;
+  private final Set<ProcessId> fenced = new TreeSet<>();
   private final Set<ProcessId> listed = new TreeSet<>();
 
   /**
@@ -45,6 +47,7 @@ final class MutexRecord {
   MutexRecord(@Nullable MutexBounds bounds, @Nullable MutexBounds calm, Liveness liveness) {
     this.bounds = bounds;
     this.liveness = liveness;
+    this.hasCalmBounds = calm != null;
     if (bounds != null) {
       progress.add(new MutexProgress(bounds, requests, new ProgressAssumptions(liveness::isFair)));
     }
@@ -100,9 +103,7 @@ final class MutexRecord {
         learned(e.view(), nowNs, report);
       }
       case MutexEvent.StandsIn e -> standsIn(e, nowNs);
-      case MutexEvent.Fence e -> {
-        // By itself it changes nothing.
-      }
+      case MutexEvent.Fence e -> checkSuspicion(e, nowNs, report);
       case MutexEvent.Known e -> {
         request.known = e.known();
         checkConnected(request, nowNs, report);
@@ -190,6 +191,19 @@ final class MutexRecord {
           nowNs,
           List.of(request.who.robot()),
           request + told + (isFree ? ", but no ghost is in its way" : ", before d2"));
+    }
+  }
+
+  /** In a calm world a process that answers is not suspected: the first fence is a suspicion. */
+  private void checkSuspicion(MutexEvent.Fence fence, long nowNs, Report report) {
+    boolean isFirst = fenced.add(fence.suspect());
+    if (hasCalmBounds && isFirst && isCalm && !liveness.isDead(fence.suspect())) {
+      report.checked(MutexProgress.SERVED);
+      report.violated(
+          MutexProgress.SERVED,
+          nowNs,
+          robots(fence.who(), fence.suspect()),
+          fence.who() + " fences " + fence.suspect() + ", which is up, in a calm world");
     }
   }
 

@@ -34,7 +34,8 @@ import org.starl.trace.TraceEvent;
  * </ul>
  *
  * <p>With bounds for a calm world the same two are also required there, within those: while no
- * fault has been active, and every robot has been up, for {@link FaultState#SETTLE_NS}. A request that ends at
+ * fault has been active, and every robot has been up, for {@link FaultState#SETTLE_NS}; and there no live
+ * participant is suspected: {@code Served} forbids the first fence of one. A request that ends at
  * its deadline before d2, or as occupied without a ghost, violates {@code Served} at any time. So does
  * one that waits for one cause only, longer than that may last: for a ghost, or for a dead participant
  * ({@link #confinedWithin}).

@@ -81,6 +81,20 @@ class MutexSpecTest {
   }
 
   @Test
+  void theFirstFenceOfALiveParticipantInACalmWorldViolatesServed() {
+    MutexBounds bounds = new MutexBounds(100, 50, 10);
+    Monitors both = new Monitors(List.of(new MutexSpec(bounds, bounds)));
+    both.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
+    both.observe(action(1, new MutexEvent.Fence(I, J, set(""))));
+    both.observe(new TraceEvent.Fault(2, TraceEvent.Fault.WORLD, "end", "loss(1)"));
+    long calmNs = 2 + MutexSpec.SETTLE_NS;
+    both.observe(action(calmNs, new MutexEvent.Fence(K, J, set(""))));
+    assertThat(both.report().violations()).isEmpty();
+    both.observe(action(calmNs, new MutexEvent.Fence(I, K, set(""))));
+    assertThat(both.report().violations("Served")).isEqualTo(1);
+  }
+
+  @Test
   void twoHoldersOfOneSectionViolateExclusive() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
