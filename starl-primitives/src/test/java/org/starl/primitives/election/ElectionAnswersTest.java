@@ -64,6 +64,15 @@ class ElectionAnswersTest {
   }
 
   @Test
+  void aCandidacyOfAnEarlierTermDoesNotCountInThisOne() {
+    candidateInTermTwo();
+    protocol.received(new Candidacy(E3, 1, 7), 0);
+    sent.take();
+    protocol.received(new Candidacy(E3, 2, 7), 0);
+    assertThat(candidacies()).as("e3 is new in this term").containsExactly(2L);
+  }
+
+  @Test
   void aCandidateAnswersEachCandidateOfItsTermOnce() {
     protocol.do_election(0);
     sent.take();
