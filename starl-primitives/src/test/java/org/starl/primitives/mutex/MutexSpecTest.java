@@ -87,7 +87,7 @@ class MutexSpecTest {
     both.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
     both.observe(action(1, new MutexEvent.Fence(I, J, set(""))));
     both.observe(new TraceEvent.Fault(2, TraceEvent.Fault.WORLD, "end", "loss(1)"));
-    long calmNs = 2 + MutexSpec.SETTLE_NS;
+    long calmNs = 2 + FaultState.SETTLE_NS;
     both.observe(action(calmNs, new MutexEvent.Fence(K, J, set(""))));
     assertThat(both.report().violations()).isEmpty();
     both.observe(action(calmNs, new MutexEvent.Fence(I, K, set(""))));
