@@ -104,8 +104,8 @@ public final class MotionSpec extends LemmaMonitor {
     lemma(ARRIVES, "A move without an obstacle succeeds.");
     lemma(
         TOLD,
-        "A move ends in time, at its goal or failed, and does not give up early; after a failure"
-            + " or a stop the robot stands.");
+        "A move ends in time, at its goal or failed, and not early; after a failure or a stop the robot"
+            + " stands.");
   }
 
   /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
