@@ -16,8 +16,7 @@ public final class RobotId implements Comparable<RobotId> {
   private final int hash;
 
   // Most names are a stem of up to eight characters and a number. Among those of one stem, the
-  // number
-  // alone decides. Other names have the stem 0.
+  // number alone decides the order. Other names have the stem 0.
   private final long stem;
   private final int number;
 
