@@ -39,11 +39,7 @@ final class GeocastClient extends Client {
   private static final long CLOCK_SKEW_NS = 50 * Time.NS_PER_MS;
 
   private static final GeocastSettings SETTINGS =
-      new GeocastSettings(
-          GeocastSettings.DEFAULT.resendMs(),
-          GeocastSettings.DEFAULT.maxResendMs(),
-          CLOCK_SKEW_NS,
-          GeocastSettings.DEFAULT.openMembership());
+      GeocastSettings.DEFAULT.withClockSkewNs(CLOCK_SKEW_NS);
 
   private static final Codec<Integer> CODEC =
       Codec.of((message, out) -> out.i32(message), WireReader::i32);

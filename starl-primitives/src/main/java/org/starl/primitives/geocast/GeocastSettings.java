@@ -32,6 +32,11 @@ public record GeocastSettings(
     return maxResendMs * NS_PER_MS + longestDelayNs;
   }
 
+  /** The same settings with another difference between clocks, in ns. */
+  public GeocastSettings withClockSkewNs(long skewNs) {
+    return new GeocastSettings(resendMs, maxResendMs, skewNs, openMembership);
+  }
+
   long firstResendNs() {
     return resendMs * NS_PER_MS;
   }

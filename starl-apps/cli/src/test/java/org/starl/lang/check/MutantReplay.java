@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import javax.tools.ToolProvider;
 import org.starl.lang.java.JavaSources;
@@ -81,7 +82,7 @@ final class MutantReplay {
   }
 
   private static Twin twin(Automaton automaton) {
-    return java.util.Objects.requireNonNull(TWINS.get(automaton.name()));
+    return Objects.requireNonNull(TWINS.get(automaton.name()));
   }
 
   String name() {

@@ -34,11 +34,7 @@ public final class Scoreboard {
   private static final long CLOCK_SKEW_NS = 100 * Time.NS_PER_MS;
 
   public static final GeocastSettings SETTINGS =
-      new GeocastSettings(
-          GeocastSettings.DEFAULT.resendMs(),
-          GeocastSettings.DEFAULT.maxResendMs(),
-          CLOCK_SKEW_NS,
-          false);
+      GeocastSettings.DEFAULT.withClockSkewNs(CLOCK_SKEW_NS);
 
   private final GlobalVarHolder gvh;
   private final List<RacePoint> points;
