@@ -1,6 +1,7 @@
 # Reads a file that `starl run --pvs` exported, and tells each line that such a file does not have. The
 # statements of a run follow from its steps: each is made here again and compared, so a file cannot state
-# less, or mean its own `enabled` by it. Of a result the recorded value is open. Used by pvs/check: awk -v library=FOLDER.
+# less, or mean its own `enabled` by it. How many results there are says the head; of a result the recorded
+# value is open. Used by pvs/check: awk -v library=FOLDER.
 # Prints "run THEORY STEPS" for each theory, or "wrong LINE WHAT" for the first line that differs.
 
 function wrong(what) {
@@ -18,6 +19,13 @@ function is_value(text) {
   text = " " tolower(text) " "
   gsub(/[^a-z0-9_]+/, "  ", text)
   return text !~ / (importing|exporting|conversion|auto_rewrite|judgement|library|type|var|let|with|end|begin|lemma|axiom) /
+}
+
+# A recorded value reads no state and applies no function but the constructor `up`.
+function is_recorded(claim) {
+  sub(/^[^=]* = /, " ", claim)
+  gsub(/[^A-Za-z0-9_]up\(/, " (", claim)
+  return claim !~ /`|[A-Za-z0-9_]\(|[^A-Za-z0-9_]s_[0-9]/
 }
 
 # What step n, of an action, must state of the state after it; "" if it states nothing.
@@ -53,8 +61,10 @@ function statement(line, name, text, step) {
   step = (stated - 1) / 2
   if (name ~ /^result_/ && stated > 2 && stated % 2 == 1) {
     results++
+    all_results++
     if (name != "result_" step (results == 1 ? "" : "_" results)) wrong("states " name " as result " results " of step_" step)
     if (text !~ /^[A-Za-z0-9_`]+\(.*\) = / || !is_value(text)) wrong("not what a run states")
+    if (!is_recorded(text)) wrong(name " compares with what the automaton makes itself; expected a recorded value")
     if (results == 1 && needed[step] != "" && index(text, needed[step] " = ") != 1) wrong(name " states something else; expected " needed[step] " = ...")
     return
   }
@@ -70,8 +80,10 @@ function statement(line, name, text, step) {
 /[[:cntrl:]]/ { wrong("has a control character") }
 
 place == "" {
+  if (/^%.*: [0-9]+ steps, [0-9]+ results$/) told_results = $(NF - 1)
   if (/^$/ || /^%[^|]/) next
   if (!/^run_[A-Za-z0-9_]+: THEORY$/) wrong("expected a theory of a run, run_...: THEORY")
+  if (told_results == "") wrong("expected a line before it that ends with N steps, N results")
   theory = substr($1, 1, length($1) - 1)
   place = "theory"
   next
@@ -92,6 +104,7 @@ place == "types" {
   steps = 0
   states = 0
   stated = 0
+  all_results = 0
   next
 }
 place == "states" {
@@ -124,7 +137,9 @@ place == "statements" {
   }
   if ($0 != "END " theory) wrong("not what an exported run has")
   if (stated != 2 * steps + 2) wrong("states only " stated " of " (2 * steps + 2) " obligations")
+  if (all_results != told_results) wrong("states " all_results " of " told_results " results")
   print "run " automaton " " steps
+  told_results = ""
   place = ""
 }
 

@@ -71,7 +71,11 @@ final class RunTheory {
    */
   String text(String run) {
     String name = "run_" + Identifiers.plain(instance);
-    line("% " + run + ": " + instance + ", step by step, as a run of " + library + ".");
+    int results = steps.stream().mapToInt(step -> step.results().size()).sum();
+    line(
+        String.format(
+            "%% %s: %s, as a run of %s: %d steps, %d results",
+            run, instance, library, steps.size(), results));
     line(name + ": THEORY");
     line("BEGIN");
     addTypes();

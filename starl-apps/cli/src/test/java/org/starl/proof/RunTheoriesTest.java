@@ -45,7 +45,7 @@ class RunTheoriesTest {
     assertThat(text())
         .isEqualTo(
             """
-            % A run: mutex/x, step by step, as a run of Mutex_decls.
+            % A run: mutex/x, as a run of Mutex_decls: 3 steps, 2 results
             run_mutex_x: THEORY
             BEGIN
               PIDS: TYPE = {bot_1}
@@ -289,8 +289,16 @@ class RunTheoriesTest {
     theories.observed(new Variable(5, new RobotId("b"), "election/x", "Leader", "1:b#1"));
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
     acts("b", "mutex/x", "od_mutex", "b#1", "1", "A");
+    acts("b", "registration/x", "do_register", "b#1");
+    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
+    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "rList", "1:b"));
     String text = text();
-    assertThat(statements(folder, text)).isEqualTo("run Election_decls 4\nrun Mutex_decls 2");
+    assertThat(statements(folder, text))
+        .isEqualTo("run Election_decls 4\nrun Mutex_decls 2\nrun Registration_decls 3");
+    assertThat(statements(folder, text.replaceFirst("  result_3_2: LEMMA .*\n.*\n\n", "")))
+        .contains("states 1 of 2 results");
+    assertThat(statements(folder, text.replaceFirst("(result_2: LEMMA (.*) = ).*", "$1$2")))
+        .contains("result_2 compares with what the automaton makes itself");
     assertThat(statements(folder, text.replace("s_0: states =", "enabled: bool = s_0")))
         .contains("wrong ");
     assertThat(statements(folder, text.replace("enabled(a_2, s_1) AND ", ""))).contains("wrong ");
