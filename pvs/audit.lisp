@@ -1,5 +1,5 @@
 ;; What the proofs in some theories rest on besides proof: asked of PVS itself, after it has read and
-;; type-checked them, so that no trick of spelling hides anything.  pvs/check loads this file.
+;; type-checked them, so that no trick of spelling hides anything.  pvs/check loads prover.lisp and this file.
 ;;
 ;; (starl-audit FILE LIBRARY), FILE without .pvs, LIBRARY the folder of the library's theories, prints a
 ;; line each, `starl: KIND WORDS`:
@@ -8,8 +8,9 @@
 ;;   undischarged THEORY NAME  an assumption of a theory that none uses but those that assume something, too
 ;;   empty THEORY NAME         a value parameter whose type may have no values, of a theory that no theory
 ;;                             without parameters uses: its theorems may be about nothing
-;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the library's theory OF for
-;;                             something of its own that can be taken for it
+;;   outside THEORY NAME       rests on a theory of another folder, which nothing here checks
+;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the theory OF, the library's or
+;;                             PVS's, for something of its own that can be taken for it
 ;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
 ;;                             wrong about later updates of that place (docs/proofs.md)
 (in-package :pvs)
@@ -30,14 +31,25 @@
                  theories))
 
 (defun starl-declarations (th)
-  (append (remove-if-not #'declaration? (assuming th)) (remove-if-not #'declaration? (theory th))))
+  (remove-if-not #'declaration? (append (assuming th) (theory th))))
+
+(defun starl-outside (th)
+  ;; PVS's own folder `lib' is trusted as the prelude is.
+  (dolist (use (all-usings th))
+    (let ((used (car use)))
+      (unless (or (from-prelude? used)
+                  (null (filename used))
+                  (search (format nil "~alib/" (truename *pvs-path*)) (namestring (truename (context-path used))))
+                  (equal (truename (context-path used)) (truename (context-path th))))
+        (starl-line "outside" th (id used))))))
 
 (defun starl-axioms (th)
-  (dolist (d (theory th))
+  (dolist (d (starl-declarations th))
     (when (and (formula-decl? d)
                (not (tcc-decl? d))
                (null (generated-by d)) ; those of data types and inductive definitions are PVS's own
-               (member (spelling d) '(axiom postulate assumption)))
+               (or (member (spelling d) '(axiom postulate))
+                   (and (eq (spelling d) 'assumption) (memq d (theory th)))))
       (starl-line "axiom" th (id d)))))
 
 (defun starl-used? (th by)
@@ -52,21 +64,27 @@
       (when (formula-decl? d)
         (starl-line "undischarged" th (id d))))))
 
+(defun starl-may-be-empty? (type)
+  "Whether TYPE, or what its functions, records and tuples are made of, is a subtype: but for PVS's own, it is
+not known to have a value. PVS takes the type of a parameter for one that has."
+  (typecase type
+    (dep-binding (starl-may-be-empty? (type type)))
+    (subtype (not (starl-named-in-prelude? type)))
+    (funtype (starl-may-be-empty? (range type)))
+    (recordtype (some #'(lambda (field) (starl-may-be-empty? (type field))) (fields type)))
+    (tupletype (some #'starl-may-be-empty? (types type)))
+    (cotupletype (every #'starl-may-be-empty? (types type)))))
+
 (defun starl-parameters (th all)
+  (dolist (declared (starl-declarations th))
+    (dolist (d (decl-formals declared))
+      (when (and (formal-const-decl? d) (starl-may-be-empty? (type d)))
+        (starl-line "empty" th (id d)))))
   (dolist (d (formals th))
     (when (and (formal-const-decl? d)
-               (not (nonempty? (type d)))
-               (subtype? (type d))
+               (starl-may-be-empty? (type d))
                (notany #'(lambda (user) (and (null (formals user)) (starl-used? th user))) all))
       (starl-line "empty" th (id d)))))
-
-;; Of these (posnat, finite_set) the prover does not conclude what the values are; tried.
-(defun starl-named-in-prelude? (type)
-  (let ((name (print-type type)))
-    (and (type-name? name)
-         (resolution name)
-         (let ((th (module (declaration name))))
-           (and (typep th 'module) (from-prelude? th))))))
 
 (defun starl-narrower? (has wanted)
   "Whether type HAS has, somewhere inside, functions with values of a smaller type than WANTED has there."
@@ -74,6 +92,7 @@
         (wanted (find-supertype wanted)))
     (cond ((and (funtype? has) (funtype? wanted))
            (or (and (subtype? (range has))
+                    ;; Of these (posnat, finite_set) the prover does not conclude what the values are; tried.
                     (not (starl-named-in-prelude? (range has)))
                     (not (tc-eq (range has) (range wanted)))
                     (subtype-of? (range has) (range wanted)))
@@ -122,8 +141,8 @@
                            when (starl-narrower? (type value) (starl-type wanted))
                              do (tell value ex)))
                    nil)
-               (theory th))
-    (dolist (d (theory th))
+               (append (assuming th) (theory th)))
+    (dolist (d (starl-declarations th))
       (when (and (const-decl? d) (null (generated-by d)) (null (formals d)) (definition d)
                  (starl-narrower? (type (definition d)) (type d)))
         (tell (definition d) d)))))
@@ -148,15 +167,15 @@
 (defun starl-redefines? (own its)
   "Whether declaration OWN can be taken for ITS. An automaton of its own has states and actions, too."
   (and (eq (id own) (id its))
-       (cond ((and (const-decl? own) (const-decl? its)) (starl-alike? (type own) (type its)))
+       (cond ((and (typep own '(or const-decl var-decl formal-const-decl)) (const-decl? its))
+              (starl-alike? (type own) (type its)))
              ((and (type-decl? own) (type-decl? its))
               (or (not (member (id own) '(|states| |actions|)))
                   (starl-alike? (type-value own) (type-value its)))))))
 
 (defun starl-redefined (th of)
-  (dolist (own (theory th))
-    (when (and (declaration? own)
-               (null (generated-by own))
+  (dolist (own (append (formals th) (starl-declarations th)))
+    (when (and (null (generated-by own))
                (some #'(lambda (its) (and (declaration? its) (starl-redefines? own its))) (theory of)))
       (starl-line "redefined" th (format nil "~a ~a" (id own) (id of))))))
 
@@ -166,12 +185,16 @@
       (starl-line "theory" th (filename th)))
     (dolist (th all)
       (let ((*current-context* (context th)))
+        (starl-outside th)
         (starl-axioms th)
         (starl-assumptions th all)
         (starl-parameters th all)
         (starl-narrow th)
         (unless (starl-in-library? th library)
-          (dolist (of all)
-            (when (starl-in-library? of library)
+          (dolist (d (starl-declarations th))
+            (when (and (typep d 'theory-reference) (probe-file (format nil "~a/~a.pvs" library (id d))))
+              (starl-line "redefined" th (format nil "~a ~a" (id d) (id d)))))
+          (dolist (of (append all *prelude-theories*))
+            (when (or (from-prelude? of) (starl-in-library? of library))
               (starl-redefined th of))))))
     (starl-line "audited" (car all) (length all))))
