@@ -42,9 +42,6 @@ class MutantsTest {
 
   private static final long Z3_LIMIT = 10_000_000;
 
-  /** The barrier needs one more invariant; of the intersection each question takes long. */
-  private static final Set<String> NOT_FOR_Z3 = Set.of("Barrier_decls", "Traffic_decls");
-
   /** What sees a mutant, the strongest first. */
   private enum Seen {
     /** Its exhaustive check: an invariant is false, or an operation has no value. */
@@ -105,7 +102,7 @@ class MutantsTest {
       seen.get(by).add(mutant.toString());
     }
     List<String> byZ3 = new ArrayList<>();
-    for (Mutant mutant : NOT_FOR_Z3.contains(name) ? List.<Mutant>of() : mutants) {
+    for (Mutant mutant : mutants) {
       if (!isProved(automaton, mutant)) {
         byZ3.add(mutant.toString());
       }
@@ -115,7 +112,7 @@ class MutantsTest {
             automaton, mutants.stream().filter(each -> loses.contains(each.toString())).toList());
     write(name, seen, byZ3, byRuns);
     String row =
-        "| `%s` | %d | %d | %d | %d | %d | %d | %s | %s |"
+        "| `%s` | %d | %d | %d | %d | %d | %d | %d | %s |"
             .formatted(
                 name,
                 mutants.size(),
@@ -124,7 +121,7 @@ class MutantsTest {
                 seen.get(Seen.REACHES).size(),
                 seen.get(Seen.ADDS).size(),
                 seen.get(Seen.SAME).size(),
-                NOT_FOR_Z3.contains(name) ? "-" : byZ3.size(),
+                byZ3.size(),
                 MutantReplay.hasMonitor(automaton) ? byRuns.size() : "-");
     assertThat(Files.readString(Path.of("../../docs/mutants.md"))).contains(row);
     List<String> unseen = new ArrayList<>(seen.get(Seen.LOSES));
