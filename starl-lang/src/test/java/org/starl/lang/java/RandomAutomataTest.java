@@ -8,6 +8,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
@@ -39,13 +41,13 @@ class RandomAutomataTest {
   private static final int ACTIONS = 12;
   private static final int STEPS = 15;
   private static final int NAT = 5;
-  private static final List<String> IDS = List.of("bot0", "bot1", "bot2", "bot3");
+  static final List<String> IDS = List.of("bot0", "bot1", "bot2", "bot3");
 
   /** A call, as Java and as the machine have its arguments. */
-  private record Call(int action, Object[] java, List<Object> arguments) {}
+  record Call(int action, Object[] java, List<Object> arguments) {}
 
   /** What a state's calls are, and the states that they lead to, as the machine and Java have them. */
-  private record Steps(
+  record Steps(
       List<Call> enabled,
       List<Call> disabled,
       List<Call> beyond,
@@ -69,7 +71,12 @@ class RandomAutomataTest {
   @Property(tries = 5, shrinking = ShrinkingMode.OFF)
   void javaAndExplorationAgreeOnEachStep(@ForAll long seed) throws SourceErrors {
     Random random = new Random(seed);
-    String source = source(random);
+    agree(random, source(random, action -> true), STEPS, (state, steps) -> {});
+  }
+
+  /** A random run, on which both agree; {@code seen} takes each state of the Java, and its steps. */
+  static void agree(Random random, String source, int length, BiConsumer<Object, Steps> seen)
+      throws SourceErrors {
     Automaton automaton = new SourceReader().read("x.starl", source).getFirst();
     Machine machine = new Machine(automaton, new Sizes(Map.of("T", IDS.size()), NAT, 2));
     Compiled java = new Compiled(source);
@@ -77,11 +84,12 @@ class RandomAutomataTest {
     assertThat(text(automaton, java.value())).isEqualTo(text(machine, state));
     int enabled = 0;
     int disabled = 0;
-    for (int step = 0; step < STEPS; step++) {
+    for (int step = 0; step < length; step++) {
       Steps steps = new Steps();
       for (Call call : calls()) {
         compare(machine, state, java, call, steps);
       }
+      seen.accept(java.value(), steps);
       enabled += steps.enabled.size();
       disabled += steps.disabled.size();
       if (steps.rows.isEmpty()) {
@@ -95,13 +103,16 @@ class RandomAutomataTest {
     assertThat(disabled).as("disabled actions").isGreaterThan(10);
   }
 
-  /** Actions whose conditions have a Java form. */
-  private static String source(Random random) throws SourceErrors {
+  /** Actions that are wanted, and whose conditions have a Java form. */
+  static String source(Random random, Predicate<String> isWanted) throws SourceErrors {
     RandomSource generator = new RandomSource(random);
     StringBuilder text = new StringBuilder(RandomSource.HEAD);
     int refused = 0;
     for (int n = 0; n < ACTIONS; ) {
       String action = generator.action("act" + n);
+      if (!isWanted.test(action)) {
+        continue;
+      }
       new SourceReader().read("x.starl", RandomSource.HEAD + action);
       if (isExecutable(RandomSource.HEAD + action)) {
         text.append(action);
@@ -125,7 +136,7 @@ class RandomAutomataTest {
     }
   }
 
-  private void compare(Machine machine, Row state, Compiled java, Call call, Steps steps) {
+  private static void compare(Machine machine, Row state, Compiled java, Call call, Steps steps) {
     String name = "act" + call.action;
     String about =
         "%s%s, pre %s, in %s"
@@ -187,7 +198,7 @@ class RandomAutomataTest {
         .collect(Collectors.joining("; "));
   }
 
-  private static Object field(Object of, String name) {
+  static Object field(Object of, String name) {
     try {
       Method accessor = of.getClass().getMethod(name);
       accessor.setAccessible(true);
@@ -198,7 +209,7 @@ class RandomAutomataTest {
   }
 
   @SuppressWarnings("unchecked") // all maps are of ids
-  private static String text(Type type, Object value) {
+  static String text(Type type, Object value) {
     return switch (type) {
       case Type.SetOf set -> texts(set.element(), (Collection<?>) value, "{", "}");
       case Type.ListOf list -> texts(list.element(), (Collection<?>) value, "[", "]");
