@@ -11,6 +11,7 @@
 ;;   outside THEORY NAME       rests on a theory of another folder, which nothing here checks
 ;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the theory OF, the library's or
 ;;                             PVS's, for something of its own that can be taken for it
+;;   foreign THEORY NAME       a name that is not ASCII: it may look like another one
 ;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
 ;;                             wrong about later updates of that place (docs/proofs.md)
 (in-package :pvs)
@@ -179,6 +180,11 @@ not known to have a value. PVS takes the type of a parameter for one that has."
                (some #'(lambda (its) (and (declaration? its) (starl-redefines? own its))) (theory of)))
       (starl-line "redefined" th (format nil "~a ~a" (id own) (id of))))))
 
+(defun starl-foreign (th)
+  (dolist (d (append (formals th) (starl-declarations th)))
+    (when (notevery #'(lambda (c) (< (char-code c) 128)) (string (id d)))
+      (starl-line "foreign" th (id d)))))
+
 (defun starl-audit (file library)
   (let* ((all (starl-own (imported-theories-in-theories (theories-in-file file)))))
     (dolist (th all)
@@ -191,6 +197,7 @@ not known to have a value. PVS takes the type of a parameter for one that has."
         (starl-parameters th all)
         (starl-narrow th)
         (unless (starl-in-library? th library)
+          (starl-foreign th)
           (dolist (d (starl-declarations th))
             (when (and (typep d 'theory-reference) (probe-file (format nil "~a/~a.pvs" library (id d))))
               (starl-line "redefined" th (format nil "~a ~a" (id d) (id d)))))
