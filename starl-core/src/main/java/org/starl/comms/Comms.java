@@ -106,10 +106,6 @@ public final class Comms {
     return self;
   }
 
-  DatagramReceiver receiver() {
-    return receiver;
-  }
-
   DatagramLog log() {
     return log;
   }

@@ -57,12 +57,6 @@ final class DatagramReceiver implements Radio.Receiver {
     return received;
   }
 
-  /** See {@link ReceivePath}. */
-  Object[] path() {
-    OpenEndpoint<?> first = endpoints;
-    return first == null ? new Object[] {selfName} : new Object[] {selfName, first, first.handler};
-  }
-
   boolean isOpen(Channel<?> channel) {
     return listener(channel.wireName, 0, channel.wireName.length) != null;
   }

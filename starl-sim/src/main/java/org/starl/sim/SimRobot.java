@@ -5,7 +5,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
-import org.starl.comms.ReceivePath;
 import org.starl.geometry.Pose;
 import org.starl.gvh.Wait;
 import org.starl.platform.Light;
@@ -127,7 +126,6 @@ final class SimRobot implements TraceSink {
   private LogicThread makeApp(GlobalVarHolder gvh) {
     LogicThread app = spec.app().apply(gvh);
     strand.prefetch(gvh.comms, gvh.comms.lamportClock(), app);
-    strand.prefetch(ReceivePath.of(gvh.comms));
     return app;
   }
 
