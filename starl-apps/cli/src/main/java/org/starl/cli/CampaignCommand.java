@@ -29,7 +29,8 @@ import picocli.CommandLine.Option;
     name = "campaign",
     description =
         "Runs an app with many seeds, on all cores. Prints a table, and the first bad run with its"
-            + " replay command.",
+            + " replay command. With faults from --chaos and no bad run, repeats runs that reached"
+            + " rare states, and draws other random numbers from some time on.",
     footer = {
       "",
       "Example: starl campaign intersection --seeds 1..500 --loss 0.3",
