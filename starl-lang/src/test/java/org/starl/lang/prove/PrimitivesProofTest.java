@@ -3,7 +3,6 @@ package org.starl.lang.prove;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,14 +19,6 @@ class PrimitivesProofTest {
 
   private static final long LIMIT = 10_000_000;
 
-  /** What the barrier's invariants need besides themselves: a missing process is in no later generation. */
-  private static final String LEFT_OUT =
-      """
-      invariant Left_out:
-        forall h, g: nat ::
-          h > 0 and outcome(h) is failed and h < g => outcome(h).missing disjoint members(g)
-      """;
-
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -42,13 +33,13 @@ class PrimitivesProofTest {
       })
   void primitivesKeepTheirInvariantsForAnyNumberOfRobots(String name)
       throws IOException, SourceErrors {
-    Report report = prove(read(name, name.equals("Barrier_decls") ? LEFT_OUT : ""));
+    Report report = prove(read(name));
     assertThat(report.claims()).extracting(Claim::verdict).containsOnly(Verdict.PROVED);
   }
 
   @Test
   void intersectionKeepsItsInvariants() throws IOException, SourceErrors {
-    Report report = prove(read("Traffic_decls", ""));
+    Report report = prove(read("Traffic_decls"));
     assertThat(report.isProved()).isTrue();
     assertThat(report.claim("Held").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
     assertThat(report.claim("Peers").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
@@ -68,14 +59,8 @@ class PrimitivesProofTest {
     return new Prover(automaton, LIMIT, (name, text) -> {}).prove();
   }
 
-  /** The automaton of a source, with more invariants. */
-  private static Automaton read(String name, String more) throws IOException, SourceErrors {
+  private static Automaton read(String name) throws IOException, SourceErrors {
     Path file = Path.of("../pvs/starl").resolve(name + ".starl").toAbsolutePath();
-    if (more.isEmpty()) {
-      return new SourceReader().read(file).getFirst();
-    }
-    return new SourceReader()
-        .read(file.toString(), Files.readString(file) + "\n" + more)
-        .getFirst();
+    return new SourceReader().read(file).getFirst();
   }
 }
