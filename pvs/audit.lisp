@@ -66,11 +66,12 @@
         (starl-line "undischarged" th (id d))))))
 
 (defun starl-may-be-empty? (type)
-  "Whether TYPE, or what its functions, records and tuples are made of, is a subtype: but for PVS's own, it is
-not known to have a value. PVS takes the type of a parameter for one that has."
+  "Whether TYPE, or what its functions, records and tuples are made of, is a subtype: but for PVS's own without
+parameters, it is not known to have a value. PVS takes the type of a parameter for one that has."
   (typecase type
     (dep-binding (starl-may-be-empty? (type type)))
-    (subtype (not (starl-named-in-prelude? type)))
+    (subtype (or (not (starl-named-in-prelude? type))
+                 (actuals (module-instance (resolution (print-type type))))))
     (funtype (starl-may-be-empty? (range type)))
     (recordtype (some #'(lambda (field) (starl-may-be-empty? (type field))) (fields type)))
     (tupletype (some #'starl-may-be-empty? (types type)))
