@@ -33,7 +33,7 @@ import picocli.CommandLine.Option;
     footer = {
       "",
       "Example: starl check pvs/starl/Mutex_decls.starl --robots 3 --size Zones=2",
-      "         starl check pvs/starl/Barrier_decls.starl --nat 3 --value 'first={bot0, bot1}'"
+      "         starl check pvs/starl/Barrier_decls.starl --value 'first={bot0, bot1}'"
     })
 final class CheckCommand extends SourceCommand {
 
