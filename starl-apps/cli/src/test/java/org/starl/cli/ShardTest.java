@@ -69,18 +69,22 @@ class ShardTest {
         return plan;
       }
       leaked++;
-      int measure = request.parameter("leaks").equals("hash") ? firstByHash() : leaked;
+      int measure = request.parameter("leaks").equals("hash") ? orderByHash() : leaked;
       return new Plan(
           plan.simulation(), new Leaking(plan.story(), measure), plan.layer(), plan.obstacles());
     }
 
-    /** The number of the object that a set in the order of identity hashes has first. */
-    private static int firstByHash() {
+    /** A number for the order in which a set in the order of identity hashes has some objects. */
+    private static int orderByHash() {
       List<Object> objects = new ArrayList<>();
-      for (int i = 0; i < 1000; i++) {
+      for (int i = 0; i < 100; i++) {
         objects.add(new Object());
       }
-      return objects.indexOf(new HashSet<>(objects).iterator().next());
+      int order = 0;
+      for (Object each : new HashSet<>(objects)) {
+        order = 31 * order + objects.indexOf(each);
+      }
+      return order & Integer.MAX_VALUE;
     }
   }
 
