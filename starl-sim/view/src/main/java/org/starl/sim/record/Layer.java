@@ -70,7 +70,7 @@ public interface Layer {
   default double interest(Scene scene) {
     return scene.robots().stream()
         .filter(robot -> scene.pose(robot).isPresent())
-        .mapToInt(robot -> scene.trail(robot).size())
+        .mapToInt(robot -> scene.driven(robot))
         .sum();
   }
 }

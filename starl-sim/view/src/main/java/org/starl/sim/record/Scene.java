@@ -114,7 +114,9 @@ public final class Scene {
     } else if (event instanceof TraceEvent.Joined joined) {
       gone.remove(joined.robot());
       numbers.computeIfAbsent(joined.robot(), robot -> came++);
-      trails.computeIfAbsent(joined.robot(), robot -> new Trail()).append(joined.pose().at());
+      trails
+          .computeIfAbsent(joined.robot(), robot -> new Trail())
+          .append(joined.pose().at(), TrailPainter.mostPoints(trails.size()));
       extent.add(joined.pose().at());
     } else if (event instanceof TraceEvent.Left left) {
       gone.add(left.robot());
@@ -160,6 +162,7 @@ public final class Scene {
 
   /** Advances the time to {@code timeNs}. */
   public void advance(long timeNs) {
+    int most = TrailPainter.mostPoints(trails.size());
     while (trailNs <= timeNs) {
       Iterator<Map.Entry<RobotId, Trail>> all = trails.entrySet().iterator();
       bodies.forEach(
@@ -171,7 +174,7 @@ public final class Scene {
               entry = all.next();
             }
             if (isMoving) {
-              entry.getValue().append(pose.at());
+              entry.getValue().append(pose.at(), most);
               extent.add(pose.at());
             }
           });
@@ -242,10 +245,19 @@ public final class Scene {
     return extent;
   }
 
-  /** Positions of a robot's body, every 100 ms while it moves. */
+  /**
+   * Positions of a robot's body, every 100 ms while it moves; of a long trail, or if there are many
+   * robots, fewer of the older ones.
+   */
   public List<Point> trail(RobotId robot) {
     Trail trail = trails.get(robot);
     return trail == null ? Collections.emptyList() : trail;
+  }
+
+  /** For how many periods of 100 ms a robot's body has moved. */
+  public int driven(RobotId robot) {
+    Trail trail = trails.get(robot);
+    return trail == null ? 0 : trail.steps();
   }
 
   /** The latest value of a variable as text; empty if it has none. */

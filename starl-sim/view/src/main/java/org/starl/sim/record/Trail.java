@@ -6,8 +6,9 @@ import java.util.RandomAccess;
 import org.starl.geometry.Point;
 
 /**
- * Append-only list of the positions of a body. A copy shares the array with its original until the
- * copy appends a point; the original appends behind the part that the copy reads.
+ * Positions of a body: the first one, the latest ones, and the fewer of the others the older they
+ * are. A copy shares the array with its original until the copy appends a point; the original
+ * appends behind the part that the copy reads.
  */
 final class Trail extends AbstractList<Point> implements RandomAccess {
 
@@ -15,24 +16,39 @@ final class Trail extends AbstractList<Point> implements RandomAccess {
 
   private double[] xyMm;
   private int points;
+  private int steps;
   private boolean mayAppend;
 
   Trail() {
-    this(new double[2 * FIRST_POINTS], 0, true);
+    this(new double[2 * FIRST_POINTS], 0, 0, true);
   }
 
-  private Trail(double[] xyMm, int points, boolean mayAppend) {
+  private Trail(double[] xyMm, int points, int steps, boolean mayAppend) {
     this.xyMm = xyMm;
     this.points = points;
+    this.steps = steps;
     this.mayAppend = mayAppend;
   }
 
   /** An independent copy with the same points. */
   Trail copy() {
-    return new Trail(xyMm, points, false);
+    return new Trail(xyMm, points, steps, false);
   }
 
-  void append(Point point) {
+  /** Number of points appended so far. */
+  int steps() {
+    return steps;
+  }
+
+  /**
+   * Appends a point.
+   *
+   * @param most greatest number of points; to keep it, every other one of the older half is removed
+   */
+  void append(Point point, int most) {
+    if (points >= most) {
+      thin();
+    }
     if (!mayAppend || 2 * points == xyMm.length) {
       xyMm = Arrays.copyOf(xyMm, Math.max(xyMm.length, 4 * points));
       mayAppend = true;
@@ -40,6 +56,19 @@ final class Trail extends AbstractList<Point> implements RandomAccess {
     xyMm[2 * points] = point.xMm();
     xyMm[2 * points + 1] = point.yMm();
     points++;
+    steps++;
+  }
+
+  private void thin() {
+    double[] thinner = new double[2 * points];
+    int kept = 0;
+    for (int i = 0; i < points; i += i < points / 2 ? 2 : 1) {
+      thinner[kept++] = xyMm[2 * i];
+      thinner[kept++] = xyMm[2 * i + 1];
+    }
+    xyMm = thinner;
+    points = kept / 2;
+    mayAppend = true;
   }
 
   @Override

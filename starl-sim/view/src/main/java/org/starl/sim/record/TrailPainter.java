@@ -19,19 +19,27 @@ final class TrailPainter {
   /** With more robots, trails are thin and short. */
   private static final int MANY = 250;
 
-  /** Greatest number of points in all, with many robots. */
+  /** Greatest number of painted points in all, with many robots. */
   private static final int BUDGET = 40_000;
+
+  private static final int MOST_POINTS = 1 << 14;
 
   private int[] xs = new int[64];
   private int[] ys = new int[64];
 
+  /** Greatest number of points that a trail needs: the latest half of them is painted whole. */
+  static int mostPoints(int robots) {
+    return robots > MANY ? 2 * painted(robots) : MOST_POINTS;
+  }
+
+  private static int painted(int robots) {
+    return Math.max(4, BUDGET / robots);
+  }
+
   void paint(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     List<RobotId> robots = scene.robots();
     boolean isMany = robots.size() > MANY;
-    int points =
-        isMany
-            ? Math.min(look.trailPoints(), Math.max(4, BUDGET / robots.size()))
-            : look.trailPoints();
+    int points = isMany ? Math.min(look.trailPoints(), painted(robots.size())) : look.trailPoints();
     Object before = page.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
     if (isMany) {
       page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);

@@ -1,7 +1,9 @@
 package org.starl.sim.record;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -62,5 +64,38 @@ class SceneTest {
     }
     assertThat(scene.pose(bot(1))).isPresent();
     assertThat(scene.trail(bot(1))).hasSize(2);
+  }
+
+  @Test
+  void aLongTrailHasItsFirstPointItsLatestOnesAndFewInBetween() {
+    joins(0, 0);
+    int seconds = 10_000;
+    scene.observe(new TraceEvent.Moved(0, bot(0), new Pose(0, 0, 0), 10, 0));
+    Scene early = scene.copy();
+    scene.advance(seconds * 1_000_000_000L);
+    early.advance(1_000_000_000L);
+    assertThat(early.trail(bot(0))).hasSize(11);
+    List<Point> trail = scene.trail(bot(0));
+    int size = trail.size();
+    assertThat(size).isBetween(8192, 16_384);
+    assertThat(scene.driven(bot(0))).isEqualTo(10 * seconds + 1);
+    assertThat(trail.get(0)).isEqualTo(new Point(0, 0));
+    for (int i = 1; i <= 8000; i++) {
+      assertThat(trail.get(size - i).xMm()).isCloseTo(10.0 * seconds + 1 - i, within(1e-6));
+    }
+    for (int i = 1; i < size; i++) {
+      assertThat(trail.get(i).xMm()).isGreaterThan(trail.get(i - 1).xMm() - 1e-9);
+    }
+  }
+
+  @Test
+  void manyRobotsHaveShortTrails() {
+    for (int i = 0; i < 1000; i++) {
+      joins(0, i);
+      scene.observe(new TraceEvent.Moved(0, bot(i), new Pose(0, 0, 0), 10, 0));
+    }
+    scene.advance(100 * 1_000_000_000L);
+    assertThat(scene.trail(bot(0))).hasSizeBetween(40, 80);
+    assertThat(scene.trail(bot(0)).getLast().xMm()).isCloseTo(1000, within(1e-6));
   }
 }

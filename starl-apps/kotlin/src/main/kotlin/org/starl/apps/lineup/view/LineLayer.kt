@@ -35,7 +35,7 @@ internal class LineLayer : Layer {
 
   /** A picture shows most when all robots have driven. */
   override fun interest(scene: Scene): Double =
-    scene.robots().sumOf { robot -> scene.trail(robot).size }.toDouble()
+    scene.robots().sumOf { robot -> scene.driven(robot) }.toDouble()
 
   private companion object {
     const val LINE_MM = 20.0
