@@ -128,7 +128,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         switch (suffix) {
           case "gif" -> gif(source.plan(), wanted, target);
           case "html" -> html(source.plan(), target);
-          case "mcap" -> table(target, out -> new McapRecorder(out, source.plan().obstacles()));
+          case "mcap" -> streamed(target, out -> new McapRecorder(out, source.plan().obstacles()));
           case "csv" -> csv(target);
           default -> ObserverFile.picture("--out", target, source.plan(), moment);
         };
@@ -206,22 +206,12 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput(
           "--when " + when + " cannot be used with --gif; expected --when violation, or no --when");
     }
-    GifRecorder recorder =
-        new GifRecorder(
-            plan.obstacles(),
-            plan.layer(),
-            OptionValues.read("--every", every == null ? "250ms" : every, RecordCommand::everyNs),
-            OptionValues.whole("--width", width, 100, MAX_WIDTH_PX),
-            ofViolation);
-    return ObserverFile.after(
-        "--out",
+    long everyNs =
+        OptionValues.read("--every", every == null ? "250ms" : every, RecordCommand::everyNs);
+    int widthPx = OptionValues.whole("--width", width, 100, MAX_WIDTH_PX);
+    return streamed(
         target,
-        recorder,
-        out -> {
-          if (recorder.hasFrames()) {
-            recorder.writeGif(out);
-          }
-        });
+        out -> new GifRecorder(out, plan.obstacles(), plan.layer(), everyNs, widthPx, ofViolation));
   }
 
   private ObserverFile html(Plan plan, String target) {
@@ -243,16 +233,16 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private ObserverFile csv(String target) {
     String wanted = output == null || output.csv == null ? "" : output.csv;
     return switch (wanted) {
-      case "", "positions" -> table(target, CsvTable::positions);
-      case "messages" -> table(target, CsvTable::messages);
-      case "variables" -> table(target, CsvTable::variables);
+      case "", "positions" -> streamed(target, CsvTable::positions);
+      case "messages" -> streamed(target, CsvTable::messages);
+      case "variables" -> streamed(target, CsvTable::variables);
       default ->
           throw new BadInput(
               "--csv: " + BadInput.quote(wanted) + ": expected positions, messages or variables");
     };
   }
 
-  private static <T extends SimObserver & Closeable> ObserverFile table(
+  private static <T extends SimObserver & Closeable> ObserverFile streamed(
       String target, Function<OutputStream, T> maker) {
     return ObserverFile.of("--out", target, maker);
   }

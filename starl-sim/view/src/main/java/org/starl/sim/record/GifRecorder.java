@@ -1,8 +1,10 @@
 package org.starl.sim.record;
 
 import java.awt.image.BufferedImage;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import javax.imageio.IIOImage;
@@ -18,10 +20,11 @@ import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
 
 /**
- * Records an animated GIF of a run: one frame per {@code everyNs} of simulated time. It can also
- * record only the time around the first violation.
+ * Writes an animated GIF of a run, which repeats forever: one frame per {@code everyNs} of simulated
+ * time. It can also write only the time around the first violation. It holds no frame that it has
+ * written.
  */
-public final class GifRecorder extends SceneRecorder {
+public final class GifRecorder extends SceneRecorder implements Closeable {
 
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
@@ -35,20 +38,30 @@ public final class GifRecorder extends SceneRecorder {
 
   private final long everyNs;
   private final int widthPx;
-  private final boolean ofViolation;
+  private final ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
+  private final ImageOutputStream stream;
+
+  /** Waiting for a violation. */
   private final Deque<BufferedImage> frames = new ArrayDeque<>();
+
   private long nextNs;
   private int framesLeft = Integer.MAX_VALUE;
-  private boolean isViolated;
+  private boolean isWritten;
+  private boolean hasBegun;
 
   /**
    * @param everyNs simulated time between two frames, above 0
    * @param widthPx width of the GIF, above 0
-   * @param ofViolation whether to keep only the frames around the first violation; none if there is
-   *     none
+   * @param ofViolation whether to write only the frames around the first violation; nothing if there
+   *     is none
    */
   public GifRecorder(
-      Obstacles obstacles, Layer layer, long everyNs, int widthPx, boolean ofViolation) {
+      OutputStream out,
+      Obstacles obstacles,
+      Layer layer,
+      long everyNs,
+      int widthPx,
+      boolean ofViolation) {
     super(obstacles, layer);
     if (everyNs <= 0 || widthPx <= 0) {
       throw new IllegalArgumentException(
@@ -56,13 +69,15 @@ public final class GifRecorder extends SceneRecorder {
     }
     this.everyNs = everyNs;
     this.widthPx = widthPx;
-    this.ofViolation = ofViolation;
+    isWritten = !ofViolation;
+    stream = new MemoryCacheImageOutputStream(out);
+    writer.setOutput(stream);
   }
 
   @Override
   public void violated(SpecReport.Violation violation) {
-    if (ofViolation && !isViolated) {
-      isViolated = true;
+    if (!isWritten) {
+      isWritten = true;
       framesLeft = FRAMES_AFTER;
     }
   }
@@ -72,23 +87,45 @@ public final class GifRecorder extends SceneRecorder {
     takeBefore(result.endNs() + 1);
   }
 
-  /** Whether there are frames to write. */
-  public boolean hasFrames() {
-    return !frames.isEmpty() && (isViolated || !ofViolation);
+  @Override
+  void takeBefore(long timeNs) {
+    while (nextNs < timeNs && framesLeft > 0) {
+      frames.add(Filmstrip.scaled(paint(nextNs), widthPx));
+      nextNs += everyNs;
+      if (isWritten) {
+        framesLeft--;
+        writeFrames();
+      } else if (frames.size() > FRAMES_BEFORE) {
+        frames.remove();
+      }
+    }
   }
 
-  /** Writes the frames as a GIF that repeats forever. */
-  public void writeGif(OutputStream out) throws IOException {
-    ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
-    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-      writer.setOutput(stream);
-      writer.prepareWriteSequence(null);
-      boolean isFirst = true;
-      for (BufferedImage frame : frames) {
-        writer.writeToSequence(new IIOImage(frame, null, control(writer, frame, isFirst)), null);
-        isFirst = false;
+  private void writeFrames() {
+    try {
+      while (!frames.isEmpty()) {
+        BufferedImage frame = frames.remove();
+        if (!hasBegun) {
+          writer.prepareWriteSequence(null);
+        }
+        writer.writeToSequence(new IIOImage(frame, null, control(writer, frame, !hasBegun)), null);
+        hasBegun = true;
+        stream.flush();
       }
-      writer.endWriteSequence();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    try (stream) {
+      if (isWritten) {
+        writeFrames();
+      }
+      if (hasBegun) {
+        writer.endWriteSequence();
+      }
     } finally {
       writer.dispose();
     }
@@ -118,19 +155,5 @@ public final class GifRecorder extends SceneRecorder {
     }
     metadata.mergeTree(FORMAT, root);
     return metadata;
-  }
-
-  @Override
-  void takeBefore(long timeNs) {
-    while (nextNs < timeNs && framesLeft > 0) {
-      frames.add(Filmstrip.scaled(paint(nextNs), widthPx));
-      if (ofViolation && !isViolated && frames.size() > FRAMES_BEFORE) {
-        frames.remove();
-      }
-      if (framesLeft != Integer.MAX_VALUE) {
-        framesLeft--;
-      }
-      nextNs += everyNs;
-    }
   }
 }
