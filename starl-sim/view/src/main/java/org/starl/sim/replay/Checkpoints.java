@@ -21,8 +21,9 @@ final class Checkpoints {
   /** Least distance of two checkpoints, in events for each robot. */
   private static final int EVENTS_A_ROBOT = 8;
 
-  /** Greatest number of robots in all checkpoints together, to limit the memory. */
-  private static final int MOST_ROBOTS = 200_000;
+  /** Greatest number of robots in all checkpoints together: each needs up to 2 kB. */
+  private static final long MOST_ROBOTS =
+      Math.min(200_000, Runtime.getRuntime().maxMemory() / 10_000);
 
   private final TreeMap<Integer, Checkpoint> byEvents = new TreeMap<>();
   private volatile int stride = FIRST_STRIDE;
@@ -49,7 +50,7 @@ final class Checkpoints {
       return;
     }
     byEvents.put(events, new Checkpoint(events, scene.copy(), layer.copy()));
-    int most = Math.max(LEAST, Math.min(MOST, MOST_ROBOTS / Math.max(1, robots)));
+    long most = Math.max(LEAST, Math.min(MOST, MOST_ROBOTS / Math.max(1, robots)));
     while (byEvents.size() > most) {
       widen();
     }

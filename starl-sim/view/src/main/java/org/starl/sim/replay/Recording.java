@@ -11,7 +11,6 @@ import org.starl.sim.SimResult;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.spec.SpecReport;
-import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Intervention;
@@ -24,17 +23,16 @@ import org.starl.trace.TraceHeader;
  */
 public final class Recording implements SimObserver {
 
-  /** Share of Java's memory; the rest is for the run and the window. */
-  private static final double SHARE_OF_MEMORY = 0.6;
+  /** Share of Java's memory; the rest is for the run, the window and its checkpoints. */
+  private static final double SHARE_OF_MEMORY = 0.3;
 
   private static final int ALL = Integer.MAX_VALUE;
-  private static final long BYTES_IN_MB = 1 << 20;
 
   private final Obstacles obstacles;
   private final Checkpoints checkpoints;
   private final long mostBytes;
   private final EventInterner interner = new EventInterner();
-  private final AppendOnlyList<TraceEvent> events = new AppendOnlyList<>();
+  private final EventStore events = new EventStore();
   private final AppendOnlyList<Mark> marks = new AppendOnlyList<>();
   private final AppendOnlyList<LogLine> logs = new AppendOnlyList<>();
   private volatile @Nullable TraceHeader header;
@@ -53,9 +51,9 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * Makes a recording of limited size.
+   * Makes a recording of limited memory.
    *
-   * @param mostBytes approximate limit for the memory of its events
+   * @param mostBytes approximate limit for the memory of its events; more are in a temporary file
    */
   Recording(Obstacles obstacles, Layer layer, long mostBytes) {
     this.obstacles = obstacles;
@@ -69,22 +67,12 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * @throws BadInput if the events need too much memory
+   * @throws BadInput if the events need too much memory, and there is no place for temporary files
    */
   @Override
   public void observed(TraceEvent event) {
     int index = events.size();
-    events.add(interner.intern(event));
-    if (interner.bytes() > mostBytes) {
-      throw new BadInput(
-          "too many events for the memory: "
-              + index
-              + " events until "
-              + event.timeNs() / Time.NS_PER_S
-              + " s fill "
-              + mostBytes / BYTES_IN_MB
-              + " MB; expected a shorter run, or more memory for Java (STARL_JAVA_OPTS=-Xmx8g)");
-    }
+    events.add(interner.intern(event), interner.bytes() <= mostBytes);
     if (event.timeNs() > endNs) {
       endNs = event.timeNs();
     }
@@ -216,17 +204,7 @@ public final class Recording implements SimObserver {
 
   /** Number of the first event after {@code timeNs}; {@link #size} if there is none. */
   public int firstAfter(long timeNs) {
-    int from = 0;
-    int to = size();
-    while (from < to) {
-      int middle = (from + to) >>> 1;
-      if (timeNs(middle) <= timeNs) {
-        from = middle + 1;
-      } else {
-        to = middle;
-      }
-    }
-    return from;
+    return events.firstAfter(timeNs);
   }
 
   /** Time that the run has reached; its end, once it is over. */

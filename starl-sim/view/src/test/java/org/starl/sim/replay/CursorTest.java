@@ -1,12 +1,12 @@
 package org.starl.sim.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.IntFunction;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -137,11 +137,25 @@ class CursorTest {
   }
 
   @Test
-  void aRunThatIsTooLongForTheMemoryIsRefused() {
-    Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 20_000);
-    assertThatThrownBy(() -> Wander.simulation(1).observer(recording).build().run())
-        .hasMessageContaining("too many events for the memory")
-        .hasMessageContaining("fill 0 MB; expected a shorter run");
+  void eventsBeyondTheMemoryAreReadFromAFile() {
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 400_000);
+    RobotId robot = new RobotId("bot0");
+    IntFunction<TraceEvent> event =
+        i -> new TraceEvent.Variable(i / 3, robot, "app", "x", "\"\n" + i % 999);
+    int size = 200_000;
+    for (int i = 0; i < size; i++) {
+      recording.observed(event.apply(i));
+    }
+    assertThat(recording.size()).isEqualTo(size);
+    for (int i = 0; i < size; i++) {
+      assertThat(recording.event(i)).isEqualTo(event.apply(i));
+    }
+    for (int i = 0; i < 1000; i++) {
+      int timeNs = i * 7919 % (size / 3);
+      assertThat(recording.firstAfter(timeNs)).isEqualTo(3 * timeNs + 3);
+    }
+    assertThat(recording.firstAfter(-1)).isZero();
+    assertThat(recording.firstAfter(size)).isEqualTo(size);
   }
 
   @Test
