@@ -6,11 +6,15 @@ import org.starl.sim.record.Scene;
 /**
  * A position in a recording, and the state of the run there. A cursor goes forwards by observing
  * the events in between, and backwards by observing events from an earlier checkpoint on. It adds
- * checkpoints to the recording. Not thread-safe.
+ * checkpoints to the recording, and keeps one of its own near its position. Not thread-safe.
  */
 public final class Cursor {
 
+  /** Distance of the own checkpoint after a long way, in events. */
+  private static final int NEAR = 1 << 14;
+
   private final Recording recording;
+  private Checkpoints.Checkpoint own;
   private Scene scene;
   private Layer layer;
   private int index;
@@ -19,9 +23,9 @@ public final class Cursor {
   /** Starts before the first event. */
   public Cursor(Recording recording) {
     this.recording = recording;
-    Checkpoints.Checkpoint first = recording.checkpoints().before(0);
-    scene = first.scene().copy();
-    layer = first.layer().copy();
+    own = recording.checkpoints().before(0);
+    scene = own.scene().copy();
+    layer = own.layer().copy();
   }
 
   /**
@@ -66,11 +70,15 @@ public final class Cursor {
     boolean isBack = events < index || timeNs < nowNs;
     Checkpoints checkpoints = recording.checkpoints();
     Checkpoints.Checkpoint near = checkpoints.before(events);
+    if (own.events() <= events && own.events() > near.events()) {
+      near = own;
+    }
     if (isBack || near.events() > index) {
       scene = near.scene().copy();
       layer = near.layer().copy();
       index = near.events();
     }
+    int keptAt = index < events - 2 * NEAR ? events - NEAR : -1;
     while (index < events) {
       var event = recording.event(index);
       scene.observe(event);
@@ -78,6 +86,9 @@ public final class Cursor {
       index++;
       if (checkpoints.isDue(index)) {
         checkpoints.add(index, scene, layer);
+      }
+      if (index == keptAt) {
+        own = new Checkpoints.Checkpoint(index, scene.copy(), layer.copy());
       }
     }
     scene.advance(timeNs);

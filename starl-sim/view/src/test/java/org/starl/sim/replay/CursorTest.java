@@ -13,6 +13,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Obstacles;
+import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.sim.record.Layer;
@@ -122,6 +123,42 @@ class CursorTest {
     assertThat(recording.checkpoints().before(400_000).events()).isGreaterThan(380_000);
     cursor.seek(123_456);
     assertThat(cursor.scene().variable(robot, "app", "x")).isEqualTo("" + 123_456 % 7);
+  }
+
+  @Test
+  void shortWayBackInALongRunObservesFewEvents() {
+    int[] observed = new int[1];
+    Layer counting =
+        new Layer() {
+          @Override
+          public Layer copy() {
+            return this;
+          }
+
+          @Override
+          public void observe(TraceEvent event) {
+            observed[0]++;
+          }
+        };
+    Recording recording = new Recording(Obstacles.NONE, counting);
+    int robots = 10_000;
+    for (int i = 0; i < robots; i++) {
+      recording.observed(new TraceEvent.Joined(0, new RobotId("bot" + i), new Pose(i, 0, 0), 165));
+    }
+    for (int i = robots; i < 250_000; i++) {
+      recording.observed(
+          new TraceEvent.Variable(i, new RobotId("bot" + i % robots), "app", "x", "" + i));
+    }
+    Cursor cursor = new Cursor(recording);
+    cursor.toEvent(240_000);
+    observed[0] = 0;
+    for (int i = 1; i <= 10; i++) {
+      cursor.toEvent(240_000 - i);
+      String last =
+          cursor.scene().variable(new RobotId("bot" + (240_000 - i) % robots), "app", "x");
+      assertThat(last).isEqualTo("" + (240_000 - i));
+    }
+    assertThat(observed[0]).isLessThan(400_000);
   }
 
   @Test
