@@ -1,19 +1,26 @@
 package org.starl.cli;
 
+import java.util.List;
 import org.starl.apps.Demo;
+import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
-/** Hello under another name, with a plan that a test changes. */
+/** Hello, or another demo, under another name, with a plan that a test changes. */
 abstract class HelloWithATwist implements Demo {
-  private final Demo hello = new HelloDemo();
+  private final Demo hello;
   private final String name;
   private final String summary;
 
   HelloWithATwist(String name, String summary) {
+    this(new HelloDemo(), name, summary);
+  }
+
+  HelloWithATwist(Demo hello, String name, String summary) {
+    this.hello = hello;
     this.name = name;
     this.summary = summary;
   }
@@ -29,6 +36,11 @@ abstract class HelloWithATwist implements Demo {
   @Override
   public String summary() {
     return summary;
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return hello.parameters();
   }
 
   @Override

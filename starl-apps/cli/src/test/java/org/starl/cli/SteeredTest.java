@@ -8,12 +8,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.sim.Setting;
-import org.starl.sim.SimSettings;
-import org.starl.sim.fault.Envelope;
 import org.starl.spec.Require;
 import org.starl.workload.PrimitiveWorkloads;
 
@@ -24,41 +21,21 @@ class SteeredTest {
 
   @TempDir private Path folder;
 
-  /**
-   * The workload of a mutex.
-   *
-   * @param isBad whether it violates a lemma in a run with redraws
-   */
-  private record Mutex(boolean isBad) implements Demo {
-    @Override
-    public String name() {
-      return isBad ? "bad" : "good";
+  /** The workload of a mutex. */
+  private static final class Mutex extends HelloWithATwist {
+    private final boolean isBad;
+
+    /**
+     * @param isBad whether it violates a lemma in a run with redraws
+     */
+    Mutex(boolean isBad) {
+      super(MUTEX, isBad ? "bad" : "good", MUTEX.summary());
+      this.isBad = isBad;
     }
 
     @Override
-    public String summary() {
-      return MUTEX.summary();
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-      return MUTEX.parameters();
-    }
-
-    @Override
-    public Envelope envelope() {
-      return MUTEX.envelope();
-    }
-
-    @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return MUTEX.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = MUTEX.plan(request, settings);
-      boolean isRedrawn = settings.has(Setting.REDRAWS);
+    Plan twist(Plan plan, Request request) {
+      boolean isRedrawn = plan.simulation().settings().has(Setting.REDRAWS);
       plan.simulation()
           .monitor(() -> Require.always("seed", "it is a seed's", state -> !isBad || !isRedrawn));
       return plan;
