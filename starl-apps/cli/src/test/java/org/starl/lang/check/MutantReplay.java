@@ -55,8 +55,13 @@ final class MutantReplay {
     return TWINS.containsKey(automaton.name());
   }
 
-  /** A fresh monitor over {@code automaton}; none if the automaton has no Java form. */
-  static Optional<MutantReplay> of(String name, Automaton automaton) throws IOException {
+  /**
+   * A fresh monitor over {@code automaton}; none if the automaton has no Java form.
+   *
+   * @param folder for its classes, as long as it is used
+   */
+  static Optional<MutantReplay> of(String name, Automaton automaton, Path folder)
+      throws IOException {
     Map<String, String> files;
     try {
       files = JavaSources.of(automaton, "x.starl");
@@ -65,7 +70,7 @@ final class MutantReplay {
     }
     try {
       Class<?> monitor =
-          new Loader(compiled(files)).loadClass(PRIMITIVES + twin(automaton).monitor);
+          new Loader(compiled(files, folder)).loadClass(PRIMITIVES + twin(automaton).monitor);
       Constructor<?> constructor = monitor.getConstructors()[0];
       for (Constructor<?> each : monitor.getConstructors()) {
         constructor = each.getParameterCount() == 0 ? each : constructor;
@@ -124,8 +129,8 @@ final class MutantReplay {
     replays.forEach(each -> each.act(() -> each.monitors.finish(end[0])));
   }
 
-  private static Path compiled(Map<String, String> files) throws IOException {
-    Path folder = Files.createTempDirectory("starl-mutant");
+  private static Path compiled(Map<String, String> files, Path parent) throws IOException {
+    Path folder = Files.createTempDirectory(parent, "mutant");
     List<String> paths = new ArrayList<>();
     for (Map.Entry<String, String> file : files.entrySet()) {
       Path path = folder.resolve(file.getKey());

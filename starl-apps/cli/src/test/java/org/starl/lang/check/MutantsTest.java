@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.check.Mutants.Mutant;
@@ -55,6 +56,8 @@ class MutantsTest {
     /** At these sizes it is the same automaton. */
     SAME
   }
+
+  @TempDir private static Path classes;
 
   /** Sizes, with values of value parameters. */
   private record Instance(Sizes sizes, Map<String, Object> given) {}
@@ -153,9 +156,9 @@ class MutantsTest {
     for (long seed = 1; seed <= RUNS && !open.isEmpty(); seed++) {
       List<MutantReplay> replays = new ArrayList<>();
       for (Mutant mutant : open) {
-        MutantReplay.of(mutant.toString(), mutant.automaton()).ifPresent(replays::add);
+        MutantReplay.of(mutant.toString(), mutant.automaton(), classes).ifPresent(replays::add);
       }
-      MutantReplay right = MutantReplay.of("right", automaton).orElseThrow();
+      MutantReplay right = MutantReplay.of("right", automaton, classes).orElseThrow();
       replays.add(right);
       MutantReplay.run(automaton, seed, replays);
       assertThat(right.isSeen()).as("the automaton itself deviates").isFalse();
