@@ -33,6 +33,9 @@ import org.starl.trace.TraceSink;
  */
 final class SimRobot implements TraceSink {
 
+  /** With fewer robots the app's objects stay in the processor's cache. */
+  private static final int MANY = 1000;
+
   private RobotSpec spec;
   private final int index;
   private final int incarnation;
@@ -102,7 +105,7 @@ final class SimRobot implements TraceSink {
             SimObjects.of(engine.plan.objects(), engine.world(), () -> body),
             Light.SIMULATED,
             stable,
-            name -> prefetched(rng.fork(name)),
+            rng::fork,
             new SimBackground(kernel, strand, settings.computeTimeNs()),
             engine.observers().logOf(spec.id()),
             // Without log observers all robots share one sink, which stays in the processor's
@@ -126,12 +129,10 @@ final class SimRobot implements TraceSink {
   private LogicThread makeApp(GlobalVarHolder gvh) {
     LogicThread app = spec.app().apply(gvh);
     strand.prefetch(gvh.comms, gvh.comms.lamportClock(), app);
+    if (engine.deployment().size() >= MANY) {
+      strand.prefetch(AppFields.of(app));
+    }
     return app;
-  }
-
-  private Rng prefetched(Rng rng) {
-    strand.prefetch(rng);
-    return rng;
   }
 
   private SimPositioning positioning(SimSettings settings, Kernel kernel, Rng incarnationRng) {

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Timer;
 
 /** A timer of a strand or of the world; it has at most one event in the queue. */
-final class KernelTimer implements Timer, Runnable {
+final class KernelTimer implements Timer, Prefetchable {
 
   private final Kernel kernel;
   private final @Nullable SimStrand strand;
@@ -42,6 +42,11 @@ final class KernelTimer implements Timer, Runnable {
   @Override
   public boolean isSet() {
     return atNs != NEVER && !isDead();
+  }
+
+  @Override
+  public int prefetch() {
+    return Cache.prefetch(action);
   }
 
   /** Runs as an event of the kernel. */
