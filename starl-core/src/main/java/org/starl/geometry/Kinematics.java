@@ -22,8 +22,8 @@ public final class Kinematics {
       return new Pose(start.xMm(), start.yMm(), Angles.normalize(start.headingRad() + turn));
     }
     return new Pose(
-        start.xMm() + chordMm * StrictMath.cos(direction),
-        start.yMm() + chordMm * StrictMath.sin(direction),
+        start.xMm() + chordMm * Sines.cos(direction),
+        start.yMm() + chordMm * Sines.sin(direction),
         Angles.normalize(start.headingRad() + turn));
   }
 
@@ -35,6 +35,6 @@ public final class Kinematics {
   }
 
   private static double sinc(double x) {
-    return Math.abs(x) < SMALL ? 1 - x * x / 6 : StrictMath.sin(x) / x;
+    return Math.abs(x) < SMALL ? 1 - x * x / 6 : Sines.sin(x) / x;
   }
 }

@@ -8,6 +8,7 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.geometry.Sines;
 
 /**
  * Keeps the whole body out of a region (paper, section 4.1, safety). It accepts a command only if
@@ -98,7 +99,7 @@ final class AvoidGuard {
       double offRad) {
     double stepMm = pathMm / SAMPLES;
     double stepS = mostSpeed * horizonS / SAMPLES;
-    double chord = 2 * StrictMath.sin(Math.min(StrictMath.PI, offRad) / 2);
+    double chord = 2 * Sines.sin(Math.min(StrictMath.PI, offRad) / 2);
     double before = nearMm;
     for (int i = 1; i <= SAMPLES; i++) {
       Pose ahead =

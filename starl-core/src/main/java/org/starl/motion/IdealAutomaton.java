@@ -7,6 +7,7 @@ import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Sines;
 
 /**
  * Ideal motion: one period to turn by any angle; straight at full speed; in the last period exactly
@@ -65,7 +66,7 @@ final class IdealAutomaton implements MotionAutomaton {
     if (turnOnly) {
       return turnTowards(offRad);
     }
-    double aheadMm = distanceMm * StrictMath.cos(offRad);
+    double aheadMm = distanceMm * Sines.cos(offRad);
     boolean turns =
         state == MotionState.INIT ? Math.abs(offRad) > EXACT_RAD : isOff(offRad, distanceMm);
     onLastLeg = false;
@@ -90,7 +91,7 @@ final class IdealAutomaton implements MotionAutomaton {
 
   private boolean isOff(double offRad, double distanceMm) {
     boolean isBehind = Math.abs(offRad) >= StrictMath.PI / 2;
-    double asideMm = distanceMm * Math.abs(StrictMath.sin(offRad));
+    double asideMm = distanceMm * Math.abs(Sines.sin(offRad));
     return isBehind || (Math.abs(offRad) > OFF_RAD && asideMm > MISS * p.goalRadiusMm());
   }
 

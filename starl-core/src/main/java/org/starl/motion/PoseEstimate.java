@@ -2,6 +2,7 @@ package org.starl.motion;
 
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
+import org.starl.geometry.Sines;
 
 /**
  * The state of {@link PositionFilter}: a disc that contains the robot's position at one time, and
@@ -78,8 +79,8 @@ final class PoseEstimate {
   private void updateDirection() {
     if (Double.compare(directionRad, headingRad) != 0) {
       directionRad = headingRad;
-      cosine = StrictMath.cos(headingRad);
-      sine = StrictMath.sin(headingRad);
+      cosine = Sines.cos(headingRad);
+      sine = Sines.sin(headingRad);
     }
   }
 
@@ -101,7 +102,7 @@ final class PoseEstimate {
       return radiusMm + odometry.strayMm();
     }
     double e = odometry.speedError();
-    double chord = 2 * StrictMath.sin(aheadSpreadRad(odometry) / 2);
+    double chord = 2 * Sines.sin(aheadSpreadRad(odometry) / 2);
     double most = Math.max(1, Math.sqrt(e * e + (1 + e) * chord * chord));
     return radiusMm + odometry.pathMm() * most + odometry.strayMm();
   }

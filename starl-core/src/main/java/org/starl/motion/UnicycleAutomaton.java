@@ -8,6 +8,7 @@ import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Sines;
 import org.starl.random.Rng;
 
 /**
@@ -213,7 +214,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
   /** Drives on a circle of {@code part} times the radius of the circle that leads to the target. */
   private WheelCommand arc(double part, double maxMmPerS) {
     double speed = forwardSpeed(maxMmPerS);
-    double turn = speed * 2 * StrictMath.sin(bearingRad) / (distanceMm * part);
+    double turn = speed * 2 * Sines.sin(bearingRad) / (distanceMm * part);
     double most = Math.min(p.turnSpeedMaxRadPerS(), 2 * Math.abs(bearingRad) / p.reachS());
     return new WheelCommand(speed, Math.max(-most, Math.min(most, turn)));
   }

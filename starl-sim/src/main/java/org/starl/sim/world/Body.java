@@ -8,6 +8,7 @@ import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Sines;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 import org.starl.time.Time;
@@ -78,8 +79,8 @@ public final class Body {
     anchorXMm = pose.xMm();
     anchorYMm = pose.yMm();
     anchorRad = Angles.normalize(pose.headingRad());
-    cosine = StrictMath.cos(anchorRad);
-    sine = StrictMath.sin(anchorRad);
+    cosine = Sines.cos(anchorRad);
+    sine = Sines.sin(anchorRad);
     cachedNs = nowNs;
     xMm = anchorXMm;
     yMm = anchorYMm;
@@ -184,8 +185,8 @@ public final class Body {
       yMm = anchorYMm + chordMm * sine;
     } else if (mmPerS != 0) {
       double direction = anchorRad + turn / 2;
-      xMm = anchorXMm + chordMm * StrictMath.cos(direction);
-      yMm = anchorYMm + chordMm * StrictMath.sin(direction);
+      xMm = anchorXMm + chordMm * Sines.cos(direction);
+      yMm = anchorYMm + chordMm * Sines.sin(direction);
     }
   }
 
@@ -199,8 +200,8 @@ public final class Body {
     }
     spendBudget(nowNs);
     if (headingRad != anchorRad) {
-      cosine = StrictMath.cos(headingRad);
-      sine = StrictMath.sin(headingRad);
+      cosine = Sines.cos(headingRad);
+      sine = Sines.sin(headingRad);
     }
     anchorNs = nowNs;
     anchorXMm = xMm;
