@@ -1,9 +1,8 @@
 package org.starl.motion;
 
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
+import org.starl.geometry.Sines;
 import org.starl.time.Time;
 
 /**
@@ -18,71 +17,27 @@ import org.starl.time.Time;
 final class Odometry {
 
   /** It forgets older commands, unless they may still be in effect. */
-  private static final int MAX_KNOTS = 64;
+  private static final int MAX_COMMANDS = 64;
+
+  private static final long NEVER = Long.MIN_VALUE;
 
   // Contact with an object may turn the body, as if it rolled on a wheel of this radius.
   private static final double ROLLING_MM = 100;
 
-  /** A command, with the ideal pose and the sums of deviations at its time. */
-  private static final class Knot {
-    final long atNs;
-    final double linear;
-    final double angular;
-    final boolean touching;
-    double x;
-    double y;
-    double heading;
-    double path;
-    double stray;
-    double turned;
-    @Nullable Knot older;
-    @Nullable Knot newer;
-
-    // Of the heading, once asked for: while the robot drives straight on, it stays the same.
-    private double cosine = Double.NaN;
-    private double sine;
-
-    Knot(long atNs, WheelCommand command, boolean touching) {
-      this.atNs = atNs;
-      this.linear = command.linearMmPerS();
-      this.angular = command.angularRadPerS();
-      this.touching = touching;
-    }
-
-    /** The cosine of {@code rad}. Computes it once for {@link #heading}. */
-    double cos(double rad) {
-      if (Double.compare(rad, heading) != 0) {
-        return StrictMath.cos(rad);
-      }
-      if (Double.isNaN(cosine)) {
-        cosine = StrictMath.cos(heading);
-        sine = StrictMath.sin(heading);
-      }
-      return cosine;
-    }
-
-    /** The sine of {@code rad}; call {@link #cos} before. */
-    double sin(double rad) {
-      return Double.compare(rad, heading) == 0 ? sine : StrictMath.sin(rad);
-    }
-  }
-
-  private Knot newest = new Knot(Long.MIN_VALUE, WheelCommand.STOP, false);
-  private Knot oldest = newest;
-  private int knots = 1;
+  private final CommandLog log = new CommandLog();
 
   // Properties of the wheels: the worst values ever assumed.
   private double speedError;
   private long reactionNs;
 
-  private double forwardMm;
-  private double leftMm;
-  private double turnRad;
-  private double pathMm;
-  private double strayMm;
-  private double turnedRad;
+  // Of the heading for which they were asked last: while the robot drives straight on, it stays the
+  // same.
+  private double directionRad = Double.NaN;
+  private double cosine;
+  private double sine;
 
-  // The result of seek().
+  // The result of seek(): the ideal pose and the sums of deviations at one time.
+  private long atNs = NEVER;
   private double atX;
   private double atY;
   private double atHeading;
@@ -90,10 +45,26 @@ final class Odometry {
   private double atStray;
   private double atTurned;
 
+  // The same at the begin of the interval that was located last.
+  private long fromNs = NEVER;
+  private double fromX;
+  private double fromY;
+  private double fromHeading;
+  private double fromPath;
+  private double fromStray;
+  private double fromTurned;
+
+  private double forwardMm;
+  private double leftMm;
+
   /** Assumes wheels of this quality from now on; the worst values so far count. */
   void assume(double newSpeedError, long newReactionNs) {
-    speedError = Math.max(speedError, newSpeedError);
-    reactionNs = Math.max(reactionNs, newReactionNs);
+    if (newSpeedError > speedError || newReactionNs > reactionNs) {
+      speedError = Math.max(speedError, newSpeedError);
+      reactionNs = Math.max(reactionNs, newReactionNs);
+      atNs = NEVER;
+      fromNs = NEVER;
+    }
   }
 
   double speedError() {
@@ -102,22 +73,13 @@ final class Odometry {
 
   void commanded(WheelCommand command, boolean bumped, long nowNs) {
     seek(nowNs);
-    Knot knot = new Knot(nowNs, command, bumped);
-    knot.x = atX;
-    knot.y = atY;
-    knot.heading = atHeading;
-    knot.path = atPath;
-    knot.stray = atStray;
-    knot.turned = atTurned;
-    knot.older = newest;
-    newest.newer = knot;
-    newest = knot;
-    knots++;
+    log.add(nowNs, command.linearMmPerS(), command.angularRadPerS(), bumped);
+    log.setState(atX, atY, atHeading, atPath, atStray, atTurned);
   }
 
   /** The stored commands cover the motion since this time. */
   long coveredSinceNs() {
-    return oldest.atNs + reactionNs;
+    return log.atNs(0) + reactionNs;
   }
 
   /**
@@ -125,18 +87,25 @@ final class Odometry {
    * be advanced to it before.
    */
   long coveredFromNs(long nowNs) {
-    Knot second = oldest.newer;
-    if (knots <= MAX_KNOTS || second == null || second.atNs + reactionNs > nowNs) {
+    if (log.size() <= MAX_COMMANDS || log.atNs(1) + reactionNs > nowNs) {
       return Long.MIN_VALUE;
     }
-    return second.atNs + reactionNs;
+    return log.atNs(1) + reactionNs;
   }
 
   /** Forgets the oldest command. */
   void forget() {
-    oldest = Objects.requireNonNull(oldest.newer);
-    oldest.older = null;
-    knots--;
+    log.forget(1);
+  }
+
+  /** Forgets the commands that no motion since {@code timeNs} depends on. */
+  void forgetBefore(long timeNs) {
+    long inEffectNs = log.atNs(log.indexAt(timeNs));
+    int forgotten = 0;
+    while (forgotten + 1 < log.size() && log.atNs(forgotten + 1) + reactionNs <= inEffectNs) {
+      forgotten++;
+    }
+    log.forget(forgotten);
   }
 
   /** The commands that may still be in effect if a new one is given at {@code nowNs}. */
@@ -144,76 +113,85 @@ final class Odometry {
     if (reactionNs == 0) {
       return LingeringSpeeds.NONE;
     }
-    Knot knot = newest;
-    LingeringSpeeds all = LingeringSpeeds.NONE.with(knot.linear, knot.angular);
-    while (knot.older != null && knot.atNs + reactionNs > nowNs) {
-      knot = knot.older;
-      all = all.with(knot.linear, knot.angular);
+    int index = log.size() - 1;
+    LingeringSpeeds all = LingeringSpeeds.NONE.with(log.linear(index), log.angular(index));
+    while (index > 0 && log.atNs(index) + reactionNs > nowNs) {
+      index--;
+      all = all.with(log.linear(index), log.angular(index));
     }
     return all;
   }
 
   /** Computes the motion between two times, relative to the pose at the first. */
-  void locate(long fromNs, long toNs) {
-    Knot from = seek(fromNs);
-    double fromX = atX;
-    double fromY = atY;
-    double fromHeading = atHeading;
-    double fromPath = atPath;
-    double fromStray = atStray;
-    double fromTurned = atTurned;
-    seek(toNs);
+  void locate(long beginNs, long endNs) {
+    if (beginNs != fromNs) {
+      seek(beginNs);
+      fromNs = beginNs;
+      fromX = atX;
+      fromY = atY;
+      fromHeading = atHeading;
+      fromPath = atPath;
+      fromStray = atStray;
+      fromTurned = atTurned;
+    }
+    seek(endNs);
     double dx = atX - fromX;
     double dy = atY - fromY;
     if (dx == 0 && dy == 0) {
       forwardMm = 0;
       leftMm = 0;
     } else {
-      double cos = from.cos(fromHeading);
-      double sin = from.sin(fromHeading);
-      forwardMm = cos * dx + sin * dy;
-      leftMm = cos * dy - sin * dx;
+      turnTo(fromHeading);
+      forwardMm = cosine * dx + sine * dy;
+      leftMm = cosine * dy - sine * dx;
     }
-    turnRad = atHeading - fromHeading;
-    pathMm = atPath - fromPath;
-    strayMm = atStray - fromStray;
-    turnedRad = atTurned - fromTurned;
   }
 
-  /** Returns the command at that time, the latest one. */
-  private Knot seek(long timeNs) {
-    Knot knot = newest;
-    while (knot.older != null && knot.atNs > timeNs) {
-      knot = knot.older;
+  private void turnTo(double rad) {
+    if (Double.compare(rad, directionRad) != 0) {
+      directionRad = rad;
+      cosine = Sines.cos(rad);
+      sine = Sines.sin(rad);
     }
-    atX = knot.x;
-    atY = knot.y;
-    atHeading = knot.heading;
-    atPath = knot.path;
-    atStray = knot.stray;
-    atTurned = knot.turned;
-    if (timeNs > knot.atNs) {
-      if (knot.linear != 0 || knot.angular != 0) {
-        drive(knot, Time.seconds(timeNs - knot.atNs));
+  }
+
+  /** Computes the state at a time. */
+  private void seek(long timeNs) {
+    if (timeNs == atNs) {
+      return;
+    }
+    int index = log.indexAt(timeNs);
+    atNs = timeNs;
+    atX = log.x(index);
+    atY = log.y(index);
+    atHeading = log.heading(index);
+    atPath = log.path(index);
+    atStray = log.stray(index);
+    atTurned = log.turned(index);
+    long sinceNs = log.atNs(index);
+    if (timeNs > sinceNs) {
+      if (log.linear(index) != 0 || log.angular(index) != 0) {
+        drive(index, Time.seconds(timeNs - sinceNs));
       }
       if (reactionNs > 0) {
-        linger(knot, timeNs);
+        linger(index, timeNs);
       }
     }
-    return knot;
   }
 
-  private void drive(Knot knot, double seconds) {
-    double turn = knot.angular * seconds;
-    double chord = Kinematics.chordMm(knot.linear, turn, seconds);
+  private void drive(int index, double seconds) {
+    double linear = log.linear(index);
+    double turn = log.angular(index) * seconds;
+    double chord = Kinematics.chordMm(linear, turn, seconds);
     if (chord != 0) {
-      atX += chord * knot.cos(atHeading + turn / 2);
-      atY += chord * knot.sin(atHeading + turn / 2);
+      turnTo(atHeading + turn / 2);
+      atX += chord * cosine;
+      atY += chord * sine;
     }
     atHeading += turn;
     atTurned += Math.abs(turn);
-    double lengthMm = Math.abs(knot.linear) * seconds;
-    if (knot.touching) {
+    double lengthMm = Math.abs(linear) * seconds;
+    if (log.isTouching(index)) {
       // The body may slide along the object in any direction, no faster than its wheels turn.
       atStray += (2 + speedError) * lengthMm;
       atTurned += (1 + speedError) * lengthMm / ROLLING_MM;
@@ -223,36 +201,35 @@ final class Odometry {
   }
 
   /**
-   * Adds the deviation that the commands before {@code knot} may have caused since its command was
+   * Adds the deviation that the commands before {@code index} may have caused since its command was
    * given: each may be in effect until {@code reactionNs} after its successor was given; the oldest
    * ends first.
    */
-  private void linger(Knot knot, long timeNs) {
+  private void linger(int index, long timeNs) {
     double mmPerS = 0;
     double radPerS = 0;
     long untilNs = timeNs;
-    long successorNs = knot.atNs;
-    for (Knot old = knot.older; old != null; old = old.older) {
-      long outNs = Math.min(timeNs, successorNs + reactionNs);
-      if (outNs <= knot.atNs) {
+    long sinceNs = log.atNs(index);
+    for (int old = index - 1; old >= 0; old--) {
+      long outNs = Math.min(timeNs, log.atNs(old + 1) + reactionNs);
+      if (outNs <= sinceNs) {
         break;
       }
-      strayBy(knot, mmPerS, radPerS, untilNs - outNs);
+      strayBy(index, mmPerS, radPerS, untilNs - outNs);
       untilNs = outNs;
-      successorNs = old.atNs;
-      mmPerS = Math.max(mmPerS, LingeringSpeeds.beyond(knot.linear, old.linear));
-      radPerS = Math.max(radPerS, LingeringSpeeds.beyond(knot.angular, old.angular));
+      mmPerS = Math.max(mmPerS, LingeringSpeeds.beyond(log.linear(index), log.linear(old)));
+      radPerS = Math.max(radPerS, LingeringSpeeds.beyond(log.angular(index), log.angular(old)));
     }
-    strayBy(knot, mmPerS, radPerS, untilNs - knot.atNs);
+    strayBy(index, mmPerS, radPerS, untilNs - sinceNs);
   }
 
-  private void strayBy(Knot knot, double mmPerS, double radPerS, long ns) {
+  private void strayBy(int index, double mmPerS, double radPerS, long ns) {
     if (mmPerS == 0 && radPerS == 0) {
       return;
     }
     double most = (1 + speedError) * Time.seconds(ns);
     atStray += most * mmPerS;
-    atTurned += most * (knot.touching ? radPerS + mmPerS / ROLLING_MM : radPerS);
+    atTurned += most * (log.isTouching(index) ? radPerS + mmPerS / ROLLING_MM : radPerS);
   }
 
   double forwardMm() {
@@ -264,21 +241,21 @@ final class Odometry {
   }
 
   double turnRad() {
-    return turnRad;
+    return atHeading - fromHeading;
   }
 
   /** Length of the commanded path without contact. */
   double pathMm() {
-    return pathMm;
+    return atPath - fromPath;
   }
 
   /** Bound of the further deviation in any direction. */
   double strayMm() {
-    return strayMm;
+    return atStray - fromStray;
   }
 
   /** Bound of the heading deviation. */
   double turnedRad() {
-    return turnedRad;
+    return atTurned - fromTurned;
   }
 }

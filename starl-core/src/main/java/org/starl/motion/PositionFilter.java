@@ -109,6 +109,13 @@ final class PositionFilter {
       outdated++;
       return false;
     }
+    boolean isAccepted = update(known, fix);
+    // All estimates are of its time now.
+    odometry.forgetBefore(fix.timeNs());
+    return isAccepted;
+  }
+
+  private boolean update(@Nullable PoseEstimate known, Fix fix) {
     if (known == null) {
       accept(new PoseEstimate(fix), fix);
       return true;

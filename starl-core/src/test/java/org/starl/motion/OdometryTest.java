@@ -1,0 +1,69 @@
+package org.starl.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.starl.body.WheelCommand;
+import org.starl.random.Rng;
+
+class OdometryTest {
+
+  private static final long REACTION_NS = 120_000_000;
+
+  @Test
+  void commandsThatAreOverDoNotMatterForLaterMotions() {
+    for (int seed = 0; seed < 300; seed++) {
+      Rng rng = new Rng(seed);
+      Odometry all = new Odometry();
+      Odometry few = new Odometry();
+      long reactionNs = rng.nextBoolean(0.5) ? REACTION_NS : 0;
+      all.assume(0.1, reactionNs);
+      few.assume(0.1, reactionNs);
+      long nowNs = 0;
+      long fixNs = 0;
+      for (int i = 0; i < 60; i++) {
+        nowNs += rng.nextLong(0, 80_000_000);
+        if (rng.nextBoolean(0.4)) {
+          fixNs = rng.nextLong(fixNs, nowNs);
+          few.forgetBefore(fixNs);
+        }
+        WheelCommand command =
+            new WheelCommand(300 * rng.nextDouble() - 100, rng.nextBoolean(0.5) ? 0 : 1);
+        boolean isBumped = rng.nextBoolean(0.2);
+        all.commanded(command, isBumped, nowNs);
+        few.commanded(command, isBumped, nowNs);
+        for (int j = 0; j < 3; j++) {
+          long beginNs = rng.nextLong(fixNs, nowNs);
+          long endNs = rng.nextLong(beginNs, nowNs + 50_000_000);
+          assertThat(located(few, beginNs, endNs)).isEqualTo(located(all, beginNs, endNs));
+        }
+        assertThat(few.lingering(nowNs)).isEqualTo(all.lingering(nowNs));
+      }
+    }
+  }
+
+  @Test
+  void aWorseAssumptionCountsForAMotionThatWasLocatedBefore() {
+    Odometry odometry = new Odometry();
+    odometry.commanded(new WheelCommand(200, 0), false, 0);
+    odometry.commanded(WheelCommand.STOP, false, 1_000_000_000);
+    odometry.locate(500_000_000, 2_000_000_000);
+    double before = odometry.strayMm();
+    odometry.assume(0, REACTION_NS);
+    odometry.locate(500_000_000, 2_000_000_000);
+    assertThat(before).isZero();
+    assertThat(odometry.strayMm()).isEqualTo(200 * 0.12);
+  }
+
+  private static double[] located(Odometry odometry, long beginNs, long endNs) {
+    odometry.locate(beginNs, endNs);
+    return new double[] {
+      odometry.forwardMm(),
+      odometry.leftMm(),
+      odometry.turnRad(),
+      odometry.pathMm(),
+      odometry.strayMm(),
+      odometry.turnedRad()
+    };
+  }
+}
