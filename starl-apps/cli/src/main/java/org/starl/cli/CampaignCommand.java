@@ -158,7 +158,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   private int run(SeedWork work, @Nullable ReportFile page)
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
-    CampaignTally tally = new CampaignTally();
+    CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(work.points().getFirst()));
     Predicate<SeedRow> isLast = collector(work.ending(), tally, page);
     if (engine.isOn()) {
       engine.run(work, typed(), threads.count(), parquet, isLast, err());

@@ -28,9 +28,17 @@ final class CampaignTally {
   private final Chances chances = new Chances();
   private final Coverage coverage = new Coverage();
   private final RareParts rareParts = new RareParts();
+  private final boolean mayBeSteered;
   private long runs;
   private long completed;
   private @Nullable SeedRow firstBad;
+
+  /**
+   * @param mayBeSteered whether {@link SteeredRuns} may ask for the {@link #rareParts}
+   */
+  CampaignTally(boolean mayBeSteered) {
+    this.mayBeSteered = mayBeSteered;
+  }
 
   /** Adds the next run in seed order. */
   void add(SeedRow row) {
@@ -56,7 +64,9 @@ final class CampaignTally {
     }
     if (row.coverage() != null) {
       coverage.add(row.coverage());
-      rareParts.add(row.seed(), row.coverage());
+      if (mayBeSteered) {
+        rareParts.add(row.seed(), row.coverage());
+      }
     }
   }
 
@@ -129,6 +139,7 @@ final class CampaignTally {
     return coverage;
   }
 
+  /** What few runs reached; empty if no run is steered. */
   RareParts rareParts() {
     return rareParts;
   }

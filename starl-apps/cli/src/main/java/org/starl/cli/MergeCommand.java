@@ -74,7 +74,7 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private int ran(ShardMerge merge, SeedWork work) throws InterruptedException, IOException {
-    CampaignTally tally = new CampaignTally();
+    CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(work.points().getFirst()));
     try (ReportFile page = ReportFile.of(report, work.seeds())) {
       merge.read(work, CampaignCommand.collector(work.ending(), tally, page));
       return differs(merge)

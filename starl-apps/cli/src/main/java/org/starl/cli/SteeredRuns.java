@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.CampaignCommand.FirstBad;
 import org.starl.cli.report.SeedRow;
@@ -29,7 +30,7 @@ final class SteeredRuns {
   private static final int MOST = 500;
 
   private final List<SeedRuns.One> runs = new ArrayList<>();
-  private final CampaignTally tally = new CampaignTally();
+  private final CampaignTally tally = new CampaignTally(false);
   private @Nullable FirstBad firstBad;
 
   /**
@@ -38,16 +39,27 @@ final class SteeredRuns {
    * @param seeds its tally, of all its rows
    */
   SteeredRuns(RunRequest request, String key, CampaignTally seeds, CarrierKind carriers) {
-    boolean isSteered = seeds.bad() == 0 && request.settings().get(Setting.CHAOS) != Envelope.NONE;
+    boolean isSteered = seeds.bad() == 0 && mayFollow(request);
     int count = isSteered ? (int) Math.min(MOST, seeds.runs() / SEEDS_A_RUN) : 0;
     Rng rng = new Rng(seeds.runs());
+    Map<Long, Long> chaosEndsMs = new TreeMap<>();
     for (long seed : seeds.rareParts().seeds(count)) {
-      // Later there are no faults.
-      SimSettings settings = SeedRuns.plan(request, seed, carriers).simulation().settings();
-      long atMs = rng.nextLong(0, settings.chaosEndNs() / Time.NS_PER_MS);
+      // Later there are no faults. Few seeds make many runs.
+      long endMs = chaosEndsMs.computeIfAbsent(seed, same -> chaosEndMs(request, same, carriers));
+      long atMs = rng.nextLong(0, endMs);
       Redraws.One redraw = new Redraws.One(atMs * Time.NS_PER_MS, runs.size() + 1);
       runs.add(new SeedRuns.One(request.with(Redraws.NONE.plus(redraw)), key, 0, seed));
     }
+  }
+
+  /** Whether a campaign of this request goes on with such runs, if no run is bad. */
+  static boolean mayFollow(RunRequest request) {
+    return request.settings().get(Setting.CHAOS) != Envelope.NONE;
+  }
+
+  private static long chaosEndMs(RunRequest request, long seed, CarrierKind carriers) {
+    SimSettings settings = SeedRuns.plan(request, seed, carriers).simulation().settings();
+    return settings.chaosEndNs() / Time.NS_PER_MS;
   }
 
   /** Runs them, and adds what they reached to the coverage of {@code seeds}. */
