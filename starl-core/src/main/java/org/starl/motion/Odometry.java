@@ -57,7 +57,10 @@ final class Odometry {
   private double forwardMm;
   private double leftMm;
 
-  /** Assumes wheels of this quality from now on; the worst values so far count. */
+  /**
+   * Assumes wheels of this quality from now on; the worst values so far count. A longer reaction
+   * counts for commands that are still stored: those in effect since the last fix, and later ones.
+   */
   void assume(double newSpeedError, long newReactionNs) {
     if (newSpeedError > speedError || newReactionNs > reactionNs) {
       speedError = Math.max(speedError, newSpeedError);

@@ -64,6 +64,23 @@ class JavaOptionsTest {
   }
 
   @Test
+  void aCampaignHasASmallYoungGenerationUnlessTheUserSizesTheHeap() throws Exception {
+    for (List<String> line :
+        List.of(List.of("campaign", "race"), List.of("sweep", "a.yaml"), List.of("bench", "b5"))) {
+      String[] words = line.toArray(new String[0]);
+      assertThat(words("-Da=b", words))
+          .contains("-XX:InlineSmallCode=300")
+          .anyMatch(word -> word.matches("-Xmn\\d+m"));
+      assertThat(words("-Xmx1g", words))
+          .contains("-XX:InlineSmallCode=300")
+          .noneMatch(word -> word.startsWith("-Xmn"));
+    }
+    assertThat(words("-Da=b", "bench", "b1"))
+        .doesNotContain("-XX:InlineSmallCode=300")
+        .noneMatch(word -> word.startsWith("-Xmn"));
+  }
+
+  @Test
   void aCollectorOfTheUserReplacesOnlyTheCollector() throws Exception {
     assertThat(words("-XX:+UseZGC", "run", "hello"))
         .contains("-XX:Tier4InvocationThreshold=25000", "-XX:+UseZGC")
