@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The last wheel commands, oldest first, each with the state of {@link Odometry} at its time. They
- * are stored in columns, from the begin of the arrays: a robot gives several commands a second, and
+ * are stored in columns, from the start of the arrays: a robot gives several commands a second, and
  * with thousands of robots each object of a command would be out of the processor's cache.
  */
 final class CommandLog {
@@ -27,7 +27,7 @@ final class CommandLog {
   private double[] cells = new double[LEAST_COMMANDS * COLUMNS];
   private int size = 1;
 
-  /** Begins with a body at rest, since ever. */
+  /** Begins with a body that has always been at rest. */
   CommandLog() {
     atNs[0] = Long.MIN_VALUE;
   }

@@ -26,7 +26,7 @@ final class Odometry {
 
   private final CommandLog log = new CommandLog();
 
-  // Properties of the wheels: the worst values ever assumed.
+  // Properties of the wheels: the worst values assumed so far.
   private double speedError;
   private long reactionNs;
 
@@ -45,7 +45,7 @@ final class Odometry {
   private double atStray;
   private double atTurned;
 
-  // The same at the begin of the interval that was located last.
+  // The same at the beginning of the interval that was located last.
   private long fromNs = NEVER;
   private double fromX;
   private double fromY;
@@ -99,6 +99,9 @@ final class Odometry {
   /** Forgets the oldest command. */
   void forget() {
     log.forget(1);
+    // What it caused while it was in effect is in these two states, and in no other one.
+    atNs = NEVER;
+    fromNs = NEVER;
   }
 
   /** Forgets the commands that no motion since {@code timeNs} depends on. */

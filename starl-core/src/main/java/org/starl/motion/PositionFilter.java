@@ -42,7 +42,7 @@ final class PositionFilter {
   private long contradictions;
   private long outdated;
 
-  /** Assumes wheels of this quality from now on; the worst values so far count. */
+  /** Assumes wheels of this quality from now on ({@link Odometry#assume}). */
   void assume(double speedError, long reactionNs) {
     odometry.assume(speedError, reactionNs);
   }

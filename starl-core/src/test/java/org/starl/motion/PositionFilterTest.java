@@ -245,6 +245,21 @@ class PositionFilterTest {
     assertThat(at(500).errorMm()).isCloseTo(10 + 5, within(1e-9));
   }
 
+  @Test
+  void aLateFixCountsWhatAForgottenCommandMayHaveCaused() {
+    filter.assume(0, 120 * MS);
+    fix(0, 0, 0, 0, 0);
+    drive(200, 0, 0);
+    drive(0, 0, 500);
+    // So many commands that the first ones are forgotten.
+    for (int i = 0; i < 63; i++) {
+      drive(0, 0, 1000 + i);
+    }
+    filter.at(1062 * MS);
+    // The path of 100 mm, and 120 ms more: the body may have stopped late.
+    assertThat(fix(100, 100 + 24, 0, 700, 1062)).isTrue();
+  }
+
   @Property(tries = 500)
   void theTruePositionIsAlwaysWithinTheBound(@ForAll long seed) {
     Rng rng = new Rng(seed);
