@@ -71,9 +71,12 @@ class JavaOptionsTest {
       assertThat(words("-Da=b", words))
           .contains("-XX:InlineSmallCode=300")
           .anyMatch(word -> word.matches("-Xmn\\d+m"));
-      assertThat(words("-Xmx1g", words))
-          .contains("-XX:InlineSmallCode=300")
-          .noneMatch(word -> word.startsWith("-Xmn"));
+      for (String sized :
+          List.of("-Xmx1g", "-XX:MaxHeapSize=1g", "-XX:MaxRAMPercentage=50", "-XX:+UseZGC")) {
+        assertThat(words(sized, words))
+            .contains("-XX:InlineSmallCode=300")
+            .noneMatch(word -> word.startsWith("-Xmn"));
+      }
     }
     assertThat(words("-Da=b", "bench", "b1"))
         .doesNotContain("-XX:InlineSmallCode=300")
@@ -85,6 +88,8 @@ class JavaOptionsTest {
     assertThat(words("-XX:+UseZGC", "run", "hello"))
         .contains("-XX:Tier4InvocationThreshold=25000", "-XX:+UseZGC")
         .doesNotContain("-XX:+UseParallelGC");
+    assertThat(words("-XX:+UseGCOverheadLimit -Da=b", "run", "hello"))
+        .contains("-XX:+UseParallelGC");
     assertThat(words("-XX:+UseZGC", "deploy", "run", "crossing.yaml"))
         .contains("-XX:TieredStopAtLevel=1", "-XX:+UseZGC")
         .doesNotContain("-XX:+UseSerialGC");
