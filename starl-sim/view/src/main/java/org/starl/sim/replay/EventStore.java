@@ -3,13 +3,13 @@ package org.starl.sim.replay;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
-import java.nio.file.StandardOpenOption;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntToLongFunction;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
@@ -40,8 +40,8 @@ final class EventStore {
   private static final class Chunk {
     private final long firstNs;
     private TraceEvent @Nullable [] events;
-    private long at;
-    private int bytes;
+    private long fileOffset;
+    private int fileBytes;
 
     Chunk(long firstNs, TraceEvent[] events) {
       this.firstNs = firstNs;
@@ -52,8 +52,8 @@ final class EventStore {
   private final AppendOnlyList<Chunk> chunks = new AppendOnlyList<>();
   private final Map<Long, TraceEvent[]> read = new LinkedHashMap<>(MOST_READ, 0.75f, true);
   private TraceEvent[] last = {};
-  private @Nullable FileChannel file;
-  private long fileBytes;
+  // Not a FileChannel, which an interrupt of a thread that reads or writes would close.
+  private @Nullable RandomAccessFile file;
 
   // Written after the event, and read before it.
   private volatile int size;
@@ -124,13 +124,10 @@ final class EventStore {
   }
 
   private synchronized void write(Chunk chunk) throws IOException {
-    if (file == null) {
-      file =
-          FileChannel.open(
-              Files.createTempFile("starl", ".events"),
-              StandardOpenOption.READ,
-              StandardOpenOption.WRITE,
-              StandardOpenOption.DELETE_ON_CLOSE);
+    RandomAccessFile target = file;
+    if (target == null) {
+      target = temporaryFile();
+      file = target;
     }
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     Deflater deflater = new Deflater(Deflater.BEST_SPEED);
@@ -141,37 +138,45 @@ final class EventStore {
     } finally {
       deflater.end();
     }
-    chunk.at = fileBytes;
-    chunk.bytes = bytes.size();
-    fileBytes += chunk.bytes;
-    ByteBuffer buffer = ByteBuffer.wrap(bytes.toByteArray());
-    while (buffer.hasRemaining()) {
-      file.write(buffer, fileBytes - buffer.remaining());
-    }
+    chunk.fileOffset = target.length();
+    chunk.fileBytes = bytes.size();
+    target.seek(chunk.fileOffset);
+    target.write(bytes.toByteArray());
     chunk.events = null;
   }
 
+  private static RandomAccessFile temporaryFile() throws IOException {
+    Path path = Files.createTempFile("starl", ".events");
+    RandomAccessFile opened = new RandomAccessFile(path.toFile(), "rw");
+    try {
+      Files.delete(path);
+    } catch (IOException e) {
+      // Windows keeps an open file.
+      path.toFile().deleteOnExit();
+    }
+    return opened;
+  }
+
   private synchronized TraceEvent[] read(Chunk chunk) {
-    TraceEvent[] events = read.get(chunk.at);
+    TraceEvent[] events = read.get(chunk.fileOffset);
     if (events == null) {
       events = inflated(chunk);
       if (read.size() == MOST_READ) {
         read.remove(read.keySet().iterator().next());
       }
-      read.put(chunk.at, events);
+      read.put(chunk.fileOffset, events);
     }
     return events;
   }
 
   private TraceEvent[] inflated(Chunk chunk) {
-    ByteBuffer buffer = ByteBuffer.allocate(chunk.bytes);
-    FileChannel channel = file;
+    byte[] bytes = new byte[chunk.fileBytes];
+    RandomAccessFile source = Objects.requireNonNull(file);
     TraceEvent[] events = new TraceEvent[CHUNK];
     try {
-      while (buffer.hasRemaining()
-          && channel != null
-          && channel.read(buffer, chunk.at + buffer.position()) >= 0) {}
-      InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(buffer.array()));
+      source.seek(chunk.fileOffset);
+      source.readFully(bytes);
+      InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(bytes));
       try (TraceReader reader = new TraceReader("the temporary file of events", in)) {
         for (int i = 0; i < CHUNK; i++) {
           events[i] = reader.next();

@@ -1,0 +1,33 @@
+package org.starl.sim.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.function.IntFunction;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+
+class EventStoreTest {
+
+  private static final int SIZE = 200_000;
+
+  private static final IntFunction<TraceEvent> EVENT =
+      i -> new TraceEvent.Variable(i, new RobotId("bot0"), "app", "x", "" + i % 999);
+
+  @Test
+  void anInterruptedThreadWritesAndReadsTheFile() {
+    EventStore store = new EventStore();
+    Thread.currentThread().interrupt();
+    try {
+      for (int i = 0; i < SIZE; i++) {
+        store.add(EVENT.apply(i), false);
+      }
+      assertThat(store.get(0)).isEqualTo(EVENT.apply(0));
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
+    }
+    for (int i = 0; i < SIZE; i++) {
+      assertThat(store.get(i)).isEqualTo(EVENT.apply(i));
+    }
+  }
+}
