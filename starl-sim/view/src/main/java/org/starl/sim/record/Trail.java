@@ -50,7 +50,7 @@ final class Trail extends AbstractList<Point> implements RandomAccess {
       thin();
     }
     if (!mayAppend || 2 * points == xyMm.length) {
-      xyMm = Arrays.copyOf(xyMm, Math.max(xyMm.length, 4 * points));
+      xyMm = Arrays.copyOf(xyMm, 2 * Math.max(points + 1, Math.min(2 * points, most)));
       mayAppend = true;
     }
     xyMm[2 * points] = point.xMm();

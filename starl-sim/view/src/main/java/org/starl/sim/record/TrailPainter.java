@@ -24,12 +24,20 @@ final class TrailPainter {
 
   private static final int MOST_POINTS = 1 << 14;
 
+  /** Greatest number of points of all trails together: 8 MB in each checkpoint. */
+  private static final int MOST_POINTS_IN_ALL = 1 << 19;
+
   private int[] xs = new int[64];
   private int[] ys = new int[64];
 
-  /** Greatest number of points that a trail needs: the latest half of them is painted whole. */
+  /**
+   * Greatest number of points that a trail keeps. With many robots, only the latest half of them is
+   * painted; otherwise all are, unless the look has fewer.
+   */
   static int mostPoints(int robots) {
-    return robots > MANY ? 2 * painted(robots) : MOST_POINTS;
+    return robots > MANY
+        ? 2 * painted(robots)
+        : Math.min(MOST_POINTS, MOST_POINTS_IN_ALL / Math.max(1, robots));
   }
 
   private static int painted(int robots) {

@@ -1,6 +1,7 @@
 package org.starl.sim.replay;
 
 import java.util.TreeMap;
+import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
@@ -16,20 +17,33 @@ final class Checkpoints {
 
   private static final int FIRST_STRIDE = 1 << 8;
   private static final int MOST = 96;
-  private static final int LEAST = 8;
+  private static final int LEAST = 2;
 
   /** Least distance of two checkpoints, in events for each robot. */
   private static final int EVENTS_A_ROBOT = 8;
 
-  /** Greatest number of robots in all checkpoints together: each needs up to 2 kB. */
-  private static final long MOST_ROBOTS =
-      Math.min(200_000, Runtime.getRuntime().maxMemory() / 10_000);
+  private static final long MOST_BYTES = Math.min(1 << 30, Runtime.getRuntime().maxMemory() / 5);
 
+  // A robot without its trail: pose, variables, and its part of the layer.
+  private static final int ROBOT_BYTES = 1000;
+  private static final int POINT_BYTES = 16;
+
+  private final long mostBytes;
   private final TreeMap<Integer, Checkpoint> byEvents = new TreeMap<>();
   private volatile int stride = FIRST_STRIDE;
 
   /** Begins with the state before the first event. */
   Checkpoints(Scene scene, Layer layer) {
+    this(scene, layer, MOST_BYTES);
+  }
+
+  /**
+   * Begins with the state before the first event.
+   *
+   * @param mostBytes approximate limit for the memory of all checkpoints
+   */
+  Checkpoints(Scene scene, Layer layer, long mostBytes) {
+    this.mostBytes = mostBytes;
     byEvents.put(0, new Checkpoint(0, scene, layer));
   }
 
@@ -50,10 +64,19 @@ final class Checkpoints {
       return;
     }
     byEvents.put(events, new Checkpoint(events, scene.copy(), layer.copy()));
-    long most = Math.max(LEAST, Math.min(MOST, MOST_ROBOTS / Math.max(1, robots)));
+    long most = Math.max(LEAST, Math.min(MOST, mostBytes / Math.max(1, bytes(scene))));
     while (byEvents.size() > most) {
       widen();
     }
+  }
+
+  /** Memory that a copy needs, unless it still shares trails with another one. */
+  private static long bytes(Scene scene) {
+    long bytes = 0;
+    for (RobotId robot : scene.robots()) {
+      bytes += ROBOT_BYTES + (long) POINT_BYTES * scene.trail(robot).size();
+    }
+    return bytes;
   }
 
   private void widen() {

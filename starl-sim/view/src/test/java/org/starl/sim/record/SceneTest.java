@@ -89,6 +89,18 @@ class SceneTest {
   }
 
   @Test
+  void theTrailsOfAllRobotsHaveABudget() {
+    int robots = 200;
+    for (int i = 0; i < robots; i++) {
+      joins(0, i);
+      scene.observe(new TraceEvent.Moved(0, bot(i), new Pose(0, 0, 0), 10, 0));
+    }
+    scene.advance(1000 * 1_000_000_000L);
+    int points = scene.robots().stream().mapToInt(robot -> scene.trail(robot).size()).sum();
+    assertThat(points).isBetween(1 << 18, 1 << 19);
+  }
+
+  @Test
   void manyRobotsHaveShortTrails() {
     for (int i = 0; i < 1000; i++) {
       joins(0, i);
