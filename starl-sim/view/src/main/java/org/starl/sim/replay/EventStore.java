@@ -16,6 +16,7 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.trace.TraceCodec;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceReader;
@@ -23,8 +24,8 @@ import org.starl.trace.TraceWriter;
 
 /**
  * A list of events to which one thread appends while others read the first {@link #size} events. It
- * keeps them in chunks, in memory or as a compressed trace in a temporary file. No thread waits for
- * a lock to read an event in memory.
+ * keeps them in chunks, in memory or as a compressed trace in a temporary file, which rounds numbers
+ * as {@link TraceCodec#rounded} does. No thread waits for a lock to read an event in memory.
  */
 final class EventStore {
 

@@ -18,8 +18,9 @@ import org.starl.trace.TraceHeader;
 
 /**
  * All events of one run, live or from a trace, with the marks on its timeline. One thread fills it
- * as an observer of the run. Other threads may read it meanwhile without locks: the first {@link
- * #size} events never change.
+ * as an observer of the run. Other threads may read it meanwhile: the first {@link #size} events
+ * never change, except that numbers of an event that goes to the temporary file are rounded as in a
+ * trace, lengths to 0.001 mm and angles to 0.000001 rad.
  */
 public final class Recording implements SimObserver {
 

@@ -196,7 +196,7 @@ class CursorTest {
   }
 
   @Test
-  void eventsAreKeptUnchanged() {
+  void eventsInMemoryAreKeptUnchanged() {
     List<TraceEvent> events = new ArrayList<>();
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
     SimObserver all =
