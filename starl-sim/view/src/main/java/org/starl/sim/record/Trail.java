@@ -6,9 +6,9 @@ import java.util.RandomAccess;
 import org.starl.geometry.Point;
 
 /**
- * Positions of a body: the first one, the latest ones, and the fewer of the others the older they
- * are. A copy shares the array with its original until the copy appends a point; the original
- * appends behind the part that the copy reads.
+ * Positions of a body: the first and the latest points; older points in between are sparser. A copy
+ * shares the array with its original until the copy appends a point, or one of them removes points
+ * or needs a longer array; the original appends behind the part that the copy reads.
  */
 final class Trail extends AbstractList<Point> implements RandomAccess {
 
