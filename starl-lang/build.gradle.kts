@@ -14,9 +14,10 @@ configurations.api {
 dependencies {
     antlr(libs.antlr.tool)
     api(libs.jspecify)
+    // The server's methods take and return its types.
+    api(libs.lsp4j)
     implementation(project(":starl-core-input"))
     implementation(libs.antlr.runtime)
-    implementation(libs.lsp4j)
     implementation(libs.z3)
     testImplementation(project(":starl-core"))
     testImplementation(libs.junit.jupiter)
@@ -25,8 +26,21 @@ dependencies {
     testRuntimeOnly(libs.junit.platform.launcher)
 }
 
+java {
+    sourceSets.named("main") {
+        // Where Maven's plugin looks.
+        extensions.getByType(org.gradle.api.plugins.antlr.AntlrSourceDirectorySet::class.java)
+            .setSrcDirs(listOf("src/main/antlr4"))
+    }
+}
+
 tasks.generateGrammarSource {
     arguments = listOf("-no-listener", "-package", "org.starl.lang.grammar")
+}
+
+tasks.named("sourcesJar") {
+    // The parser is a source too.
+    dependsOn(tasks.generateGrammarSource)
 }
 
 tasks.processResources {
