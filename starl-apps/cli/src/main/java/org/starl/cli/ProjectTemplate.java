@@ -59,6 +59,18 @@ final class ProjectTemplate {
     words.put("Name", className(name));
     words.put("package", packageName(name));
     words.put("starl", Version.STARL);
+    for (String kind : List.of("robot", "simulation", "campaign")) {
+      words.put(kind + "-options", javaOptions(kind));
+    }
+  }
+
+  /** Those of {@code ./starl}, which reads them from the same file. */
+  static String javaOptions(String kind) {
+    String file = resource("jvm/" + kind + ".config");
+    if (file == null) {
+      throw new IllegalStateException("no options of Java for " + kind);
+    }
+    return file.lines().filter(line -> !line.startsWith("#")).collect(Collectors.joining(" "));
   }
 
   /** {@code my-robots} as a package. */
@@ -162,10 +174,14 @@ final class ProjectTemplate {
   }
 
   private static @Nullable String read(String resource) {
-    try (InputStream in = ProjectTemplate.class.getResourceAsStream(FOLDER + resource)) {
+    return resource(FOLDER + resource);
+  }
+
+  private static @Nullable String resource(String path) {
+    try (InputStream in = ProjectTemplate.class.getResourceAsStream(path)) {
       return in == null ? null : new String(in.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
-      throw new IllegalStateException(resource, e);
+      throw new IllegalStateException(path, e);
     }
   }
 }

@@ -3,11 +3,13 @@ package org.starl.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("realtime")
 class JavaOptionsTest {
 
+  private static final String OPTIONS = "starl-apps/cli/src/main/resources/org/starl/cli/jvm/";
   private static final String PRINT_WORDS = "#!/bin/sh\nprintf '%s\\n' \"$@\"\n";
 
   @TempDir private Path folder;
@@ -32,9 +35,13 @@ class JavaOptionsTest {
   }
 
   /** The words that Java gets for a command line. */
-  private List<String> words(String options, String... line)
+  private List<String> words(String userOptions, String... line)
       throws IOException, InterruptedException {
     file("starl", Files.readString(Path.of("../../starl")));
+    for (String kind : List.of("robot", "simulation", "campaign")) {
+      String options = OPTIONS + kind + ".config";
+      file(options, Files.readString(Path.of("../..", options)));
+    }
     file("pom.xml", "    <module>starl-apps/kotlin</module>\n");
     file("jdk/release", "JAVA_VERSION=\"25\"\n");
     file("jdk/bin/javac", "");
@@ -47,13 +54,26 @@ class JavaOptionsTest {
     builder.command().addAll(List.of(line));
     builder.environment().remove("STARL_JAVA");
     builder.environment().put("JAVA_HOME", folder.resolve("jdk").toString());
-    builder.environment().put("STARL_JAVA_OPTS", options);
+    builder.environment().put("STARL_JAVA_OPTS", userOptions);
     builder.environment().merge("PATH", folder + "/bin", (old, mine) -> mine + ":" + old);
     Process process = builder.redirectErrorStream(true).start();
     String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertThat(process.waitFor()).as(out).isZero();
     assertThat(out.lines()).endsWith(line);
-    return out.lines().toList();
+    return out.lines().flatMap(JavaOptionsTest::inFile).toList();
+  }
+
+  /** A word, or, as Java has it, those of the file that it names. */
+  private static Stream<String> inFile(String word) {
+    if (!word.startsWith("@")) {
+      return Stream.of(word);
+    }
+    try {
+      return Files.readAllLines(Path.of(word.substring(1))).stream()
+          .filter(line -> !line.startsWith("#"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Test

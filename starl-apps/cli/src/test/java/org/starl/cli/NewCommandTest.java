@@ -283,6 +283,15 @@ class NewCommandTest {
         .isEqualTo(findingAJdk(Files.readString(Path.of("../../starl"))));
   }
 
+  @Test
+  void theLauncherGivesJavaTheOptionsThatStarlGives() throws IOException {
+    assertThat(project.text(NAME))
+        .contains("options='" + ProjectTemplate.javaOptions("robot") + "'")
+        .contains("options='" + ProjectTemplate.javaOptions("simulation") + "'")
+        .contains("options='" + ProjectTemplate.javaOptions("campaign") + "'");
+    assertThat(ProjectTemplate.javaOptions("robot")).contains(" -Xms16m ");
+  }
+
   private static String findingAJdk(String script) {
     int from = script.indexOf("# --- the JDK ");
     return script.substring(from, script.indexOf("# --- the build ", from));
