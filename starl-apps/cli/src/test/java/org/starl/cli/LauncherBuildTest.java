@@ -50,8 +50,18 @@ class LauncherBuildTest {
     // What the launcher needs of the machine: no Maven.
     for (String program :
         List.of(
-            "cat", "dirname", "find", "grep", "ls", "mkdir", "nproc", "readlink", "sed", "sleep",
-            "sort", "unzip")) {
+            "cat",
+            "dirname",
+            "find",
+            "grep",
+            "ls",
+            "mkdir",
+            "nproc",
+            "readlink",
+            "sed",
+            "sleep",
+            "sort",
+            "unzip")) {
       Stream.of("/bin/", "/usr/bin/", "/opt/homebrew/bin/")
           .map(folder -> folder + program)
           .filter(path -> Files.isExecutable(Path.of(path)))
