@@ -55,17 +55,22 @@ public final class Finite {
     return Collections.unmodifiableSortedSet(those);
   }
 
-  /** The function that is {@code function} at the elements of {@code where}, and else {@code value}. */
+  /**
+   * The function that is {@code function} at the elements of {@code where}, and else {@code
+   * elsewhere}. Both may have the same values.
+   */
   @SafeVarargs
   public static <K extends Comparable<? super K>, V> Fun<K, V> map(
-      V value, Function<? super K, ? extends V> function, Iterable<? extends K>... where) {
-    Fun.Builder<K, V> made = new Fun.Builder<>(value);
+      Fun<K, V> elsewhere,
+      Function<? super K, ? extends V> function,
+      Iterable<? extends K>... where) {
+    Fun<K, V> map = elsewhere;
     for (Iterable<? extends K> arguments : where) {
       for (K argument : arguments) {
-        made.put(argument, function.apply(argument));
+        map = map.with(argument, function.apply(argument));
       }
     }
-    return made.build();
+    return map;
   }
 
   /** The text of the first element of {@code where} at which {@code condition} is true; else empty. */

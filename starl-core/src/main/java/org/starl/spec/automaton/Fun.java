@@ -80,27 +80,6 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return exceptions.entrySet().stream().allMatch(e -> test.test(e.getKey(), e.getValue()));
   }
 
-  /** Collects the exceptions of one function. */
-  static final class Builder<K extends Comparable<? super K>, V> {
-    private final V defaultValue;
-    private final SortedMap<K, V> exceptions = new TreeMap<>();
-
-    Builder(V defaultValue) {
-      this.defaultValue = defaultValue;
-    }
-
-    void put(K argument, V value) {
-      if (!value.equals(defaultValue)) {
-        exceptions.put(argument, value);
-      }
-    }
-
-    /** To be called once. */
-    Fun<K, V> build() {
-      return new Fun<>(defaultValue, exceptions);
-    }
-  }
-
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof Fun<?, ?> that

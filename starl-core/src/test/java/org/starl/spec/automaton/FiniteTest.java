@@ -22,9 +22,12 @@ class FiniteTest {
   }
 
   @Test
-  void mapsHaveTheOtherValueElsewhere() {
-    Fun<Integer, Boolean> odd = Finite.map(false, x -> x % 2 == 1, SOME, MORE);
+  void mapsAreTheOtherOneElsewhere() {
+    Fun<Integer, Boolean> odd = Finite.map(Fun.always(false), x -> x % 2 == 1, SOME, MORE);
     assertThat(odd).isEqualTo(Fun.<Integer, Boolean>always(false).with(1, true).with(3, true));
     assertThat(odd.arguments()).containsExactly(1, 3);
+    Fun<Integer, Boolean> some = Fun.<Integer, Boolean>always(false).with(2, true).with(4, true);
+    assertThat(Finite.map(some, x -> x % 2 == 1, SOME, MORE).arguments()).containsExactly(1, 3, 4);
+    assertThat(Finite.map(some, some::at, SOME, MORE)).isSameAs(some);
   }
 }

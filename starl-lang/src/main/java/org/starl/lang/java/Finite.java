@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
@@ -72,10 +73,9 @@ final class Finite {
     Where where = where(at.variable(), at.body(), true);
     Code here = writer.under(at.variable(), () -> writer.of(at.body()));
     if (writer.types().form(at.type()) == JavaTypes.Sets.FUN) {
-      return where.sets.isEmpty()
-          ? writer.types().always(where.elsewhere)
-          : Code.call(
-              quantifiers() + ".map", where.after(where.elsewhere, lambda(at.variable(), here)));
+      return map(
+          new Where(where.sets, writer.types().always(where.elsewhere)),
+          () -> lambda(at.variable(), here));
     }
     if (!where.elsewhere.equals(Code.Text.FALSE)) {
       throw new NotExecutable(
@@ -99,15 +99,36 @@ final class Finite {
                 at.body(),
                 curried((Type.MapOf) at.type().base()),
                 at.pos());
-    List<Code> sets = sets(variable, body);
-    Code elsewhere = writer.elsewhere(variable, () -> writer.of(body));
-    if (sets.isEmpty()) {
-      return writer.types().always(elsewhere);
+    Where where = changes(variable, body);
+    if (where == null) {
+      Code elsewhere = writer.elsewhere(variable, () -> writer.of(body));
+      where = new Where(sets(variable, body), writer.types().always(elsewhere));
     }
-    Code here = writer.under(variable, () -> writer.of(body));
-    return Code.call(
-        quantifiers() + ".map",
-        new Where(sets, elsewhere).after(elsewhere, lambda(variable, here)));
+    return map(where, () -> lambda(variable, writer.under(variable, () -> writer.of(body))));
+  }
+
+  /** The map that is {@code function} at the sets, and else that of {@code where}. */
+  private Code map(Where where, Supplier<Code> function) {
+    if (where.sets.isEmpty()) {
+      return where.elsewhere;
+    }
+    List<Code> all = new ArrayList<>(List.of(where.elsewhere, function.get()));
+    all.addAll(where.sets);
+    return Code.call(quantifiers() + ".map", all.toArray(Code[]::new));
+  }
+
+  /** Of {@code if condition then value else other(variable)}: where the condition may be true. */
+  private @Nullable Where changes(Field variable, Expr body) {
+    if (!(body instanceof Expr.If choice
+        && choice.otherwise() instanceof Expr.At other
+        && other.arguments().size() == 1
+        && isVariable(other.arguments().getFirst(), variable.name())
+        && !(other.map() instanceof Expr.Parameter)
+        && !Exprs.mentions(other.map(), variable.name()))) {
+      return null;
+    }
+    List<Code> bounds = bounds(variable.name(), choice.condition(), true);
+    return bounds == null ? null : new Where(bounds, writer.of(other.map()));
   }
 
   private static Type curried(Type.MapOf map) {
@@ -127,12 +148,6 @@ final class Finite {
   private record Where(List<Code> sets, Code elsewhere) {
     private Code[] with(Code lambda) {
       List<Code> all = new ArrayList<>(List.of(lambda));
-      all.addAll(sets);
-      return all.toArray(Code[]::new);
-    }
-
-    private Code[] after(Code first, Code lambda) {
-      List<Code> all = new ArrayList<>(List.of(first, lambda));
       all.addAll(sets);
       return all.toArray(Code[]::new);
     }

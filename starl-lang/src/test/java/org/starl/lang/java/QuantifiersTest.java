@@ -74,6 +74,9 @@ class QuantifiersTest {
       conditions.add(condition);
       text.append("action all_%d(me: T) pre forall x: T :: %s\n".formatted(n, condition.text));
       text.append("action one_%d(me: T) pre exists x: T :: %s\n".formatted(n, condition.text));
+      text.append(
+          "action map_%d(me: T) eff next := [x: T -> if %s then me else next(x)]\n"
+              .formatted(n, condition.text));
     }
     Compiled compiled = new Compiled(text.toString());
     Here here = new Here(new TreeSet<>(), new TreeMap<>(), "q");
@@ -88,6 +91,13 @@ class QuantifiersTest {
             .isEqualTo(UNIVERSE.stream().anyMatch(x -> each.value.test(x, here)));
         compiled.enabled("all_" + n, "q").falseConjunct();
       }
+      int changed = random.nextInt(CONDITIONS);
+      compiled.step("map_" + changed, "q");
+      Map<String, String> next = new TreeMap<>();
+      for (String x : UNIVERSE) {
+        next.put(x, conditions.get(changed).value.test(x, here) ? here.me : here.nextOf(x));
+      }
+      here.next.putAll(next);
       String a = NAMES.get(random.nextInt(NAMES.size()));
       String b = NAMES.get(random.nextInt(NAMES.size()));
       if (random.nextBoolean()) {

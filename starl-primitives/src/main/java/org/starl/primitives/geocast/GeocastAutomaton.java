@@ -124,13 +124,13 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
               s.was_in.with(
                   a.m(),
                   Finite.map(
-                      a.A().contains(s.pos.defaultValue()),
+                      Fun.always(a.A().contains(s.pos.defaultValue())),
                       i -> a.A().contains(s.pos.at(i)),
                       s.pos.arguments())),
               s.was_out.with(
                   a.m(),
                   Finite.map(
-                      !a.A().contains(s.pos.defaultValue()),
+                      Fun.always(!a.A().contains(s.pos.defaultValue())),
                       i -> !a.A().contains(s.pos.at(i)),
                       s.pos.arguments())));
       case GeocastAction.deliver a ->
@@ -154,27 +154,19 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
               s.area,
               s.got,
               Finite.map(
-                  s.was_in.defaultValue(),
+                  s.was_in,
                   m ->
                       s.isOpen(m) && s.area.at(m).contains(a.p())
                           ? s.was_in.at(m).with(a.i(), true)
                           : s.was_in.at(m),
-                  s.sent,
-                  s.t0.arguments(),
-                  s.d.arguments(),
-                  s.area.arguments(),
-                  s.was_in.arguments()),
+                  s.sent),
               Finite.map(
-                  s.was_out.defaultValue(),
+                  s.was_out,
                   m ->
                       s.isOpen(m) && !s.area.at(m).contains(a.p())
                           ? s.was_out.at(m).with(a.i(), true)
                           : s.was_out.at(m),
-                  s.sent,
-                  s.t0.arguments(),
-                  s.d.arguments(),
-                  s.area.arguments(),
-                  s.was_out.arguments()));
+                  s.sent));
       case GeocastAction.restart a ->
           new States(
               s.now,
@@ -184,7 +176,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
               s.d,
               s.area,
               Finite.map(
-                  s.got.defaultValue().with(a.i(), false),
+                  Fun.always(s.got.defaultValue().with(a.i(), false)),
                   m -> s.got.at(m).with(a.i(), false),
                   s.got.arguments()),
               s.was_in,
