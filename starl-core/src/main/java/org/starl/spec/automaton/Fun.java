@@ -1,16 +1,15 @@
 package org.starl.spec.automaton;
 
-import java.util.Collections;
+import java.util.AbstractSet;
+import java.util.Iterator;
 import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A total function in a state of a theory, {@code [PIDS -> Zoneset]}: a default value, and finitely
- * many exceptions. Immutable. Memory, and the time of a change, grow with the exceptions only.
+ * many exceptions. Immutable. A change takes time and memory for the logarithm of the exceptions.
  *
  * @param <K> arguments, in their natural order
  * @param <V> compared by {@code equals}
@@ -19,35 +18,34 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   private final V defaultValue;
   // No value equals the default.
-  private final SortedMap<K, V> exceptions;
+  private final @Nullable Tree<K, V> exceptions;
 
-  private Fun(V defaultValue, SortedMap<K, V> exceptions) {
+  private Fun(V defaultValue, @Nullable Tree<K, V> exceptions) {
     this.defaultValue = defaultValue;
     this.exceptions = exceptions;
   }
 
   /** {@code LAMBDA x: value}. */
   public static <K extends Comparable<? super K>, V> Fun<K, V> always(V value) {
-    return new Fun<>(value, new TreeMap<K, V>());
+    return new Fun<>(value, null);
   }
 
   /** Its value at {@code argument}. */
   public V at(K argument) {
-    return exceptions.getOrDefault(argument, defaultValue);
+    V exception = Tree.get(exceptions, argument);
+    return exception == null ? defaultValue : exception;
   }
 
-  /** {@code f WITH [(argument) := value]}. */
+  /** {@code f WITH [(argument) := value]}; this object if that changes nothing. */
   public Fun<K, V> with(K argument, V value) {
     if (value.equals(at(argument))) {
       return this;
     }
-    SortedMap<K, V> changed = new TreeMap<>(exceptions);
-    if (value.equals(defaultValue)) {
-      changed.remove(argument);
-    } else {
-      changed.put(argument, value);
-    }
-    return new Fun<>(defaultValue, changed);
+    return new Fun<>(
+        defaultValue,
+        value.equals(defaultValue)
+            ? Tree.remove(exceptions, argument)
+            : Tree.put(exceptions, argument, value));
   }
 
   /** The default value. */
@@ -57,39 +55,106 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   /** The exceptions' arguments, in order. */
   public Set<K> arguments() {
-    return Collections.unmodifiableSet(exceptions.keySet());
+    return new Arguments<>(exceptions);
   }
 
   /** The number of exceptions. */
   public int size() {
-    return exceptions.size();
+    return Tree.size(exceptions);
   }
 
   /** Whether it has no exception. */
   public boolean isConstant() {
-    return exceptions.isEmpty();
+    return exceptions == null;
   }
 
   /** Visits every exception, in order: argument and value. */
   public void forEach(BiConsumer<? super K, ? super V> visitor) {
-    exceptions.forEach(visitor);
+    Tree.nodes(exceptions).forEachRemaining(node -> visitor.accept(node.key, node.value));
   }
 
   /** Whether {@code test} is true of every exception: argument and value. */
   public boolean allMatch(BiPredicate<? super K, ? super V> test) {
-    return exceptions.entrySet().stream().allMatch(e -> test.test(e.getKey(), e.getValue()));
+    Iterator<Tree<K, V>> nodes = Tree.nodes(exceptions);
+    while (nodes.hasNext()) {
+      Tree<K, V> node = nodes.next();
+      if (!test.test(node.key, node.value)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static final class Arguments<K extends Comparable<? super K>> extends AbstractSet<K> {
+
+    private final @Nullable Tree<K, ?> of;
+
+    Arguments(@Nullable Tree<K, ?> of) {
+      this.of = of;
+    }
+
+    @Override
+    public int size() {
+      return Tree.size(of);
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // as in a TreeMap, looking for anything else is a bug
+    public boolean contains(Object argument) {
+      return Tree.get(of, (K) argument) != null;
+    }
+
+    @Override
+    public Iterator<K> iterator() {
+      Iterator<? extends Tree<K, ?>> nodes = Tree.nodes(of);
+      return new Iterator<>() {
+        @Override
+        public boolean hasNext() {
+          return nodes.hasNext();
+        }
+
+        @Override
+        public K next() {
+          return nodes.next().key;
+        }
+      };
+    }
   }
 
   @Override
   public boolean equals(@Nullable Object other) {
-    return other instanceof Fun<?, ?> that
-        && defaultValue.equals(that.defaultValue)
-        && exceptions.equals(that.exceptions);
+    return this == other
+        || (other instanceof Fun<?, ?> that
+            && defaultValue.equals(that.defaultValue)
+            && hasEqual(exceptions, that.exceptions));
   }
 
+  private static boolean hasEqual(@Nullable Tree<?, ?> one, @Nullable Tree<?, ?> other) {
+    if (one == other || Tree.size(one) != Tree.size(other)) {
+      return one == other;
+    }
+    Iterator<? extends Tree<?, ?>> nodes = Tree.nodes(one);
+    Iterator<? extends Tree<?, ?>> others = Tree.nodes(other);
+    while (nodes.hasNext()) {
+      Tree<?, ?> node = nodes.next();
+      Tree<?, ?> with = others.next();
+      if (!node.key.equals(with.key) || !node.value.equals(with.value)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** That of a map with the exceptions. */
   @Override
   public int hashCode() {
-    return exceptions.hashCode();
+    int hash = 0;
+    Iterator<Tree<K, V>> nodes = Tree.nodes(exceptions);
+    while (nodes.hasNext()) {
+      Tree<K, V> node = nodes.next();
+      hash += node.key.hashCode() ^ node.value.hashCode();
+    }
+    return hash;
   }
 
   /** {@code (bot0: [A, C], bot1: [B])}: the exceptions. */

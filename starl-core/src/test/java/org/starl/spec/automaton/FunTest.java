@@ -1,15 +1,19 @@
 package org.starl.spec.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Random;
 import java.util.TreeMap;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class FunTest {
@@ -43,6 +47,85 @@ class FunTest {
     assertThat(fun.isConstant()).isEqualTo(model.isEmpty());
     assertThat(fun.allMatch((argument, value) -> value < 5))
         .isEqualTo(model.values().stream().allMatch(value -> value < 5));
+  }
+
+  /** Values are compared with those of a map of the library; all versions stay as they were. */
+  @Property(tries = 200)
+  void anyHistoryGivesTheFunctionOfItsLatestChanges(@ForAll long seed) {
+    Random random = new Random(seed);
+    int arguments = 1 + random.nextInt(300);
+    boolean isInOrder = random.nextBoolean();
+    NavigableMap<Integer, Integer> model = new TreeMap<>();
+    Fun<Integer, Integer> fun = Fun.always(0);
+    List<Fun<Integer, Integer>> versions = new ArrayList<>();
+    List<String> texts = new ArrayList<>();
+    for (int change = 0; change < 600; change++) {
+      int argument = isInOrder && change < arguments ? change : random.nextInt(arguments);
+      int value = change < 300 || random.nextInt(3) == 0 ? random.nextInt(3) : 0;
+      fun = fun.with(argument, value);
+      model.put(argument, value);
+      model.values().removeIf(each -> each == 0);
+      if (change % 50 == 0) {
+        versions.add(fun);
+        texts.add(text(model));
+        isAs(model, fun);
+      }
+    }
+    isAs(model, fun);
+    assertThat(versions).extracting(Object::toString).isEqualTo(texts);
+  }
+
+  private static void isAs(NavigableMap<Integer, Integer> model, Fun<Integer, Integer> fun) {
+    assertThat(fun.size()).isEqualTo(model.size());
+    assertThat(fun.arguments()).isEqualTo(model.keySet()).containsExactlyElementsOf(model.keySet());
+    assertThat(fun.hashCode()).isEqualTo(model.hashCode());
+    assertThat(fun).hasToString(text(model));
+    Fun<Integer, Integer> backwards = Fun.always(0);
+    for (int argument : model.descendingKeySet()) {
+      backwards = backwards.with(argument, model.get(argument));
+    }
+    assertThat(fun).isEqualTo(backwards);
+  }
+
+  private static String text(Map<Integer, Integer> model) {
+    return model.toString().replace('{', '(').replace('}', ')').replace("=", ": ");
+  }
+
+  /** So each change takes logarithmic time, in whatever order they come. */
+  @Property(tries = 100)
+  void treesStayBalanced(@ForAll long seed) {
+    Random random = new Random(seed);
+    Tree<Integer, Boolean> tree = null;
+    int order = random.nextInt(3);
+    for (int n = 0; n < 500; n++) {
+      int key = order == 0 ? n : order == 1 ? -n : random.nextInt(1000);
+      tree = Tree.put(tree, key, true);
+      isBalanced(tree);
+    }
+    for (int n = 0; n < 500; n++) {
+      int key = order == 0 ? n : order == 1 ? n - 500 : random.nextInt(1000);
+      tree = Tree.remove(tree, key);
+      isBalanced(tree);
+    }
+  }
+
+  private static void isBalanced(@Nullable Tree<Integer, Boolean> tree) {
+    if (tree != null) {
+      int left = Tree.size(tree.left) + 1;
+      int right = Tree.size(tree.right) + 1;
+      assertThat(Math.max(left, right)).isLessThanOrEqualTo(3 * Math.min(left, right));
+      isBalanced(tree.left);
+      isBalanced(tree.right);
+    }
+  }
+
+  @Test
+  void aChangeToTheSameValueGivesTheSameFunction() {
+    Fun<String, Integer> fun = Fun.<String, Integer>always(0).with("a", 1);
+    assertThat(fun.with("a", 1)).isSameAs(fun);
+    assertThat(fun.with("b", 0)).isSameAs(fun);
+    assertThatThrownBy(() -> fun.arguments().remove("a"))
+        .isInstanceOf(UnsupportedOperationException.class);
   }
 
   @Test
