@@ -136,7 +136,6 @@ record Allowance(String rule, String path, String reason) {
         hash("starl-core" + MAIN + "comms/InboundWindows.java"),
         hash("starl-core" + MAIN + "comms/Seal.java"),
         hash("starl-core" + MAIN + "trace/EventParser.java"),
-        hash("starl-primitives" + MAIN + "primitives/geocast/CastRecord.java"),
         hash("starl-primitives" + MAIN + "primitives/geocast/GeocastProtocol.java"),
         hash("starl-sim" + MAIN + "sim/net/Partition.java"),
         hash("starl-sim" + MAIN + "sim/world/Placement.java"),

@@ -1,22 +1,22 @@
 package org.starl.primitives.geocast;
 
-import java.util.HashSet;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
-import org.starl.spec.Bodies;
+import org.starl.spec.automaton.Fun;
 
 /** One geocast whose interval is not over, as {@link Casts} and {@link GeocastSpec} follow it. */
 final class CastRecord {
 
-  /** A datagram, identified by its sender and number. */
-  record Copy(RobotId origin, long seq) {}
+  /** A datagram, identified by its channel, sender and number. */
+  record Copy(String source, RobotId origin, long seq) {}
 
   final String source;
   final RobotId origin;
@@ -26,102 +26,104 @@ final class CastRecord {
   final long deadlineNs;
 
   /** Robots that took part at t0 and have not restarted since: inclusion is owed to them. */
-  final Set<RobotId> owed = new TreeSet<>();
+  private Fun<RobotId, Boolean> owed;
 
   /** Whether the origin has restarted: its datagram numbers begin again, so copies are unknown. */
   boolean originRestarted;
 
   /** The copies that the origin has sent. */
-  final Set<Copy> copies = new HashSet<>();
+  final List<Copy> copies = new ArrayList<>();
+
+  private final RobotNumbers numbers;
 
   /** Robots that a copy has reached. */
-  final Set<RobotId> reached = new TreeSet<>();
+  private final BitSet reached = new BitSet();
 
   /** Robots that delivered, and have not restarted since. */
-  final Set<RobotId> holders = new TreeSet<>();
+  private final BitSet holders = new BitSet();
 
-  /** The time of each robot's first delivery. */
-  final SortedMap<RobotId, Long> deliveredNs = new TreeMap<>();
+  /** Robots that delivered. */
+  private final BitSet delivered = new BitSet();
 
-  private final SortedMap<RobotId, Presence> presences = new TreeMap<>();
+  /** The time of each robot's first delivery, if the area has an outside. */
+  private final SortedMap<RobotId, Long> deliveredNs = new TreeMap<>();
 
-  CastRecord(String source, RobotId origin, String id, Region area, long startNs, long deadlineNs) {
+  final Whereabouts bodies;
+
+  /**
+   * @param members the robots that take part in the instance
+   */
+  CastRecord(
+      String source,
+      RobotId origin,
+      String id,
+      Region area,
+      long startNs,
+      long deadlineNs,
+      RobotNumbers numbers,
+      Fun<RobotId, Boolean> members,
+      Whereabouts bodies) {
     this.source = source;
     this.origin = origin;
     this.id = id;
     this.area = area;
     this.startNs = startNs;
     this.deadlineNs = deadlineNs;
+    this.numbers = numbers;
+    this.bodies = bodies;
+    owed = members.with(origin, false);
   }
 
-  /** Whether a datagram is certainly a copy. */
-  boolean isCopy(Copy datagram) {
-    return !originRestarted && copies.contains(datagram);
-  }
-
-  /** Begins to follow a body that is on the floor since {@code nowNs}. */
-  void watch(RobotId robot, double deepMm, long nowNs) {
-    Presence known = presences.get(robot);
-    if (known != null) {
-      known.resume(nowNs);
-      return;
-    }
-    Presence presence = new Presence(robot, area, deepMm, nowNs);
-    if (nowNs > startNs) {
-      presence.interrupted();
-    }
-    presences.put(robot, presence);
-  }
-
-  /**
-   * Follows one body until {@code nowNs} or the deadline.
-   *
-   * @return whether the body is found in the area for the first time
-   */
-  boolean follow(RobotId robot, Bodies bodies, Map<RobotId, Double> speeds, long nowNs) {
-    Presence presence = presences.get(robot);
-    if (presence == null || !bodies.isOnFloor(robot)) {
-      return false;
-    }
-    boolean wasIn = presence.everIn();
-    double speedMmPerS = speeds.getOrDefault(robot, 0.0);
-    presence.follow(bodies, speedMmPerS, Math.min(nowNs, deadlineNs));
-    return presence.everIn() && !wasIn;
-  }
-
-  /** Whether the body has been on the floor. */
-  boolean hasSeen(RobotId robot) {
-    return presences.containsKey(robot);
-  }
-
-  /** The body leaves the floor. */
-  void left(RobotId robot) {
-    Presence presence = presences.get(robot);
-    if (presence != null) {
-      presence.interrupted();
-    }
+  boolean isEverywhere() {
+    return area instanceof Everywhere;
   }
 
   void excuse(RobotId robot) {
-    owed.remove(robot);
+    owed = owed.with(robot, false);
   }
 
   void restarted(RobotId robot) {
     originRestarted |= robot.equals(origin);
-    owed.remove(robot);
-    holders.remove(robot);
+    owed = owed.with(robot, false);
+    holders.clear(numbers.of(robot));
   }
 
-  /** The time of the first delivery by a robot. */
-  long deliveredAtNs(RobotId robot) {
-    return deliveredNs.getOrDefault(robot, startNs);
+  void reached(RobotId robot) {
+    reached.set(numbers.of(robot));
   }
 
-  /** Robots with known bodies that delivered although they were always outside. */
-  List<RobotId> intruders() {
-    return deliveredNs.keySet().stream()
-        .filter(robot -> presences.containsKey(robot) && !presences.get(robot).everIn())
-        .collect(Collectors.toList());
+  /**
+   * Records a delivery.
+   *
+   * @return whether it is the robot's first one since its latest start
+   */
+  boolean delivered(RobotId robot, long timeNs) {
+    int number = numbers.of(robot);
+    boolean isFirst = !holders.get(number);
+    holders.set(number);
+    if (!delivered.get(number)) {
+      delivered.set(number);
+      if (!isEverywhere()) {
+        deliveredNs.put(robot, timeNs);
+      }
+    }
+    return isFirst;
+  }
+
+  boolean hasDelivered(RobotId robot) {
+    return delivered.get(numbers.of(robot));
+  }
+
+  /** How many robots delivered. */
+  int deliveries() {
+    return delivered.cardinality();
+  }
+
+  /** Robots with known bodies that delivered although they were always outside: each with the time. */
+  Map<RobotId, Long> intruders() {
+    SortedMap<RobotId, Long> intruders = new TreeMap<>(deliveredNs);
+    intruders.keySet().removeIf(robot -> !bodies.wasOutside(robot));
+    return intruders;
   }
 
   /**
@@ -132,9 +134,9 @@ final class CastRecord {
   List<RobotId> required(boolean reachesAll) {
     boolean isCertain = copies.isEmpty() || (reachesAll && !originRestarted);
     // If the origin sent no copy, the network is not the cause.
-    return owed.stream()
-        .filter(robot -> presences.containsKey(robot) && presences.get(robot).alwaysDeep())
-        .filter(robot -> isCertain || reached.contains(robot))
+    return owed.arguments().stream()
+        .filter(bodies::wasDeep)
+        .filter(robot -> isCertain || reached.get(numbers.of(robot)))
         .collect(Collectors.toList());
   }
 }

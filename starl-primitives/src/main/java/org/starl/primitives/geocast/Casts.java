@@ -1,16 +1,19 @@
 package org.starl.primitives.geocast;
 
-import java.util.Collection;
-import java.util.Collections;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
+import org.starl.spec.Monitor.Report;
+import org.starl.spec.automaton.Fun;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -26,35 +29,41 @@ final class Casts {
   /** Receives the effects of the next event on bodies and intervals, before the event is used. */
   interface Listener {
 
-    /** The body of {@code robot} is found in the area for the first time. */
-    default void entered(CastRecord cast, RobotId robot) {}
+    /** The body of {@code robot} is found in the area for the first time, at {@code event}. */
+    default void entered(CastRecord cast, RobotId robot, TraceEvent event, Report report) {}
 
     /** The interval is over; all bodies were followed to its end, and the record is removed. */
-    void over(CastRecord cast);
+    void over(CastRecord cast, Report report);
   }
 
+  private record Key(String source, String id) {}
+
   private final double deepMm;
+  private final Listener listener;
+  private final RobotNumbers numbers = new RobotNumbers();
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, Double> speeds = new TreeMap<>();
 
   /** The robots that take part in each instance. */
-  private final Map<String, TreeSet<RobotId>> members = new TreeMap<>();
+  private final Map<String, Fun<RobotId, Boolean>> members = new TreeMap<>();
+
+  /** The robots whose bodies are on the floor. */
+  private Fun<RobotId, Boolean> onFloor = Fun.always(false);
 
   /** Geocasts whose interval is not over, by source and id, in the order of their starts. */
-  private final Map<String, CastRecord> active = new LinkedHashMap<>();
+  private final Map<Key, CastRecord> active = new LinkedHashMap<>();
+
+  /** Those whose area has a border. */
+  private final Set<CastRecord> bordered = new LinkedHashSet<>();
 
   private long firstDeadlineNs = Long.MAX_VALUE;
 
   /**
    * @param deepMm the least distance from the border of a robot deep inside
    */
-  Casts(double deepMm) {
+  Casts(double deepMm, Listener listener) {
     this.deepMm = deepMm;
-  }
-
-  /** The geocasts whose interval is not over, in the order of their starts. */
-  Collection<CastRecord> active() {
-    return Collections.unmodifiableCollection(active.values());
+    this.listener = listener;
   }
 
   /** The geocast of an action; null if its interval is over, or has not begun. */
@@ -64,27 +73,29 @@ final class Casts {
 
   /** The geocast of an instance; null if its interval is over, or has not begun. */
   @Nullable CastRecord of(String source, String id) {
-    return active.get(source + " " + id);
+    return active.get(new Key(source, id));
   }
 
   /** Processes the next event. */
-  void observe(TraceEvent event, Listener listener) {
-    forgetFinished(event.timeNs(), listener);
+  void observe(TraceEvent event, Report report) {
+    forgetFinished(event.timeNs(), report);
     switch (event) {
-      case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, listener);
+      case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
       case Moved moved -> {
-        followAll(moved.robot(), moved.timeNs(), listener);
+        followAll(moved, report);
         speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
         bodies.observe(moved);
       }
       case Joined joined -> {
         speeds.remove(joined.robot());
         bodies.observe(joined);
-        active.values().forEach(cast -> cast.watch(joined.robot(), deepMm, joined.timeNs()));
+        onFloor = onFloor.with(joined.robot(), true);
+        active.values().forEach(cast -> cast.bodies.watch(joined.robot(), joined.timeNs()));
       }
       case Left left -> {
-        followAll(left.robot(), left.timeNs(), listener);
-        active.values().forEach(cast -> cast.left(left.robot()));
+        followAll(left, report);
+        active.values().forEach(cast -> cast.bodies.left(left.robot()));
+        onFloor = onFloor.with(left.robot(), false);
         bodies.observe(left);
       }
       default -> {}
@@ -92,18 +103,18 @@ final class Casts {
   }
 
   /** Ends the intervals that are over at the end of the run. */
-  void finish(long endNs, Listener listener) {
-    forgetFinished(endNs + 1, listener);
+  void finish(long endNs, Report report) {
+    forgetFinished(endNs + 1, report);
   }
 
-  private void acted(Action action, Listener listener) {
+  private void acted(Action action, Report report) {
     switch (action.name()) {
       case GeocastTrace.OPEN -> opened(action);
-      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> started(action, listener);
+      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> started(action, report);
       case GeocastTrace.DELIVER -> {
         CastRecord cast = of(action);
         if (cast != null) {
-          follow(cast, action.robot(), action.timeNs(), listener);
+          follow(cast, action.robot(), action, report);
         }
       }
       default -> {}
@@ -112,49 +123,68 @@ final class Casts {
 
   /** A robot that opens an instance again has restarted, and has forgotten its deliveries. */
   private void opened(Action action) {
-    if (!membersOf(action.source()).add(action.robot())) {
-      for (CastRecord cast : active.values()) {
-        if (cast.source.equals(action.source())) {
-          cast.restarted(action.robot());
-        }
+    Fun<RobotId, Boolean> known = membersOf(action.source());
+    if (!known.at(action.robot())) {
+      members.put(action.source(), known.with(action.robot(), true));
+      return;
+    }
+    for (CastRecord cast : active.values()) {
+      if (cast.source.equals(action.source())) {
+        cast.restarted(action.robot());
       }
     }
   }
 
-  private void started(Action action, Listener listener) {
+  private void started(Action action, Report report) {
     long startNs = action.timeNs();
     long deadlineNs = startNs + Long.parseLong(action.args().get(2));
+    Region area = RegionText.parse(action.args().get(1));
+    boolean isEverywhere = area instanceof Everywhere;
     CastRecord cast =
         new CastRecord(
             action.source(),
             action.robot(),
             action.args().get(0),
-            RegionText.parse(action.args().get(1)),
+            area,
             startNs,
-            deadlineNs);
-    cast.owed.addAll(membersOf(action.source()));
-    cast.owed.remove(action.robot());
-    for (RobotId robot : bodies.robots()) {
-      cast.watch(robot, deepMm, startNs);
-      follow(cast, robot, startNs, listener);
+            deadlineNs,
+            numbers,
+            membersOf(action.source()),
+            isEverywhere
+                ? new Whereabouts.OnFloor(onFloor, startNs)
+                : new Whereabouts.InArea(area, deepMm, startNs));
+    if (!isEverywhere) {
+      for (RobotId robot : bodies.robots()) {
+        cast.bodies.watch(robot, startNs);
+        follow(cast, robot, action, report);
+      }
+      bordered.add(cast);
     }
-    active.put(key(action), cast);
+    CastRecord before = active.put(new Key(cast.source, cast.id), cast);
+    if (before != null) {
+      bordered.remove(before);
+    }
     firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs);
   }
 
-  private void followAll(RobotId robot, long nowNs, Listener listener) {
-    for (CastRecord cast : active.values()) {
-      follow(cast, robot, nowNs, listener);
+  private void followAll(TraceEvent event, Report report) {
+    for (CastRecord cast : bordered) {
+      follow(cast, event.robot(), event, report);
     }
   }
 
-  private void follow(CastRecord cast, RobotId robot, long nowNs, Listener listener) {
-    if (cast.follow(robot, bodies, speeds, nowNs)) {
-      listener.entered(cast, robot);
+  private void follow(CastRecord cast, RobotId robot, TraceEvent event, Report report) {
+    if (entersUntil(event.timeNs(), cast, robot)) {
+      listener.entered(cast, robot, event, report);
     }
   }
 
-  private void forgetFinished(long nowNs, Listener listener) {
+  private boolean entersUntil(long toNs, CastRecord cast, RobotId robot) {
+    return bodies.isOnFloor(robot)
+        && cast.bodies.follow(robot, bodies, speeds.getOrDefault(robot, 0.0), toNs);
+  }
+
+  private void forgetFinished(long nowNs, Report report) {
     if (nowNs <= firstDeadlineNs) {
       return;
     }
@@ -163,8 +193,10 @@ final class Casts {
     while (oldestFirst.hasNext()) {
       CastRecord cast = oldestFirst.next();
       if (nowNs > cast.deadlineNs) {
-        bodies.robots().forEach(robot -> follow(cast, robot, nowNs, listener));
-        listener.over(cast);
+        if (bordered.remove(cast)) {
+          bodies.robots().forEach(robot -> entersUntil(cast.deadlineNs, cast, robot));
+        }
+        listener.over(cast, report);
         oldestFirst.remove();
       } else {
         firstDeadlineNs = Math.min(firstDeadlineNs, cast.deadlineNs);
@@ -172,11 +204,7 @@ final class Casts {
     }
   }
 
-  private TreeSet<RobotId> membersOf(String source) {
-    return members.computeIfAbsent(source, name -> new TreeSet<>());
-  }
-
-  private static String key(Action action) {
-    return action.source() + " " + action.args().get(0);
+  private Fun<RobotId, Boolean> membersOf(String source) {
+    return members.getOrDefault(source, Fun.always(false));
   }
 }

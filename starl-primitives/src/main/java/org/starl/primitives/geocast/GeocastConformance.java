@@ -31,6 +31,7 @@ import org.starl.trace.TraceEvent.Action;
  * Leaving A is no action: {@code was_in} remains, and {@code was_out}, which would change, enables
  * nothing. A place is represented by the areas that contain it, and an area matters only from its
  * geocast on: hence the moves at that time. A robot whose body was never seen is taken to be in A.
+ * Every place is in the area of a broadcast: no robot moves into it.
  *
  * <p>A message is forgotten at the end of its interval, and a later delivery says so. Memory grows
  * with the open messages only.
@@ -38,7 +39,20 @@ import org.starl.trace.TraceEvent.Action;
 public final class GeocastConformance extends Conformance<Replay<States, GeocastAction>> {
 
   // The depth inside the area decides nothing here.
-  private final Casts casts = new Casts(Double.POSITIVE_INFINITY);
+  private final Casts casts =
+      new Casts(
+          Double.POSITIVE_INFINITY,
+          new Casts.Listener() {
+            @Override
+            public void entered(CastRecord cast, RobotId robot, TraceEvent event, Report report) {
+              enter(event, cast, robot, report);
+            }
+
+            @Override
+            public void over(CastRecord cast, Report report) {
+              instance(cast.source).reduce(s -> without(cast.id, s));
+            }
+          });
 
   public GeocastConformance() {
     this(AutomatonListener.none());
@@ -57,22 +71,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    casts.observe(
-        event,
-        new Casts.Listener() {
-          @Override
-          public void entered(CastRecord cast, RobotId robot) {
-            // After the interval the message is forgotten next.
-            if (event.timeNs() <= cast.deadlineNs) {
-              enter(event, cast, robot, report);
-            }
-          }
-
-          @Override
-          public void over(CastRecord cast) {
-            instance(cast.source).reduce(s -> without(cast.id, s));
-          }
-        });
+    casts.observe(event, report);
     super.observe(event, report);
   }
 
@@ -91,11 +90,13 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
       case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> {
         String m = action.args().get(0);
         long bound = Long.parseLong(action.args().get(2));
-        step(action, new GeocastAction.do_geocast(m, new Area(m), bound), replay, report);
+        CastRecord cast = casts.of(action);
+        Area area = cast == null || !cast.isEverywhere() ? new Area(m) : Area.EVERYWHERE;
+        step(action, new GeocastAction.do_geocast(m, area, bound), replay, report);
       }
       case GeocastTrace.DELIVER -> {
         CastRecord cast = casts.of(action);
-        if (cast != null && !cast.hasSeen(i)) {
+        if (cast != null && !cast.isEverywhere() && !cast.bodies.hasSeen(i)) {
           enter(action, cast, i, report);
         }
         step(action, new GeocastAction.deliver(action.args().get(0), i), replay, report);

@@ -1,5 +1,6 @@
 package org.starl.primitives.geocast;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -50,6 +51,9 @@ public final class GeocastSpec extends LemmaMonitor {
   /** The geocast of which each robot's next broadcast datagram is a copy. */
   private final Map<RobotId, CastRecord> announced = new TreeMap<>();
 
+  /** The geocast of each datagram that is a copy, until its interval is over. */
+  private final Map<Copy, CastRecord> copies = new LinkedHashMap<>();
+
   /** For a world without clock skew, and with position errors below 50 mm. */
   public GeocastSpec() {
     this(50, GeocastSettings.DEFAULT);
@@ -72,7 +76,7 @@ public final class GeocastSpec extends LemmaMonitor {
     this.positionErrorMm = positionErrorMm;
     this.settings = settings;
     this.delayNs = delayNs;
-    casts = new Casts(2 * positionErrorMm);
+    casts = new Casts(2 * positionErrorMm, this::judge);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
     lemma(
@@ -91,7 +95,7 @@ public final class GeocastSpec extends LemmaMonitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    casts.observe(event, cast -> judge(cast, report));
+    casts.observe(event, report);
     faults.observe(event);
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
@@ -104,7 +108,7 @@ public final class GeocastSpec extends LemmaMonitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    casts.finish(endNs, cast -> judge(cast, report));
+    casts.finish(endNs, report);
   }
 
   private void acted(Action action, Report report) {
@@ -137,11 +141,10 @@ public final class GeocastSpec extends LemmaMonitor {
       return;
     }
     report.checked(ONCE);
-    if (!cast.holders.add(robot)) {
+    if (!cast.delivered(robot, action.timeNs())) {
       String detail = "delivers " + cast.id + " again";
       report.violated(ONCE, action.timeNs(), List.of(robot), detail);
     }
-    cast.deliveredNs.putIfAbsent(robot, action.timeNs());
   }
 
   private void sent(Sent sent, Report report) {
@@ -152,7 +155,9 @@ public final class GeocastSpec extends LemmaMonitor {
     CastRecord cast = announced.get(sent.robot());
     if (cast != null && sent.to().equals(EVERYONE) && sent.channel().equals(cast.source)) {
       announced.remove(sent.robot());
-      cast.copies.add(new Copy(sent.robot(), sent.seq()));
+      Copy copy = new Copy(sent.channel(), sent.robot(), sent.seq());
+      cast.copies.add(copy);
+      copies.put(copy, cast);
     }
   }
 
@@ -160,7 +165,7 @@ public final class GeocastSpec extends LemmaMonitor {
     CastRecord cast = casts.of(sent.channel(), MessageText.field(sent.message(), "id"));
     if (cast != null) {
       report.checked(ACKNOWLEDGED);
-      if (!cast.deliveredNs.containsKey(sent.robot())) {
+      if (!cast.hasDelivered(sent.robot())) {
         String detail = "acknowledges " + cast.id + ", which it has not delivered";
         report.violated(ACKNOWLEDGED, sent.timeNs(), List.of(sent.robot()), detail);
       }
@@ -168,24 +173,26 @@ public final class GeocastSpec extends LemmaMonitor {
   }
 
   private void reached(Delivered delivered) {
-    Copy copy = new Copy(delivered.from(), delivered.seq());
-    for (CastRecord cast : casts.active()) {
-      boolean inTime = delivered.timeNs() <= surelyOpenUntilNs(cast);
-      if (inTime && cast.source.equals(delivered.channel()) && cast.isCopy(copy)) {
-        cast.reached.add(delivered.robot());
-      }
+    CastRecord cast = copies.get(new Copy(delivered.channel(), delivered.from(), delivered.seq()));
+    // The numbers of an origin that has restarted begin again.
+    if (cast != null && !cast.originRestarted && delivered.timeNs() <= surelyOpenUntilNs(cast)) {
+      cast.reached(delivered.robot());
     }
   }
 
   private void judge(CastRecord cast, Report report) {
-    cast.deliveredNs.keySet().forEach(robot -> report.checked(EXCLUSION));
-    for (RobotId robot : cast.intruders()) {
-      String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
-      report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
+    cast.copies.forEach(copy -> copies.remove(copy, cast));
+    for (int n = cast.deliveries(); n > 0; n--) {
+      report.checked(EXCLUSION);
     }
+    cast.intruders()
+        .forEach((robot, timeNs) -> {
+          String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
+          report.violated(EXCLUSION, timeNs, List.of(robot), detail);
+        });
     for (RobotId robot : cast.required(reachesAll(cast))) {
       report.checked(INCLUSION);
-      if (!cast.deliveredNs.containsKey(robot)) {
+      if (!cast.hasDelivered(robot)) {
         String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);
         report.violated(INCLUSION, cast.deadlineNs, List.of(robot), detail);
       }

@@ -21,7 +21,7 @@ public record Place(SortedSet<String> areas) {
 
   /** This place, without {@code area}. */
   Place without(Area area) {
-    return new Place(Sets.remove(area.id(), areas));
+    return !areas.contains(area.id()) ? this : new Place(Sets.remove(area.id(), areas));
   }
 
   @Override

@@ -83,6 +83,23 @@ class GeocastConformanceTest {
   }
 
   @Test
+  void everyRobotIsEverywhereWithoutAMove() {
+    isAt("b", 5000);
+    acts(S, "a", "do_geocast", "a#1/1", "everywhere", String.valueOf(10 * S));
+    acts(2 * S, "b", "deliver", "a#1/1");
+    acts(3 * S, "c", "deliver", "a#1/1"); // its body is unknown
+    assertThat(details()).isEmpty();
+    assertThat(run.steps())
+        .containsExactly(
+            "dt(1000000000)",
+            "do_geocast(a#1/1, everywhere, 10000000000)",
+            "dt(1000000000)",
+            "deliver(a#1/1, b)",
+            "dt(1000000000)",
+            "deliver(a#1/1, c)");
+  }
+
+  @Test
   void deliveryToARobotOutsideTheAreaDeviates() {
     isAt("b", -2000);
     drives(0, "b", -2000, 500);
