@@ -3,6 +3,7 @@ package org.starl.id;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Iterator;
 import java.util.List;
 import java.util.TreeSet;
@@ -30,7 +31,12 @@ public final class Participants implements Iterable<RobotId> {
   }
 
   public boolean contains(RobotId id) {
-    return ids.contains(id);
+    return indexOf(id) >= 0;
+  }
+
+  /** The place of a robot in {@link #asList}; negative if it is not in the set. */
+  int indexOf(RobotId id) {
+    return Collections.binarySearch(ids, id);
   }
 
   /** The robot whose name in ASCII is these bytes, or null if it is not in the set. */
@@ -59,7 +65,7 @@ public final class Participants implements Iterable<RobotId> {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Participants that && ids.equals(that.ids);
+    return this == other || (other instanceof Participants that && ids.equals(that.ids));
   }
 
   @Override

@@ -71,7 +71,7 @@ final class GeocastProtocol<T> {
     long deadlineNs = Math.addExact(nowNs, dNs);
     var copy = new GeocastMessage.Copy<>(id, area, nowNs, deadlineNs, message);
     lastNumber++;
-    var cast = new Underway<>(copy, new GeocastReceipt(id), settings.firstResendNs());
+    var cast = new Underway<>(copy, new GeocastReceipt(id, deployment), settings.firstResendNs());
     underway.add(cast);
     port.broadcast(copy);
     return cast.receipt;
@@ -113,10 +113,12 @@ final class GeocastProtocol<T> {
   }
 
   private void copy(RobotId from, GeocastMessage.Copy<T> copy, long nowNs) {
-    GeocastId id = copy.id();
-    if (!id.origin().robot().equals(from)) {
+    ProcessId origin = copy.id().origin();
+    if (!origin.robot().equals(from)) {
       return;
     }
+    // All messages of a robot share the name in their headers: thousands of ids are kept.
+    GeocastId id = new GeocastId(new ProcessId(from, origin.inc()), copy.id().number());
     if (delivered.containsKey(id)) {
       port.acknowledge(from, new GeocastMessage.Ack<>(id));
       return;
@@ -140,8 +142,7 @@ final class GeocastProtocol<T> {
   private void acknowledged(RobotId from, GeocastId id) {
     for (int i = 0; i < underway.size(); i++) {
       Underway<T> cast = underway.get(i);
-      if (cast.copy.id().equals(id) && !cast.receipt.acknowledgedBy().contains(from)) {
-        cast.receipt.acknowledged(from);
+      if (cast.copy.id().equals(id) && cast.receipt.acknowledged(from)) {
         if (deployment.contains(from)) {
           cast.deploymentAcks++;
         }

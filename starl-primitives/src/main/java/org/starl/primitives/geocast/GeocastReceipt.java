@@ -1,19 +1,20 @@
 package org.starl.primitives.geocast;
 
-import java.util.Collections;
 import java.util.SortedSet;
-import java.util.TreeSet;
+import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.id.RobotSet;
 
 /** The origin's knowledge of one of its geocasts. Strand only. */
 public final class GeocastReceipt {
 
   private final GeocastId id;
-  private final SortedSet<RobotId> acknowledgedBy = new TreeSet<>();
+  private final RobotSet acknowledgedBy;
   private boolean complete;
 
-  GeocastReceipt(GeocastId id) {
+  GeocastReceipt(GeocastId id, Participants deployment) {
     this.id = id;
+    acknowledgedBy = new RobotSet(deployment);
   }
 
   public GeocastId id() {
@@ -25,13 +26,19 @@ public final class GeocastReceipt {
     return complete;
   }
 
-  /** The robots that have certainly delivered, sorted; others may have delivered, too. */
+  /** The robots that have certainly delivered by now, sorted; others may have delivered, too. */
   public SortedSet<RobotId> acknowledgedBy() {
-    return Collections.unmodifiableSortedSet(acknowledgedBy);
+    return acknowledgedBy.sorted();
   }
 
-  void acknowledged(RobotId robot) {
-    acknowledgedBy.add(robot);
+  /** Adds the robots that have certainly delivered by now to {@code robots}. */
+  public void addAcknowledgedBy(RobotSet robots) {
+    robots.addAll(acknowledgedBy);
+  }
+
+  /** Returns whether it is the robot's first acknowledgement. */
+  boolean acknowledged(RobotId robot) {
+    return acknowledgedBy.add(robot);
   }
 
   void complete() {

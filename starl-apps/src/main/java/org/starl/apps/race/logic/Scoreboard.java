@@ -6,7 +6,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.id.RobotSet;
 import org.starl.platform.Timer;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastReceipt;
@@ -48,16 +50,20 @@ public final class Scoreboard {
     private @Nullable Claim best;
 
     /** The robots that certainly know the best claim, or a better one. */
-    private final Set<RobotId> informed = new TreeSet<>();
+    private final RobotSet informed;
 
     private @Nullable GeocastReceipt cast;
 
     /** Until then this robot leaves the announcement of the best claim to others. */
     private long quietUntilNs;
 
+    Entry(Participants deployment) {
+      informed = new RobotSet(deployment);
+    }
+
     void learnAcknowledgements() {
       if (cast != null) {
-        informed.addAll(cast.acknowledgedBy());
+        cast.addAcknowledgedBy(informed);
       }
     }
 
@@ -76,7 +82,7 @@ public final class Scoreboard {
   Scoreboard(GlobalVarHolder gvh, String xid, List<RacePoint> points) {
     this.gvh = gvh;
     this.points = List.copyOf(points);
-    points.forEach(point -> entries.add(new Entry()));
+    points.forEach(point -> entries.add(new Entry(gvh.id.participants())));
     RaceMessage.Wire wire = new RaceMessage.Wire(points.size());
     broadcast = new Broadcast<>(gvh, xid, wire, this::heard, SETTINGS);
     rng = gvh.plat.entropy.fork("scoreboard");
@@ -131,8 +137,7 @@ public final class Scoreboard {
       return Set.of();
     }
     entry.learnAcknowledgements();
-    Set<RobotId> missing = new TreeSet<>(gvh.id.participants().asList());
-    missing.removeAll(entry.informed);
+    Set<RobotId> missing = entry.informed.missing();
     missing.remove(gvh.id.name());
     return missing;
   }

@@ -63,7 +63,8 @@ final class Records {
 
   /** The claim on {@code point} that {@code robot} knows, or null. */
   @Nullable Claim claim(RobotId robot, int point) {
-    return claims.getOrDefault(robot, new TreeMap<>()).get(point);
+    SortedMap<Integer, Claim> known = claims.get(robot);
+    return known == null ? null : known.get(point);
   }
 
   /** Whether a robot that is up knows a winner of {@code point}. */
