@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.starl.comms.Ack;
 import org.starl.comms.Comms;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
@@ -17,7 +18,11 @@ import org.starl.gvh.Variables;
 import org.starl.gvh.Wait;
 import org.starl.motion.Gps;
 import org.starl.motion.MotionController;
+import org.starl.motion.MotionFact;
 import org.starl.platform.Platform;
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
 
 /**
  * The global variable holder {@code gvh} (paper, section 2 and Figure 1): an app and its primitives
@@ -25,6 +30,10 @@ import org.starl.platform.Platform;
  * hardware; only the {@link Platform} differs. Strand only.
  */
 public final class GlobalVarHolder {
+
+  /** What a reader of traces needs for what every robot has. */
+  public static final Vocabulary VOCABULARY =
+      MotionFact.VOCABULARY.and(LightControl.VOCABULARY).messages(Ack.CHANNEL, Ack.SHAPE);
 
   public final Identity id;
   public final Comms comms;
@@ -54,9 +63,22 @@ public final class GlobalVarHolder {
         new Plat(new MotionController(platform, gps, log, trace, variables), platform, variables);
   }
 
-  /** Adds a variable to the gvh. The returned cell is the only way to write it. */
-  public <T> GvhCell<T> variable(String source, String name, T initial) {
-    return variables.variable(source, name, initial);
+  /**
+   * Adds a variable of the app to the gvh. The returned cell is the only way to write it.
+   *
+   * @throws IllegalStateException if the app has a variable of this name already
+   */
+  public <T> GvhCell<T> variable(Var<T> declaration, T initial) {
+    return variable(Instance.APP, declaration, initial);
+  }
+
+  /**
+   * Adds a variable of a primitive to the gvh. The returned cell is the only way to write it.
+   *
+   * @throws IllegalStateException if {@code source} has a variable of this name already
+   */
+  public <T> GvhCell<T> variable(Instance source, Var<T> declaration, T initial) {
+    return variables.variable(source, declaration, initial);
   }
 
   /**
@@ -65,7 +87,7 @@ public final class GlobalVarHolder {
    *
    * @throws IllegalStateException if {@code source} has variables already
    */
-  public void requireFirstInstance(String source) {
+  public void requireFirstInstance(Instance source) {
     for (GvhVariable<?> variable : variables.all()) {
       if (variable.source().equals(source)) {
         throw new IllegalStateException(source + ": this robot has this instance already");

@@ -1,10 +1,12 @@
 package org.starl;
 
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.Variables;
 import org.starl.platform.Light;
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
 
 /**
  * {@code gvh.plat.light}: the robot's light. From its first use its colour is the gvh variable {@code
@@ -12,18 +14,18 @@ import org.starl.platform.Light;
  */
 public final class LightControl {
 
-  /** The variable's source. */
-  public static final String SOURCE = "light";
+  /** The instance in the trace. */
+  public static final Instance SOURCE = Instance.of("light");
 
-  /** The variable's name. */
-  public static final String COLOUR = "colour";
+  /** The light's colour. */
+  public static final Var<LightColour> COLOUR = Var.of("colour", LightColour.SHAPE);
 
-  /** The variable's value while the light is off; else {@code #ff8800}. */
-  public static final String OFF = "off";
+  /** What a reader of traces needs. */
+  static final Vocabulary VOCABULARY = Vocabulary.NONE.variables(SOURCE.primitive(), COLOUR);
 
   private final Light light;
   private final Variables variables;
-  private @Nullable GvhCell<String> colour;
+  private @Nullable GvhCell<LightColour> colour;
 
   LightControl(Light light, Variables variables) {
     this.light = light;
@@ -39,12 +41,12 @@ public final class LightControl {
     if (rgb < 0 || rgb > Light.MAX_RGB) {
       throw new IllegalArgumentException("colour " + rgb + ": expected 0 to 0xFFFFFF");
     }
-    GvhCell<String> cell = colour;
+    GvhCell<LightColour> cell = colour;
     if (cell == null) {
-      cell = variables.variable(SOURCE, COLOUR, OFF);
+      cell = variables.variable(SOURCE, COLOUR, LightColour.OFF);
       colour = cell;
     }
-    cell.set(rgb == 0 ? OFF : String.format(Locale.ROOT, "#%06x", rgb));
+    cell.set(new LightColour(rgb));
     light.show(rgb);
   }
 

@@ -38,9 +38,9 @@ class LightControlTest {
     light.show(0xFF8800);
     GvhVariable<?> colour = variables.all().get(0);
     assertThat(colour.source() + "." + colour.name()).isEqualTo("light.colour");
-    assertThat(colour.get()).isEqualTo("#ff8800");
+    assertThat(colour.get()).isEqualTo(new LightColour(0xFF8800)).hasToString("#ff8800");
     light.off();
-    assertThat(colour.get()).isEqualTo("off");
+    assertThat(colour.get()).isEqualTo(LightColour.OFF).hasToString("off");
     assertThat(shown).containsExactly(0xFF8800, 0);
   }
 

@@ -7,6 +7,8 @@ import java.util.ServiceLoader;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.input.BadInput;
+import org.starl.primitives.monitor.PrimitiveVocabulary;
+import org.starl.trace.Vocabulary;
 
 /**
  * Makes an app's program for robots, without the simulator: a phone has nothing else. Two methods are
@@ -33,6 +35,14 @@ public interface AppFactory {
     SortedMap<String, String> defaults = new TreeMap<>();
     parameters().forEach(parameter -> defaults.put(parameter.key(), parameter.defaultValue()));
     return defaults;
+  }
+
+  /**
+   * The shapes of this app's messages, facts and variables, for readers of traces; without them a
+   * trace that is read has the app's own values as JSON.
+   */
+  default Vocabulary vocabulary(Request request) {
+    return PrimitiveVocabulary.ALL;
   }
 
   /**

@@ -4,8 +4,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
+import org.starl.trace.Vocabulary;
 
 /**
  * An app with its scenarios, for the command line. Three methods are enough: name, summary and
@@ -70,6 +72,14 @@ public interface Demo {
    */
   default Request varied(Request request) {
     return request;
+  }
+
+  /**
+   * The shapes of this app's messages, facts and variables, for readers of traces; without them a
+   * trace that is read has the app's own values as JSON.
+   */
+  default Vocabulary vocabulary(Request request) {
+    return PrimitiveVocabulary.ALL;
   }
 
   /** The simulator's default settings for this app. */

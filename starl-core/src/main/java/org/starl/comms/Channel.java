@@ -1,43 +1,56 @@
 package org.starl.comms;
 
 import java.nio.charset.StandardCharsets;
+import org.starl.shape.Shape;
+import org.starl.trace.Instance;
 
 /**
- * A stream of messages of one type: a primitive's name, the id of its instance, and the codec. Two
+ * A stream of messages of one type: a primitive's name, the id of its instance, and the shape. Two
  * instances of one primitive have different channels.
  */
 public final class Channel<T> {
 
-  private final String name;
-  private final Codec<T> codec;
+  private final Instance instance;
+  private final Shape<T> shape;
 
   /** The name on the wire. Robots that share a channel object share this array. */
   final byte[] wireName;
+
+  /** A channel of the app, for messages between robots. */
+  public static <T> Channel<T> of(String name, Shape<T> shape) {
+    return new Channel<>(Instance.APP.primitive(), name, shape);
+  }
 
   /**
    * @param primitive 1 to 31 letters, digits, {@code _}, {@code -} or {@code .}
    * @param instance likewise
    */
-  public Channel(String primitive, String instance, Codec<T> codec) {
+  public Channel(String primitive, String instance, Shape<T> shape) {
     check(primitive);
     check(instance);
-    this.name = primitive + "/" + instance;
-    this.codec = codec;
-    this.wireName = name.getBytes(StandardCharsets.US_ASCII);
+    this.instance = Instance.of(primitive, instance);
+    this.shape = shape;
+    this.wireName = this.instance.name().getBytes(StandardCharsets.US_ASCII);
   }
 
   /** The channel's name {@code primitive/instance}, as on the wire and in the trace. */
   public String name() {
-    return name;
+    return instance.name();
   }
 
-  public Codec<T> codec() {
-    return codec;
+  /** The instance of the primitive that it belongs to. */
+  public Instance instance() {
+    return instance;
+  }
+
+  /** How its messages are written. */
+  public Shape<T> shape() {
+    return shape;
   }
 
   @Override
   public String toString() {
-    return name;
+    return name();
   }
 
   /** Whether {@code name} is a valid channel name: two valid parts and a slash. */

@@ -4,14 +4,13 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.platform.Platform;
+import org.starl.shape.Shape;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
 /** Traces and logs datagrams, and counts dropped ones. */
 final class DatagramLog {
-
-  /** The channel of acknowledgements in the trace. Without a slash, it is not a channel's name. */
-  private static final String ACK = "ack";
 
   private final Platform platform;
   private final TraceSink trace;
@@ -28,23 +27,26 @@ final class DatagramLog {
 
   /** Traces a sent message; {@code to} is null for a broadcast. */
   void sent(@Nullable RobotId to, Channel<?> channel, long number, int bytes, Object message) {
-    traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
+    String receiver = to == null ? TraceEvent.Sent.ALL : to.name();
+    traceSent(receiver, channel.instance(), number, bytes, channel.shape(), message);
   }
 
   /** Traces a sent acknowledgement of message {@code order} of {@code to}. */
   void sentAcknowledgement(RobotId to, long order, long number, int bytes) {
-    traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
+    traceSent(to.name(), Ack.CHANNEL, number, bytes, Ack.SHAPE, new Ack(order));
   }
 
-  private void traceSent(String to, String channel, long number, int bytes, String message) {
-    trace.record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
+  private void traceSent(
+      String to, Instance channel, long number, int bytes, Shape<?> shape, Object message) {
+    trace.record(
+        new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, shape, message));
   }
 
   /** Traces a message that is passed to its handler. */
   void delivered(RobotId from, Channel<?> channel, long number, Object message) {
     trace.record(
         new TraceEvent.Delivered(
-            now(), platform.id(), from, channel.name(), number, message.toString()));
+            now(), platform.id(), from, channel.instance(), number, channel.shape(), message));
   }
 
   /**

@@ -6,6 +6,7 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.session.Session;
+import org.starl.shape.WireFormatException;
 import org.starl.trace.TraceSink;
 
 /** Receives datagrams: checks and counts them, and passes messages to their endpoints. */
@@ -236,7 +237,7 @@ final class DatagramReceiver implements Radio.Receiver {
   private <T> void deliver(OpenEndpoint<T> endpoint, Header header, RobotId from, long order) {
     T message;
     try {
-      message = endpoint.channel.codec().read(header.in);
+      message = endpoint.channel.shape().read(header.in);
       header.in.expectEnd();
     } catch (WireFormatException | IllegalArgumentException e) {
       drop(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());

@@ -2,6 +2,7 @@ package org.starl.comms;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.shape.WireWriter;
 
 /**
  * Writes datagrams (docs/wire-format.md) into one reused buffer: call {@link #begin}, then one
@@ -54,7 +55,7 @@ final class DatagramWriter {
       out.i64(order);
     }
     int payloadAt = out.length();
-    from.channel.codec().write(message, out);
+    from.channel.shape().write(message, out);
     int length = out.length();
     if (length > Header.MAX_BYTES) {
       out.shrink();

@@ -3,6 +3,7 @@ package org.starl.comms;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Radio;
 import org.starl.session.Session;
+import org.starl.shape.WireReader;
 
 /**
  * The header of a received datagram: its fields, and the positions of its names

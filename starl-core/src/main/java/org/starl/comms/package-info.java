@@ -4,8 +4,8 @@
  * and reliable unicast. An invalid datagram is counted and dropped; it never causes an exception in
  * an app.
  *
- * <p>May import: {@code org.starl} ids, {@code org.starl.platform}, {@code org.starl.time}, {@code
- * org.starl.trace}.
+ * <p>May import: {@code org.starl} ids, {@code org.starl.platform}, {@code org.starl.session}, {@code
+ * org.starl.shape}, {@code org.starl.time}, {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.comms;

@@ -28,4 +28,9 @@ public record Circle(Point center, double radiusMm) implements Region {
   public double depthMm(Point point) {
     return Math.max(0, radiusMm - center.distanceMm(point));
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -17,4 +17,9 @@ public record Everywhere() implements Region {
   public double depthMm(Point point) {
     return Double.POSITIVE_INFINITY;
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -10,4 +10,10 @@ public record ItemPosition(String name, Pose pose) {
   public Point at() {
     return pose.at();
   }
+
+  /** {@code goal@1000.0,0.0}: without the heading. */
+  @Override
+  public String toString() {
+    return name + "@" + pose.xMm() + "," + pose.yMm();
+  }
 }

@@ -17,4 +17,9 @@ public record Nowhere() implements Region {
   public double depthMm(Point point) {
     return 0;
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -74,4 +74,9 @@ public record Polygon(List<Point> vertices) implements Region {
     Point v = b.to().minus(b.from());
     return u.cross(v) == 0 && (u.dot(v) <= 0);
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -89,4 +89,9 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
     double dy = Math.min(point.yMm() - yMinMm, yMaxMm - point.yMm());
     return Math.max(0, Math.min(dx, dy));
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -47,4 +47,9 @@ public record Union(List<Region> parts) implements Region {
     }
     return best;
   }
+
+  @Override
+  public String toString() {
+    return RegionText.format(this);
+  }
 }

@@ -1,49 +1,75 @@
 package org.starl.gvh;
 
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
+
 /**
- * The writable side of a {@link GvhVariable}: its owner keeps the cell private and publishes the
- * variable.
+ * The right to write a variable of the gvh. Its owner keeps the cell private and publishes the {@link
+ * #variable}, which nobody else can write.
  */
-public final class GvhCell<T> implements GvhVariable<T> {
+public final class GvhCell<T> {
 
   private final Trace trace;
-  private final String source;
-  private final String name;
-  private T value;
+  private final Variable<T> variable;
 
-  GvhCell(Trace trace, String source, String name, T initial) {
+  GvhCell(Trace trace, Instance source, Var<T> declaration, T initial) {
     this.trace = trace;
-    this.source = source;
-    this.name = name;
-    this.value = initial;
-    trace.variable(source, name, initial);
+    this.variable = new Variable<>(source, declaration, initial);
+    trace.variable(source, declaration, initial);
   }
 
-  @Override
+  /** What others may read. */
+  public GvhVariable<T> variable() {
+    return variable;
+  }
+
   public T get() {
-    return value;
+    return variable.value;
   }
 
   /** Sets the value; the trace records it if it differs from the previous one. */
   public void set(T newValue) {
-    if (newValue != value && !newValue.equals(value)) {
-      value = newValue;
-      trace.variable(source, name, newValue);
+    if (newValue != variable.value && !newValue.equals(variable.value)) {
+      variable.value = newValue;
+      trace.variable(variable.source, variable.declaration, newValue);
     }
   }
 
   @Override
-  public String source() {
-    return source;
-  }
-
-  @Override
-  public String name() {
-    return name;
-  }
-
-  @Override
   public String toString() {
-    return source + "." + name + "=" + value;
+    return variable.toString();
+  }
+
+  /** What others hold: it cannot be written. */
+  static final class Variable<T> implements GvhVariable<T> {
+    private final Instance source;
+    final Var<T> declaration;
+    private T value;
+
+    private Variable(Instance source, Var<T> declaration, T initial) {
+      this.source = source;
+      this.declaration = declaration;
+      this.value = initial;
+    }
+
+    @Override
+    public T get() {
+      return value;
+    }
+
+    @Override
+    public Instance source() {
+      return source;
+    }
+
+    @Override
+    public String name() {
+      return declaration.name();
+    }
+
+    @Override
+    public String toString() {
+      return source + "." + declaration + "=" + value;
+    }
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.gvh;
 
+import org.starl.trace.Instance;
+
 /**
  * A single-writer, multi-reader variable of the gvh (paper, section 2): the primitive that owns it
  * writes it, the app reads it, the trace records each change. Where the paper has null or fail, the
@@ -9,8 +11,8 @@ public interface GvhVariable<T> {
 
   T get();
 
-  /** The primitive and its instance, as in {@code mutex/crossing}. */
-  String source();
+  /** The app, or the primitive's instance, as in {@code mutex/crossing}. */
+  Instance source();
 
   /** The paper's spelling, as in {@code crit}. */
   String name();

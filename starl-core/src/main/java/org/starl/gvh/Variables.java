@@ -3,6 +3,8 @@ package org.starl.gvh;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
 
 /** All variables of one robot's gvh, in the order in which they were made. Strand only. */
 public final class Variables {
@@ -15,10 +17,26 @@ public final class Variables {
     this.trace = trace;
   }
 
-  /** A new variable, and the right to write it. */
-  public <T> GvhCell<T> variable(String source, String name, T initial) {
-    GvhCell<T> cell = new GvhCell<>(trace, source, name, initial);
-    all.add(cell);
+  /**
+   * A new variable, and the right to write it.
+   *
+   * @throws IllegalStateException if it has a writer already
+   */
+  public <T> GvhCell<T> variable(Instance source, Var<T> declaration, T initial) {
+    for (GvhVariable<?> other : all) {
+      if (other instanceof GvhCell.Variable<?> known
+          && known.name().equals(declaration.name())
+          && known.source().equals(source)) {
+        throw new IllegalStateException(
+            "variable "
+                + (source + "." + declaration)
+                + (", declared at " + declaration.place())
+                + (": it has a writer already, by the declaration at " + known.declaration.place())
+                + "; expected one writer");
+      }
+    }
+    GvhCell<T> cell = new GvhCell<>(trace, source, declaration, initial);
+    all.add(cell.variable());
     return cell;
   }
 

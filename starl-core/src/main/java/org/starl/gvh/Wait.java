@@ -2,6 +2,7 @@ package org.starl.gvh;
 
 import java.util.List;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 
 /**
  * What one part of a robot waits for, or holds: for people who ask why a run does not end.
@@ -10,7 +11,7 @@ import org.starl.id.RobotId;
  * @param what in words: {@code requests [A, C]; answers missing}
  * @param on the robots that must act first; empty if it waits for none
  */
-public record Wait(String source, String what, List<RobotId> on) {
+public record Wait(Instance source, String what, List<RobotId> on) {
 
   public Wait {
     on = List.copyOf(on);

@@ -3,7 +3,8 @@
  * org.starl.gvh.GvhVariable}, a variable that one owner writes and everybody on the robot reads,
  * and {@code gvh.log} and {@code gvh.trace}. Strand only.
  *
- * <p>May import: {@code org.starl.id}, {@code org.starl.platform}, {@code org.starl.trace}.
+ * <p>May import: {@code org.starl.id}, {@code org.starl.platform}, {@code org.starl.shape},
+ * {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.gvh;

@@ -1,9 +1,12 @@
 package org.starl.motion;
 
 import org.starl.gvh.GvhVariable;
+import org.starl.trace.Instance;
 
 /** {@code currentlocation}: computed when it is read, so that a fix allocates nothing. */
 record LocationVariable(Gps gps) implements GvhVariable<Location> {
+
+  private static final Instance GPS = Instance.of("gps");
 
   @Override
   public Location get() {
@@ -11,8 +14,8 @@ record LocationVariable(Gps gps) implements GvhVariable<Location> {
   }
 
   @Override
-  public String source() {
-    return "gps";
+  public Instance source() {
+    return GPS;
   }
 
   @Override

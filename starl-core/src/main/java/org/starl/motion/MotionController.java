@@ -14,7 +14,6 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
@@ -25,6 +24,7 @@ import org.starl.platform.Clock;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * {@code gvh.plat.moat}: drives the robot to a target (paper, section 4.1). Strand only.
@@ -37,7 +37,7 @@ import org.starl.random.Rng;
  */
 public final class MotionController {
 
-  private static final String SOURCE = "motion";
+  private static final Instance SOURCE = MotionFact.SOURCE;
 
   private final Gps gps;
   private final Clock clock;
@@ -67,9 +67,9 @@ public final class MotionController {
     this.log = log;
     this.trace = trace;
     timer = platform.timers().timer(this::tick);
-    rng = platform.entropy().fork(SOURCE);
-    task = variables.variable(SOURCE, "(target, avoid)", new MotionTask.None());
-    motionflag = variables.variable(SOURCE, "motionflag", MotionFlag.IDLE);
+    rng = platform.entropy().fork(SOURCE.name());
+    task = variables.variable(SOURCE, MotionFact.TASK, new MotionTask.None());
+    motionflag = variables.variable(SOURCE, MotionFact.FLAG, MotionFlag.IDLE);
     chassis.onBump(this::bumpsChanged);
     // A restarted program must not continue with the speed of the one before.
     chassis.drive(WheelCommand.STOP);
@@ -88,9 +88,7 @@ public final class MotionController {
    * any earlier command. The target's heading is ignored.
    */
   public void doMove(ItemPosition target, Region avoid) {
-    if (trace.isOn()) {
-      trace.action(SOURCE, "doMove", MotionTask.text(target), RegionText.format(avoid));
-    }
+    record(new MotionFact.doMove(target, avoid));
     begin(
         new MotionTask.GoTo(target, avoid),
         MotionRun.goTo(target.at(), avoid, retreatAvoid, parameters, rng, clock.nowNs()));
@@ -98,7 +96,7 @@ public final class MotionController {
 
   /** Turns on the spot until the robot faces {@code target}, replacing any earlier command. */
   public void turnTo(ItemPosition target) {
-    trace.action(SOURCE, "turnTo", MotionTask.text(target));
+    record(new MotionFact.turnTo(target));
     begin(
         new MotionTask.TurnTo(target),
         MotionRun.turnTo(target.at(), retreatAvoid, parameters, rng, clock.nowNs()));
@@ -110,8 +108,8 @@ public final class MotionController {
    * app, which reads {@link #bumps}.
    */
   public void doDrive(WheelCommand command) {
-    if (!command.equals(commanded) && trace.isOn()) {
-      trace.action(SOURCE, "doDrive", command.linearMmPerS(), command.angularRadPerS());
+    if (!command.equals(commanded)) {
+      record(new MotionFact.doDrive(command.linearMmPerS(), command.angularRadPerS()));
     }
     inUse = parameters;
     gps.assume(inUse);
@@ -131,7 +129,7 @@ public final class MotionController {
 
   /** Stops the wheels and cancels the motion. */
   public void motion_stop() {
-    trace.action(SOURCE, "motion_stop");
+    record(new MotionFact.motion_stop());
     run = null;
     timer.cancel();
     drive(WheelCommand.STOP);
@@ -151,16 +149,17 @@ public final class MotionController {
 
   /** Why the last motion failed, in words for people; empty if it did not. */
   public String failure() {
-    return run == null ? "" : run.failure();
+    MotionFailure why = run == null ? null : run.failure();
+    return why == null ? "" : why.toString();
   }
 
   public GvhVariable<MotionFlag> motionflag() {
-    return motionflag;
+    return motionflag.variable();
   }
 
   /** The pair {@code (target, avoid)} of the last command. */
   public GvhVariable<MotionTask> target() {
-    return task;
+    return task.variable();
   }
 
   /** Sets the parameters of the next motion; the current one keeps its own. */
@@ -188,6 +187,10 @@ public final class MotionController {
    */
   public void setRetreatAvoid(Supplier<Region> region) {
     retreatAvoid = region;
+  }
+
+  private void record(MotionFact fact) {
+    trace.action(SOURCE, MotionFact.SHAPE, fact);
   }
 
   private void begin(MotionTask newTask, MotionRun newRun) {
@@ -226,12 +229,13 @@ public final class MotionController {
   }
 
   private void reportEnd(MotionRun ended) {
-    if (ended.status() == MotionFlag.FAIL) {
-      log.i(SOURCE, "failed: " + ended.failure());
-      trace.action(SOURCE, "failed", ended.failure());
+    MotionFailure why = ended.failure();
+    if (why != null) {
+      log.i(SOURCE.name(), "failed: " + why);
+      record(new MotionFact.failed(why));
     } else if (trace.isOn()) {
       Pose at = gps.pose();
-      trace.action(SOURCE, "arrived", at.xMm(), at.yMm(), gps.errorMm());
+      record(new MotionFact.arrived(at.xMm(), at.yMm(), gps.errorMm()));
     }
   }
 

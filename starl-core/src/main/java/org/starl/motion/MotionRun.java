@@ -23,11 +23,6 @@ import org.starl.random.Rng;
  */
 final class MotionRun {
 
-  /** The body does not do what it is told: it was carried, or its wheels slip or are stuck. */
-  private static final String CONTRADICTED = "fixes contradict the commands";
-
-  private static final String BUMPED = "bumped into something";
-
   private final Point target;
   private final MotionParameters p;
   private final MotionAutomaton automaton;
@@ -38,7 +33,7 @@ final class MotionRun {
   private final long startNs;
 
   private MotionFlag status = MotionFlag.MOVING;
-  private String failure = "";
+  private @Nullable MotionFailure failure;
   private long lastStepNs;
   private long lastCertainNs;
   private long deadlineNs = Long.MAX_VALUE;
@@ -79,7 +74,7 @@ final class MotionRun {
     MotionAutomaton automaton = MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
     MotionRun run = new MotionRun(target, avoid, retreatAvoid, p, automaton, nowNs);
     if (run.guard.forbids(target)) {
-      run.fail("the target is in the region to avoid");
+      run.fail(MotionFailure.TARGET_FORBIDDEN);
     }
     return run;
   }
@@ -98,8 +93,8 @@ final class MotionRun {
     return automaton.state();
   }
 
-  /** Why it failed, in words; empty if it did not. */
-  String failure() {
+  /** Why it failed; null if it did not. */
+  @Nullable MotionFailure failure() {
     return failure;
   }
 
@@ -144,14 +139,15 @@ final class MotionRun {
       return WheelCommand.STOP;
     }
     if (status == MotionFlag.MOVING && nowNs >= deadlineNs) {
-      return fail(automaton.goesOnAfterBump() ? BUMPED : "too slow");
+      return fail(automaton.goesOnAfterBump() ? MotionFailure.BUMPED : MotionFailure.TOO_SLOW);
     }
     if (!(location instanceof Location.Known at)) {
-      return waitForFix(nowNs - startNs, "no position fix");
+      return waitForFix(nowNs - startNs, MotionFailure.NO_FIX);
     }
     if (at.errorMm() > p.maxErrorMm()) {
       return waitForFix(
-          nowNs - lastCertainNs, isContradicted ? CONTRADICTED : "the position is too uncertain");
+          nowNs - lastCertainNs,
+          isContradicted ? MotionFailure.CONTRADICTED : MotionFailure.UNCERTAIN);
     }
     lastCertainNs = nowNs;
     if (deadlineNs == Long.MAX_VALUE) {
@@ -160,17 +156,17 @@ final class MotionRun {
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
       return waitForFix(
           Math.min(at.fixAgeNs(), nowNs - startNs),
-          isContradicted ? CONTRADICTED : "no position fix");
+          isContradicted ? MotionFailure.CONTRADICTED : MotionFailure.NO_FIX);
     }
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
     if (automaton.status() == MotionFlag.FAIL) {
-      return fail(BUMPED);
+      return fail(MotionFailure.BUMPED);
     }
     if (status == MotionFlag.MOVING) {
       status = automaton.status();
     }
     return status == MotionFlag.MOVING && updateWatch(at)
-        ? fail(automaton.goesOnAfterBump() ? BUMPED : "no progress")
+        ? fail(automaton.goesOnAfterBump() ? MotionFailure.BUMPED : MotionFailure.NO_PROGRESS)
         : keepOut(guardOf(wanted).limit(wanted, at, bumps, lingering), wanted, nowNs);
   }
 
@@ -188,7 +184,7 @@ final class MotionRun {
     return retreatGuard;
   }
 
-  private WheelCommand waitForFix(long sinceNs, String why) {
+  private WheelCommand waitForFix(long sinceNs, MotionFailure why) {
     return sinceNs >= p.failFixAgeMs() * NS_PER_MS && status == MotionFlag.MOVING
         ? fail(why)
         : WheelCommand.STOP;
@@ -219,10 +215,10 @@ final class MotionRun {
       heldBack = false;
       return WheelCommand.STOP;
     }
-    return fail(wanted.linearMmPerS() < 0 ? BUMPED : "the region to avoid is in the way");
+    return fail(wanted.linearMmPerS() < 0 ? MotionFailure.BUMPED : MotionFailure.IN_THE_WAY);
   }
 
-  private WheelCommand fail(String why) {
+  private WheelCommand fail(MotionFailure why) {
     status = MotionFlag.FAIL;
     failure = why;
     return WheelCommand.STOP;

@@ -1,8 +1,12 @@
 package org.starl.motion;
 
+import static org.starl.shape.Shapes.part;
+
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
+import org.starl.shape.Geometry;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** The last motion command: the paper's pair {@code (target, avoid)}. */
 public sealed interface MotionTask {
@@ -19,7 +23,7 @@ public sealed interface MotionTask {
   record GoTo(ItemPosition target, Region avoid) implements MotionTask {
     @Override
     public String toString() {
-      return "(" + text(target) + ", " + RegionText.format(avoid) + ")";
+      return "(" + target + ", " + avoid + ")";
     }
   }
 
@@ -27,12 +31,19 @@ public sealed interface MotionTask {
   record TurnTo(ItemPosition target) implements MotionTask {
     @Override
     public String toString() {
-      return "face " + text(target);
+      return "face " + target;
     }
   }
 
-  /** A target as text in the trace: {@code name@x,y}. */
-  static String text(ItemPosition target) {
-    return target.name() + "@" + target.pose().xMm() + "," + target.pose().yMm();
-  }
+  /** Its shape. */
+  Shape<MotionTask> SHAPE =
+      Shapes.oneOf(
+          MotionTask.class,
+          Shapes.of(None.class, None::new),
+          Shapes.of(
+              GoTo.class,
+              part("target", Geometry.ITEM, GoTo::target),
+              part("avoid", Geometry.REGION, GoTo::avoid),
+              GoTo::new),
+          Shapes.of(TurnTo.class, part("target", Geometry.ITEM, TurnTo::target), TurnTo::new));
 }

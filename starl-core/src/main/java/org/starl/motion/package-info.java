@@ -21,8 +21,9 @@
  * PositionFilter}. {@link org.starl.motion.MotionController} and {@link org.starl.motion.Gps} connect
  * them to the ports.
  *
- * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.gvh}, {@code
- * org.starl.platform}, {@code org.starl.random}, {@code org.starl.time}.
+ * <p>May import: {@code org.starl} ids, {@code org.starl.body}, {@code org.starl.geometry}, {@code
+ * org.starl.gvh}, {@code org.starl.platform}, {@code org.starl.random}, {@code org.starl.shape},
+ * {@code org.starl.time}, {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.motion;

@@ -22,7 +22,6 @@ import org.starl.trace.TraceEvent.Sent;
 public final class Authentic extends LemmaMonitor {
 
   private static final String AUTHENTIC = "Authentic";
-  private static final String EVERYONE = "*";
 
   /** What each robot has sent since its latest start, by the datagrams' numbers. */
   private final Map<RobotId, Map<Long, Sent>> sent = new TreeMap<>();
@@ -82,7 +81,7 @@ public final class Authentic extends LemmaMonitor {
     return original != null
         && original.channel().equals(datagram.channel())
         && original.message().equals(datagram.message())
-        && (original.to().equals(EVERYONE) || original.to().equals(receiver.name()))
+        && (original.to().equals(Sent.ALL) || original.to().equals(receiver.name()))
         && original.timeNs() >= startedNs.getOrDefault(receiver, 0L);
   }
 }

@@ -3,6 +3,7 @@ package org.starl.spec;
 import java.util.List;
 import java.util.function.LongFunction;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 
 /**
  * The deadlines of one lemma, for each robot in each instance of a primitive: a {@link Within} that
@@ -31,7 +32,7 @@ public final class Deadlines extends Within<Deadlines.ProcessKey> {
    *
    * @param source the instance, as in the trace
    */
-  public record ProcessKey(String source, RobotId robot) {}
+  public record ProcessKey(Instance source, RobotId robot) {}
 
   public boolean isBounded() {
     return boundNs() != NO_BOUND;

@@ -3,6 +3,7 @@ package org.starl.spec;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -16,13 +17,13 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public abstract class InstanceMonitor<R> extends LemmaMonitor {
 
-  private Predicate<String> isInstance;
-  private final Map<String, R> instances = new TreeMap<>();
+  private Predicate<Instance> isInstance;
+  private final Map<Instance, R> instances = new TreeMap<>();
 
   /**
    * @param isInstance whether a source is an instance of the primitive
    */
-  protected InstanceMonitor(Predicate<String> isInstance) {
+  protected InstanceMonitor(Predicate<Instance> isInstance) {
     this.isInstance = isInstance;
   }
 
@@ -31,20 +32,20 @@ public abstract class InstanceMonitor<R> extends LemmaMonitor {
    * #companions} still check every instance.
    */
   public final InstanceMonitor<R> only(String xid) {
-    isInstance = isInstance.and(source -> source.substring(source.indexOf('/') + 1).equals(xid));
+    isInstance = isInstance.and(source -> source.xid().equals(xid));
     return this;
   }
 
   /** The state of an instance before its first event. */
-  protected abstract R begin(String source);
+  protected abstract R begin(Instance source);
 
   /** The state of instance {@code source}, created at the first call. */
-  protected final R instance(String source) {
+  protected final R instance(Instance source) {
     return instances.computeIfAbsent(source, this::begin);
   }
 
   /** All instances seen so far, in the order of their sources. */
-  protected final Map<String, R> instances() {
+  protected final Map<Instance, R> instances() {
     return instances;
   }
 

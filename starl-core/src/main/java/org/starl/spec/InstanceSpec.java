@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
@@ -24,7 +25,7 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
   /**
    * @param isInstance whether a source is an instance of the primitive
    */
-  protected InstanceSpec(Predicate<String> isInstance) {
+  protected InstanceSpec(Predicate<Instance> isInstance) {
     super(isInstance);
   }
 

@@ -63,12 +63,18 @@ public final class Monitors {
   /**
    * Processes the next event.
    *
-   * @throws IllegalStateException after {@link #finish}
+   * @throws IllegalStateException after {@link #finish}, or if a monitor throws: the message names
+   *     the monitor and the event, since the event's cause, often an app, is not at fault
    */
   public void observe(TraceEvent event) {
     requireRunning();
     for (Monitor monitor : monitors) {
-      monitor.observe(event, report);
+      try {
+        monitor.observe(event, report);
+      } catch (RuntimeException e) {
+        throw new IllegalStateException(
+            "the monitor " + monitor.getClass().getName() + " failed at " + event + ": " + e, e);
+      }
     }
   }
 

@@ -1,27 +1,23 @@
 package org.starl.spec;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 /** All robots at one time of a run: true bodies and traced variables. Read-only for requirements. */
 public final class RunState {
 
-  private record Key(RobotId robot, String source, String name) implements Comparable<Key> {
-    @Override
-    public int compareTo(Key other) {
-      int order = robot.compareTo(other.robot);
-      order = order == 0 ? source.compareTo(other.source) : order;
-      return order == 0 ? name.compareTo(other.name) : order;
-    }
-  }
+  private record Key(RobotId robot, Instance source, String name) {}
 
   private final Bodies bodies = new Bodies();
-  private final Map<Key, String> variables = new TreeMap<>();
+  private final Map<Key, Variable> variables = new LinkedHashMap<>();
   private long timeNs;
 
   RunState() {}
@@ -29,8 +25,7 @@ public final class RunState {
   void observe(TraceEvent event) {
     bodies.observe(event);
     if (event instanceof Variable variable) {
-      variables.put(
-          new Key(variable.robot(), variable.source(), variable.name()), variable.value());
+      variables.put(new Key(variable.robot(), variable.source(), variable.name()), variable);
     }
   }
 
@@ -58,12 +53,14 @@ public final class RunState {
     return bodies.radiusMm(robot);
   }
 
-  /**
-   * The latest traced value of a robot's variable, as text; empty before the first.
-   *
-   * @param source {@code app}, or a primitive and its instance: {@code mutex/crossing}
-   */
-  public String variable(RobotId robot, String source, String name) {
-    return variables.getOrDefault(new Key(robot, source, name), "");
+  /** The latest traced value of a variable of the robot's app; null before the first. */
+  public <T> @Nullable T variable(RobotId robot, Var<T> declaration) {
+    return variable(robot, Instance.APP, declaration);
+  }
+
+  /** The latest traced value of a variable of the robot; null before the first. */
+  public <T> @Nullable T variable(RobotId robot, Instance source, Var<T> declaration) {
+    Variable latest = variables.get(new Key(robot, source, declaration.name()));
+    return latest == null ? null : latest.of(declaration);
   }
 }

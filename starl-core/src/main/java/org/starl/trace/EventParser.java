@@ -6,16 +6,29 @@ import java.util.List;
 import java.util.Map;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Decimals;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
 
 /**
  * The inverse of {@link TraceCodec}. Reads components in the order of their records, which is their
- * order in the line. Events of one robot share its id.
+ * order in the line. Events share the ids of robots and instances.
  */
 final class EventParser {
 
+  private final Vocabulary vocabulary;
   private final Map<String, RobotId> robots = new HashMap<>();
+  private final Map<String, Instance> instances = new HashMap<>();
+  private final Map<String, Var<?>> variables = new HashMap<>();
+  private final Map<String, RecordShape<?>> unknown = new HashMap<>();
 
-  TraceHeader header(LineParser line) throws TraceFormatException {
+  EventParser(Vocabulary vocabulary) {
+    this.vocabulary = vocabulary;
+  }
+
+  TraceHeader header(JsonReader line) throws JsonFormatException {
     if (!line.take("{\"kind\":\"header\",\"format\":")) {
       throw line.expected("the header of a StarL trace");
     }
@@ -40,7 +53,7 @@ final class EventParser {
   }
 
   /** Reads the rest of the last line, after its time. */
-  TraceEnd traceEnd(LineParser line, long timeNs, long events) throws TraceFormatException {
+  TraceEnd traceEnd(JsonReader line, long timeNs, long events) throws JsonFormatException {
     line.expect(",\"events\":");
     if (!line.take(events + "}")) {
       throw line.expected(events + "}, the number of events above");
@@ -50,41 +63,39 @@ final class EventParser {
   }
 
   /** Reads the rest of an event's line, after its time. */
-  TraceEvent event(LineParser line, String kind, long timeNs) throws TraceFormatException {
+  TraceEvent event(JsonReader line, String kind, long timeNs) throws JsonFormatException {
     RobotId robot = robot(line, ",\"robot\":");
     TraceEvent event =
         switch (kind) {
-          case "action" ->
-              new TraceEvent.Action(
-                  timeNs,
-                  robot,
-                  line.text(",\"source\":"),
-                  line.text(",\"name\":"),
-                  line.texts(",\"args\":"));
-          case "variable" ->
-              new TraceEvent.Variable(
-                  timeNs,
-                  robot,
-                  line.text(",\"source\":"),
-                  line.text(",\"name\":"),
-                  line.text(",\"value\":"));
-          case "sent" ->
-              new TraceEvent.Sent(
-                  timeNs,
-                  robot,
-                  line.text(",\"to\":"),
-                  line.text(",\"channel\":"),
-                  line.number(",\"seq\":"),
-                  line.smallNumber(",\"bytes\":"),
-                  line.text(",\"message\":"));
-          case "delivered" ->
-              new TraceEvent.Delivered(
-                  timeNs,
-                  robot,
-                  robot(line, ",\"from\":"),
-                  line.text(",\"channel\":"),
-                  line.number(",\"seq\":"),
-                  line.text(",\"message\":"));
+          case "action" -> action(line, timeNs, robot);
+          case "variable" -> variable(line, timeNs, robot);
+          case "sent" -> {
+            String to = line.text(",\"to\":");
+            Instance channel = instance(line, ",\"channel\":");
+            Shape<?> shape = vocabulary.message(channel);
+            yield new TraceEvent.Sent(
+                timeNs,
+                robot,
+                to,
+                channel,
+                line.number(",\"seq\":"),
+                line.smallNumber(",\"bytes\":"),
+                shape,
+                value(line, ",\"message\":", shape));
+          }
+          case "delivered" -> {
+            RobotId from = robot(line, ",\"from\":");
+            Instance channel = instance(line, ",\"channel\":");
+            Shape<?> shape = vocabulary.message(channel);
+            yield new TraceEvent.Delivered(
+                timeNs,
+                robot,
+                from,
+                channel,
+                line.number(",\"seq\":"),
+                shape,
+                value(line, ",\"message\":", shape));
+          }
           case "dropped" ->
               new TraceEvent.Dropped(
                   timeNs, robot, line.text(",\"from\":"), line.text(",\"why\":"));
@@ -115,14 +126,50 @@ final class EventParser {
     return event;
   }
 
-  private static Pose pose(LineParser line) throws TraceFormatException {
+  private TraceEvent action(JsonReader line, long timeNs, RobotId robot)
+      throws JsonFormatException {
+    Instance source = instance(line, ",\"source\":");
+    String name = line.text(",\"fact\":{");
+    RecordShape<?> known = vocabulary.fact(source, name);
+    RecordShape<?> shape = known == null ? unknown(name) : known;
+    Object fact = value(line, ":", shape);
+    line.expect("}");
+    return new TraceEvent.Action(timeNs, robot, source, shape, fact);
+  }
+
+  private TraceEvent variable(JsonReader line, long timeNs, RobotId robot)
+      throws JsonFormatException {
+    Instance source = instance(line, ",\"source\":");
+    String name = line.text(",\"name\":");
+    Var<?> variable =
+        variables.computeIfAbsent(
+            source.primitive() + " " + name, key -> vocabulary.variable(source, name));
+    return new TraceEvent.Variable(
+        timeNs, robot, source, variable, value(line, ",\"value\":", variable.shape()));
+  }
+
+  private RecordShape<?> unknown(String name) {
+    return unknown.computeIfAbsent(name, RecordShape::unknown);
+  }
+
+  private static Object value(JsonReader line, String key, Shape<?> shape)
+      throws JsonFormatException {
+    line.expect(key);
+    return shape.readJson(line);
+  }
+
+  private Instance instance(JsonReader line, String key) throws JsonFormatException {
+    return instances.computeIfAbsent(line.text(key), Instance::named);
+  }
+
+  private static Pose pose(JsonReader line) throws JsonFormatException {
     return new Pose(
         line.decimal(",\"xMm\":", Decimals.MM),
         line.decimal(",\"yMm\":", Decimals.MM),
         line.decimal(",\"headingRad\":", Decimals.RAD));
   }
 
-  private RobotId robot(LineParser line, String key) throws TraceFormatException {
+  private RobotId robot(JsonReader line, String key) throws JsonFormatException {
     return robots.computeIfAbsent(line.robotName(key), RobotId::new);
   }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import org.starl.shape.JsonFormatException;
 
 /** Splits a stream into lines at {@code \n}; requires UTF-8 and a line end after the last line. */
 final class LineSource implements Closeable {
@@ -40,7 +41,7 @@ final class LineSource implements Closeable {
     while (true) {
       if (from == to && !fill()) {
         if (length > 0) {
-          throw new TraceFormatException(
+          throw new JsonFormatException(
               file, lineNumber + 1, "expected a whole line: the trace was cut off inside it");
         }
         return null;
@@ -70,10 +71,10 @@ final class LineSource implements Closeable {
     return to > 0;
   }
 
-  private void keep(int end) throws TraceFormatException {
+  private void keep(int end) throws JsonFormatException {
     int more = end - from;
     if (length + more > MAX_LINE_BYTES) {
-      throw new TraceFormatException(
+      throw new JsonFormatException(
           file, lineNumber + 1, "expected a line of at most " + MAX_LINE_BYTES + " bytes");
     }
     if (length + more > line.length) {
@@ -83,7 +84,7 @@ final class LineSource implements Closeable {
     length += more;
   }
 
-  private String decode() throws TraceFormatException {
+  private String decode() throws JsonFormatException {
     try {
       return StandardCharsets.UTF_8
           .newDecoder()
@@ -92,7 +93,7 @@ final class LineSource implements Closeable {
           .decode(ByteBuffer.wrap(line, 0, length))
           .toString();
     } catch (CharacterCodingException e) {
-      throw new TraceFormatException(file, lineNumber, "expected text in UTF-8");
+      throw new JsonFormatException(file, lineNumber, "expected text in UTF-8");
     }
   }
 }

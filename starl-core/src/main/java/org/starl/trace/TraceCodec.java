@@ -2,6 +2,9 @@ package org.starl.trace;
 
 import java.util.Map;
 import org.starl.geometry.Pose;
+import org.starl.shape.Decimals;
+import org.starl.shape.JsonWriter;
+import org.starl.shape.Shape;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
@@ -24,7 +27,7 @@ public final class TraceCodec {
 
   /** The line of {@code event}, without line end. */
   public static String line(TraceEvent event) {
-    LineBuffer out = new LineBuffer();
+    JsonWriter out = new JsonWriter();
     append(out, event);
     return out.textFrom(0);
   }
@@ -60,7 +63,7 @@ public final class TraceCodec {
         Decimals.round(pose.headingRad(), Decimals.RAD));
   }
 
-  static void append(LineBuffer out, TraceHeader header) {
+  static void append(JsonWriter out, TraceHeader header) {
     out.ascii("{\"kind\":\"header\",\"format\":");
     out.number(TraceHeader.FORMAT);
     text(out, ",\"starl\":", header.starl());
@@ -79,40 +82,41 @@ public final class TraceCodec {
     out.ascii('}');
   }
 
-  static void append(LineBuffer out, TraceEnd end) {
+  static void append(JsonWriter out, TraceEnd end) {
     number(out, "{\"kind\":\"end\",\"timeNs\":", end.timeNs());
     number(out, ",\"events\":", end.events());
     out.ascii('}');
   }
 
-  static void append(LineBuffer out, TraceEvent event) {
+  static void append(JsonWriter out, TraceEvent event) {
     out.ascii("{\"kind\":\"");
     out.ascii(kind(event));
     number(out, "\",\"timeNs\":", event.timeNs());
     text(out, ",\"robot\":", event.robot().name());
     switch (event) {
       case Action action -> {
-        text(out, ",\"source\":", action.source());
-        text(out, ",\"name\":", action.name());
-        texts(out, ",\"args\":[", action.args());
+        text(out, ",\"source\":", action.source().name());
+        text(out, ",\"fact\":{", action.shape().name());
+        json(out, ":", action.shape(), action.fact());
+        out.ascii('}');
       }
       case Variable variable -> {
-        text(out, ",\"source\":", variable.source());
+        text(out, ",\"source\":", variable.source().name());
         text(out, ",\"name\":", variable.name());
-        text(out, ",\"value\":", variable.value());
+        json(out, ",\"value\":", variable.variable().shape(), variable.value());
       }
       case Sent sent -> {
         text(out, ",\"to\":", sent.to());
-        text(out, ",\"channel\":", sent.channel());
+        text(out, ",\"channel\":", sent.channel().name());
         number(out, ",\"seq\":", sent.seq());
         number(out, ",\"bytes\":", sent.bytes());
-        text(out, ",\"message\":", sent.message());
+        json(out, ",\"message\":", sent.shape(), sent.message());
       }
       case Delivered delivered -> {
         text(out, ",\"from\":", delivered.from().name());
-        text(out, ",\"channel\":", delivered.channel());
+        text(out, ",\"channel\":", delivered.channel().name());
         number(out, ",\"seq\":", delivered.seq());
-        text(out, ",\"message\":", delivered.message());
+        json(out, ",\"message\":", delivered.shape(), delivered.message());
       }
       case Dropped dropped -> {
         text(out, ",\"from\":", dropped.from());
@@ -156,28 +160,34 @@ public final class TraceCodec {
     };
   }
 
-  private static void pose(LineBuffer out, Pose pose) {
+  private static void pose(JsonWriter out, Pose pose) {
     decimal(out, ",\"xMm\":", pose.xMm(), Decimals.MM);
     decimal(out, ",\"yMm\":", pose.yMm(), Decimals.MM);
     decimal(out, ",\"headingRad\":", pose.headingRad(), Decimals.RAD);
   }
 
-  private static void decimal(LineBuffer out, String key, double value, int decimals) {
+  private static void decimal(JsonWriter out, String key, double value, int decimals) {
     out.ascii(key);
     Decimals.append(out, value, decimals);
   }
 
-  private static void number(LineBuffer out, String key, long value) {
+  private static void number(JsonWriter out, String key, long value) {
     out.ascii(key);
     out.number(value);
   }
 
-  private static void text(LineBuffer out, String key, String value) {
+  private static void text(JsonWriter out, String key, String value) {
     out.ascii(key);
     out.string(value);
   }
 
-  private static void texts(LineBuffer out, String key, Iterable<?> values) {
+  @SuppressWarnings("unchecked") // an event has values of its shapes only
+  private static <T> void json(JsonWriter out, String key, Shape<T> shape, Object value) {
+    out.ascii(key);
+    shape.writeJson((T) value, out);
+  }
+
+  private static void texts(JsonWriter out, String key, Iterable<?> values) {
     out.ascii(key);
     String comma = "";
     for (Object value : values) {

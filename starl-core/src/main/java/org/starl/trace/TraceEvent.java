@@ -1,8 +1,13 @@
 package org.starl.trace;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
+import org.starl.shape.SumShape;
 
 /** An event of one robot. Times are in ns from the start of the run. */
 public sealed interface TraceEvent {
@@ -14,10 +19,12 @@ public sealed interface TraceEvent {
   /** This event at another time. */
   default TraceEvent at(long newTimeNs) {
     return switch (this) {
-      case Action e -> new Action(newTimeNs, e.robot, e.source, e.name, e.args);
-      case Variable e -> new Variable(newTimeNs, e.robot, e.source, e.name, e.value);
-      case Sent e -> new Sent(newTimeNs, e.robot, e.to, e.channel, e.seq, e.bytes, e.message);
-      case Delivered e -> new Delivered(newTimeNs, e.robot, e.from, e.channel, e.seq, e.message);
+      case Action e -> new Action(newTimeNs, e.robot, e.source, e.shape, e.fact);
+      case Variable e -> new Variable(newTimeNs, e.robot, e.source, e.variable, e.value);
+      case Sent e ->
+          new Sent(newTimeNs, e.robot, e.to, e.channel, e.seq, e.bytes, e.shape, e.message);
+      case Delivered e ->
+          new Delivered(newTimeNs, e.robot, e.from, e.channel, e.seq, e.shape, e.message);
       case Dropped e -> new Dropped(newTimeNs, e.robot, e.from, e.why);
       case Moved e -> new Moved(newTimeNs, e.robot, e.pose, e.linearMmPerS, e.angularRadPerS);
       case Joined e -> new Joined(newTimeNs, e.robot, e.pose, e.radiusMm);
@@ -28,32 +35,96 @@ public sealed interface TraceEvent {
   }
 
   /**
-   * An atomic action under its name in the paper and in PVS: {@code do_mutex}, {@code od_mutex},
+   * An atomic action, under its name in the paper and in PVS: {@code do_mutex}, {@code od_mutex},
    * {@code release}, {@code do_register}.
    *
-   * @param source {@code app}, or a primitive and its instance: {@code mutex/crossing}
+   * @param source the app, or an instance of a primitive
+   * @param shape of the fact
+   * @param fact what happened: a record. Monitors match its type
    */
-  record Action(long timeNs, RobotId robot, String source, String name, List<String> args)
-      implements TraceEvent {}
+  record Action(long timeNs, RobotId robot, Instance source, RecordShape<?> shape, Object fact)
+      implements TraceEvent {
 
-  /** A variable of the gvh, or another one that a specification reads, has a new value. */
-  record Variable(long timeNs, RobotId robot, String source, String name, String value)
-      implements TraceEvent {}
+    /** An action of this shape. */
+    public static <F> Action of(
+        long timeNs, RobotId robot, Instance source, RecordShape<F> shape, F fact) {
+      return new Action(timeNs, robot, source, shape, fact);
+    }
+
+    /** An action that is one of the records of a sum. */
+    public static <F> Action of(
+        long timeNs, RobotId robot, Instance source, SumShape<F> shape, F fact) {
+      return new Action(timeNs, robot, source, shape.caseOf(fact), fact);
+    }
+
+    /** The fact's name: {@code do_mutex}. */
+    public String name() {
+      return fact instanceof Note note ? note.name() : shape.name();
+    }
+
+    /** The values of the fact's parts: for people. */
+    public List<? extends Object> args() {
+      return fact instanceof Note note ? note.texts() : shape.values(fact);
+    }
+
+    /** The process that acted: the fact's first part, if that is a process of this robot. */
+    public @Nullable ProcessId process() {
+      return shape.first(fact) instanceof ProcessId id && id.robot().equals(robot) ? id : null;
+    }
+  }
+
+  /**
+   * A variable of the gvh, or another one that a specification reads, has a new value.
+   *
+   * @param source the app, or an instance of a primitive
+   */
+  record Variable(long timeNs, RobotId robot, Instance source, Var<?> variable, Object value)
+      implements TraceEvent {
+
+    /** The variable's name: {@code crit}. */
+    public String name() {
+      return variable.name();
+    }
+
+    /** The new value, if this is a change of {@code wanted}; else null. */
+    @SuppressWarnings("unchecked") // a variable has values of its type only
+    public <T> @Nullable T of(Var<T> wanted) {
+      return variable == wanted ? (T) value : null;
+    }
+  }
 
   /**
    * A message was passed to the radio.
    *
-   * @param to a robot, or {@code *} for a broadcast
+   * @param to a robot, or {@link #ALL} for a broadcast
    * @param seq its number among the datagrams of this robot's incarnation
-   * @param message the message as text; only monitors read it, by {@link MessageText}
+   * @param shape of the message
+   * @param message the message; monitors match its type
    */
   record Sent(
-      long timeNs, RobotId robot, String to, String channel, long seq, int bytes, String message)
-      implements TraceEvent {}
+      long timeNs,
+      RobotId robot,
+      String to,
+      Instance channel,
+      long seq,
+      int bytes,
+      Shape<?> shape,
+      Object message)
+      implements TraceEvent {
+
+    /** The receivers of a broadcast: all robots in range. */
+    public static final String ALL = "*";
+  }
 
   /** A message was passed to its handler on {@code robot}. */
   record Delivered(
-      long timeNs, RobotId robot, RobotId from, String channel, long seq, String message)
+      long timeNs,
+      RobotId robot,
+      RobotId from,
+      Instance channel,
+      long seq,
+      Shape<?> shape,
+      Object message)
       implements TraceEvent {}
 
   /**

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
+import org.starl.shape.JsonWriter;
 
 /**
  * Writes a run's trace: the header, one line per event, then the end. Buffers its output. Not
@@ -18,7 +19,7 @@ public final class TraceWriter implements TraceSink, Closeable {
   private static final int FLUSH_AT_BYTES = 1 << 15;
 
   private final OutputStream out;
-  private final LineBuffer buffer = new LineBuffer();
+  private final JsonWriter buffer = new JsonWriter();
   private long events;
   private boolean ended;
   private @Nullable IOException failure;

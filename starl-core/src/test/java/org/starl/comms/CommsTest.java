@@ -7,9 +7,14 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.shape.Geometry;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.testing.FakePlatform;
 import org.starl.testing.FakeWorld;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 class CommsTest {
@@ -410,8 +415,30 @@ class CommsTest {
 
     assertThat(world.trace)
         .containsExactly(
-            new TraceEvent.Sent(0, A, "b", "talk/1", 1, 40, "x"),
-            new TraceEvent.Delivered(1_000_000, B, A, "talk/1", 1, "x"));
+            new TraceEvent.Sent(0, A, "b", TALK.instance(), 1, 40, TALK.shape(), "x"),
+            new TraceEvent.Delivered(1_000_000, B, A, TALK.instance(), 1, TALK.shape(), "x"));
+  }
+
+  @Test
+  void theTraceHasTheMessagesAndAcknowledgementsThemselves() {
+    Channel<Point> places = Channel.of("places", Geometry.POINT);
+    Endpoint<Point> a = comms("a", 1).open(places, (from, place) -> {});
+    comms("b", 1).open(places, (from, place) -> heard.add(place.toString()));
+    Point place = new Point(1, 2);
+
+    a.sendReliably(B, place);
+    world.runMs(10);
+
+    assertThat(heard).containsExactly(place.toString());
+    assertThat(places.instance()).isEqualTo(Instance.of("app", "places"));
+    assertThat(world.trace)
+        .map(event ->
+            switch (event) {
+              case TraceEvent.Sent sent -> sent.message();
+              case TraceEvent.Delivered delivered -> delivered.message();
+              default -> event;
+            })
+        .containsExactly(place, place, new Ack(1));
   }
 
   @Test

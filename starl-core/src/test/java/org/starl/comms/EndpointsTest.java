@@ -9,6 +9,8 @@ import net.jqwik.api.Property;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.testing.FakeWorld;
 
 /** Channels that open and close between messages, against one slot a channel. */

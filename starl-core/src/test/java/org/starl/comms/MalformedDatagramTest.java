@@ -17,6 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.testing.FakeWorld;
 
 /** Whatever arrives, nothing is thrown, and nothing reaches a handler that its codec refuses. */

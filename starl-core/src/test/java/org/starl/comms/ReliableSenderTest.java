@@ -8,6 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class ReliableSenderTest {
 

@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.testing.FakeWorld;
 
 /** A datagram counts once, in its session, and only if its sender sealed it. */

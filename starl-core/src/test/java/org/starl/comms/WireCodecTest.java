@@ -16,6 +16,9 @@ import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class WireCodecTest {
 

@@ -14,6 +14,8 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.session.Session;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.testing.FakeWorld;
 
 /** {@code docs/wire-format.md} says what the code does. */

@@ -23,7 +23,7 @@ class AvoidGuardTest {
     MotionWorld world = new MotionWorld(1, MotionParameters.DEFAULT, new Pose(0, 0, 0));
     Region region = new Circle(new Point(1000, 0), 100);
     assertThat(world.goTo(new Point(800, 0), region, 0)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).contains("target is in the region");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.TARGET_FORBIDDEN);
     assertThat(world.command).isEqualTo(WheelCommand.STOP);
   }
 
@@ -32,7 +32,7 @@ class AvoidGuardTest {
     MotionWorld world = new MotionWorld(1, MotionParameters.DEFAULT, new Pose(0, 0, 0));
     Region region = new Circle(new Point(1000, 0), 100);
     assertThat(world.goTo(new Point(2000, 0), region, 20_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).contains("in the way");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.IN_THE_WAY);
     assertThat(world.command).isEqualTo(WheelCommand.STOP);
     assertThat(world.nearestToAvoidMm).isBetween(RADIUS_MM, RADIUS_MM + 20);
   }

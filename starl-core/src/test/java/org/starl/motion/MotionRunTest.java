@@ -35,7 +35,7 @@ class MotionRunTest {
     world.wallMm = 800;
     world.bumpSensorsWork = false;
     assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("no progress");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.NO_PROGRESS);
     assertThat(world.command).isEqualTo(WheelCommand.STOP);
     assertThat(world.seconds()).isLessThan(10);
   }
@@ -45,7 +45,7 @@ class MotionRunTest {
     MotionWorld world = world();
     world.wallMm = 800;
     assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("bumped into something");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.BUMPED);
     assertThat(world.seconds()).isLessThan(3);
   }
 
@@ -61,7 +61,7 @@ class MotionRunTest {
       double borderMm = contactMm - bodyMm - roomMm;
       world.retreatAvoid = () -> new Rectangle(-2000, -2000, borderMm, 2000);
       assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
-      assertThat(world.run().failure()).isEqualTo("bumped into something");
+      assertThat(world.run().failure()).isEqualTo(MotionFailure.BUMPED);
       double backMm = contactMm - world.truth.xMm();
       assertThat(backMm).as("room %s", roomMm).isBetween(Math.min(20, roomMm), roomMm);
       assertThat(backMm).isLessThan(110);
@@ -74,7 +74,7 @@ class MotionRunTest {
     world.mobility = 0;
     world.noiseMm = 20;
     assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("no progress");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.NO_PROGRESS);
   }
 
   @Test
@@ -89,7 +89,7 @@ class MotionRunTest {
     world.runFor(2_600);
     assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
     world.runFor(1_500);
-    assertThat(world.run().failure()).isEqualTo("no progress");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.NO_PROGRESS);
   }
 
   @Test
@@ -107,7 +107,7 @@ class MotionRunTest {
     assertThat(world.goTo(TARGET, new Nowhere(), longestMs - 100)).isEqualTo(MotionFlag.MOVING);
     world.idle(200);
     assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("too slow");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.TOO_SLOW);
     assertThat(world.command).isEqualTo(WheelCommand.STOP);
   }
 
@@ -131,7 +131,7 @@ class MotionRunTest {
     assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
     world.runFor(2_000);
     assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("fixes contradict the commands");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.CONTRADICTED);
   }
 
   @Test
@@ -145,7 +145,7 @@ class MotionRunTest {
     world.filter.fixed(new Fix(aside, world.nowNs, 1, 0), world.nowNs);
     world.runFor(5_000);
     assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("fixes contradict the commands");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.CONTRADICTED);
   }
 
   @Test
@@ -155,7 +155,7 @@ class MotionRunTest {
     world.filter.fixed(new Fix(world.truth, 0, 1_000, 0), 0);
     world.begin(TARGET, new Nowhere());
     world.runFor(5_000);
-    assertThat(world.run().failure()).isEqualTo("the position is too uncertain");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.UNCERTAIN);
   }
 
   @Test
@@ -178,7 +178,7 @@ class MotionRunTest {
     MotionWorld world = new MotionWorld(3, parameters, new Pose(0, 0, 0));
     world.wallMm = 800;
     assertThat(world.goTo(TARGET, new Nowhere(), 300_000)).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("bumped into something");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.BUMPED);
   }
 
   @Test
@@ -192,7 +192,7 @@ class MotionRunTest {
     assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
     world.runFor(2_000);
     assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
-    assertThat(world.run().failure()).isEqualTo("no position fix");
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.NO_FIX);
   }
 
   @Test

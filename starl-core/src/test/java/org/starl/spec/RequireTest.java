@@ -10,12 +10,14 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 class RequireTest {
 
@@ -24,6 +26,13 @@ class RequireTest {
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
   private static final Circle DOCK = new Circle(new Point(0, 0), 300);
+
+  private enum Mode {
+    IDLE,
+    BUSY
+  }
+
+  private static final Var<Mode> MODE = Var.of("mode", Mode.class);
 
   private static List<Violation> violations(Monitor monitor, long endNs, TraceEvent... events) {
     Monitors monitors = new Monitors(List.of(monitor));
@@ -125,15 +134,15 @@ class RequireTest {
   @Test
   void alwaysReportsTheMomentInWhichTheConditionBreaks() {
     Monitor monitor =
-        Require.always("L", "a is idle", state -> !state.variable(A, "app", "mode").equals("BUSY"));
+        Require.always("L", "a is idle", state -> state.variable(A, MODE) != Mode.BUSY);
     List<Violation> found =
         violations(
             monitor,
             4 * S,
             joined(0, A, 0),
-            new Variable(S, A, "app", "mode", "IDLE"),
-            new Variable(2 * S, A, "app", "mode", "BUSY"),
-            new Variable(3 * S, A, "app", "mode", "IDLE"));
+            new Variable(S, A, Instance.APP, MODE, Mode.IDLE),
+            new Variable(2 * S, A, Instance.APP, MODE, Mode.BUSY),
+            new Variable(3 * S, A, Instance.APP, MODE, Mode.IDLE));
     assertThat(found)
         .containsExactly(new Violation("L", 2 * S, List.of(A), "does not hold: a is idle"));
   }

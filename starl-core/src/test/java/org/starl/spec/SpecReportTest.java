@@ -7,6 +7,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 
 class SpecReportTest {
@@ -72,7 +74,7 @@ class SpecReportTest {
   @Test
   void monitorsSeeEveryEventAndTheEndOnce() {
     Monitors monitors = new Monitors(List.of(new EveryActionIs("go"), new EveryActionIs("stop")));
-    monitors.observe(new TraceEvent.Action(1, ONE, "app", "go", List.of()));
+    monitors.observe(said(1, "go"));
     monitors.finish(9);
 
     assertThat(monitors.lemmas()).containsExactly("go", "stop");
@@ -80,8 +82,7 @@ class SpecReportTest {
     assertThat(monitors.report().violations("go")).isZero();
     assertThat(monitors.report().violations("stop")).isEqualTo(1);
     assertThatThrownBy(() -> monitors.finish(9)).isInstanceOf(IllegalStateException.class);
-    assertThatThrownBy(
-            () -> monitors.observe(new TraceEvent.Action(9, ONE, "app", "go", List.of())))
+    assertThatThrownBy(() -> monitors.observe(said(9, "go")))
         .isInstanceOf(IllegalStateException.class);
   }
 
@@ -89,13 +90,13 @@ class SpecReportTest {
   void newViolationsAreReturnedOnce() {
     Monitors monitors = new Monitors(List.of(new EveryActionIs("go")));
     assertThat(monitors.newViolations()).isEmpty();
-    monitors.observe(new TraceEvent.Action(1, ONE, "app", "stop", List.of()));
-    monitors.observe(new TraceEvent.Action(2, ONE, "app", "halt", List.of()));
+    monitors.observe(said(1, "stop"));
+    monitors.observe(said(2, "halt"));
     assertThat(monitors.newViolations())
         .extracting(Violation::detail)
         .containsExactly("stop", "halt");
     assertThat(monitors.newViolations()).isEmpty();
-    monitors.observe(new TraceEvent.Action(3, ONE, "app", "stay", List.of()));
+    monitors.observe(said(3, "stay"));
     assertThat(monitors.newViolations()).extracting(Violation::detail).containsExactly("stay");
     assertThat(monitors.report().violations()).hasSize(3);
   }
@@ -126,6 +127,10 @@ class SpecReportTest {
 
     @Override
     public void observe(TraceEvent event, Report report) {}
+  }
+
+  private static TraceEvent said(long timeNs, String word) {
+    return TraceEvent.Action.of(timeNs, ONE, Instance.APP, Note.SHAPE, new Note(word, List.of()));
   }
 
   private record Companion(String name) implements Monitor {

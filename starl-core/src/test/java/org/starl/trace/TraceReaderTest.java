@@ -9,13 +9,27 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.geometry.Point;
+import org.starl.shape.Json;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.Shapes;
 
 class TraceReaderTest {
 
   private static final String HEADER =
-      "{\"kind\":\"header\",\"format\":1,\"starl\":\"0\",\"scenario\":\"s\",\"scenarioSeed\":1,"
+      "{\"kind\":\"header\",\"format\":2,\"starl\":\"0\",\"scenario\":\"s\",\"scenarioSeed\":1,"
           + "\"behaviourSeed\":2,\"settings\":{},\"robots\":[\"bot0\"]}\n";
   private static final String LEFT = "{\"kind\":\"left\",\"timeNs\":5,\"robot\":\"bot0\"}\n";
+  private static final String ACTION =
+      "{\"kind\":\"action\",\"timeNs\":5,\"robot\":\"bot0\",\"source\":\"lamp/x\",\"fact\":{";
+  private static final Vocabulary VOCABULARY =
+      Vocabulary.NONE.facts(
+          "lamp",
+          Shapes.of(
+              Point.class,
+              Shapes.part("xMm", Shapes.REAL, Point::xMm),
+              Shapes.part("yMm", Shapes.REAL, Point::yMm),
+              Point::new));
   private static final String START = "{\"kind\":\"joined\",\"timeNs\":0,\"robot\":\"bot0\",";
 
   @Test
@@ -38,8 +52,8 @@ class TraceReaderTest {
   void aFileThatIsNotATraceIsRefusedAtOnce() {
     assertThat(errorOf("")).startsWith("run.trace:1: ").contains("the header of a StarL trace");
     assertThat(errorOf("time,x,y\n")).contains("the header of a StarL trace");
-    assertThat(errorOf(HEADER.replace("\"format\":1,", "\"format\":2,")))
-        .contains("expected format 1, found 2,");
+    assertThat(errorOf(HEADER.replace("\"format\":2,", "\"format\":1,")))
+        .contains("expected format 2, found 1,");
     assertThat(errorOf(HEADER.replace("{}", "{\"a\":\"1\",\"a\":\"2\"}")))
         .contains("each key once");
   }
@@ -76,6 +90,26 @@ class TraceReaderTest {
   }
 
   @Test
+  void aKnownFactMustHaveItsShape() {
+    assertThat(errorOf(HEADER + ACTION + "\"Point\":{\"xMm\":1.0,\"zMm\":2.0}}}\n"))
+        .isEqualTo("run.trace:2: column 88: expected ,\"yMm\":, found ,\"zMm\":2.0}}}");
+    assertThat(errorOf(HEADER + ACTION + "\"Point\":{\"xMm\":one,\"yMm\":2.0}}}\n"))
+        .startsWith("run.trace:2: column 85: expected a number, found one,");
+  }
+
+  @Test
+  void anUnknownFactIsReadAsJson() throws IOException {
+    String line = ACTION + "\"glow\":{\"lux\":[1,\"a\"]}}}\n";
+    try (TraceReader reader = reader((HEADER + line).getBytes(StandardCharsets.UTF_8))) {
+      TraceEvent.Action action = (TraceEvent.Action) reader.next();
+      assertThat(action).isNotNull();
+      assertThat(action.name()).isEqualTo("glow");
+      assertThat(action.fact()).isEqualTo(new Json("{\"lux\":[1,\"a\"]}"));
+      assertThat(TraceCodec.line(action) + "\n").isEqualTo(line);
+    }
+  }
+
+  @Test
   void nothingFollowsTheEnd() {
     String end = "{\"kind\":\"end\",\"timeNs\":5,\"events\":1}\n";
     assertThat(errorOf(HEADER + LEFT + end + LEFT))
@@ -106,8 +140,8 @@ class TraceReaderTest {
   }
 
   private static String errorOf(byte[] bytes) {
-    TraceFormatException error =
-        catchThrowableOfType(TraceFormatException.class, () -> readAll(bytes));
+    JsonFormatException error =
+        catchThrowableOfType(JsonFormatException.class, () -> readAll(bytes));
     assertThat(error).as("nothing was wrong").isNotNull();
     return String.valueOf(error.getMessage());
   }
@@ -122,6 +156,6 @@ class TraceReaderTest {
   }
 
   private static TraceReader reader(byte[] bytes) throws IOException {
-    return new TraceReader("run.trace", new ByteArrayInputStream(bytes));
+    return new TraceReader("run.trace", new ByteArrayInputStream(bytes), VOCABULARY);
   }
 }

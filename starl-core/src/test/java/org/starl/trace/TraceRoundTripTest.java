@@ -29,7 +29,12 @@ class TraceRoundTripTest {
       @ForAll("headers") TraceHeader header, @ForAll("runs") List<TraceEvent> events)
       throws IOException {
     byte[] bytes = write(header, events);
-    try (TraceReader reader = new TraceReader("run.trace", new ByteArrayInputStream(bytes))) {
+    Vocabulary vocabulary = Vocabulary.NONE;
+    for (TraceEvent event : events) {
+      vocabulary = vocabulary.with(event);
+    }
+    try (TraceReader reader =
+        new TraceReader("run.trace", new ByteArrayInputStream(bytes), vocabulary)) {
       assertThat(reader.header()).isEqualTo(header);
       assertThat(new ArrayList<>(reader.header().settings().keySet()))
           .isEqualTo(new ArrayList<>(header.settings().keySet()));
@@ -42,12 +47,13 @@ class TraceRoundTripTest {
   }
 
   @Property
-  void readingAndWritingGivesTheSameBytes(@ForAll("runs") List<TraceEvent> events)
+  void readingAndWritingGivesTheSameBytesWithoutAnyShape(@ForAll("runs") List<TraceEvent> events)
       throws IOException {
     TraceHeader header = new TraceHeader("0", "x", 1, 2, java.util.Map.of(), List.of());
     byte[] first = write(header, events);
     List<TraceEvent> again = new ArrayList<>();
-    try (TraceReader reader = new TraceReader("run.trace", new ByteArrayInputStream(first))) {
+    try (TraceReader reader =
+        new TraceReader("run.trace", new ByteArrayInputStream(first), Vocabulary.NONE)) {
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
         again.add(event);
       }

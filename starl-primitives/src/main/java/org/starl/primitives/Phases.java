@@ -33,20 +33,8 @@ public record Phases(
      * called for each of them, in their order.
      *
      * @param before the phase before
-     * @param name of the action or variable
-     * @param texts the arguments of the action, or the value of the variable
      */
-    String after(String before, String name, List<String> texts);
-
-    /** The phase after any event of the instance. */
-    default String after(String before, TraceEvent event) {
-      return switch (event) {
-        case TraceEvent.Action action -> after(before, action.name(), action.args());
-        case TraceEvent.Variable variable ->
-            after(before, variable.name(), List.of(variable.value()));
-        default -> before;
-      };
-    }
+    String after(String before, TraceEvent event);
   }
 
   public Phases {

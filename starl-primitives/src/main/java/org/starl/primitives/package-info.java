@@ -1,7 +1,7 @@
 /**
  * The primitives of the paper's section 4, one package each: its interface, its algorithm as a pure,
- * clock-driven protocol class, its messages with their codec, and its specification as monitors over
- * the trace. Each package's documentation is its contract: safety, progress with its bounds, and
+ * clock-driven protocol class, its messages and facts with their shapes, and its specification as
+ * monitors over the trace. Each package's documentation is its contract: safety, progress with its bounds, and
  * what it assumes.
  *
  * <p>An implementation keeps its invariants under every fault in its envelope; progress is best

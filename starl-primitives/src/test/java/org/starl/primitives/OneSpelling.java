@@ -2,11 +2,13 @@ package org.starl.primitives;
 
 import java.util.Arrays;
 import java.util.HexFormat;
-import org.starl.comms.Codec;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.platform.Radio;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.Shape;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** What every reader of a message's bytes must do with any bytes. */
 public final class OneSpelling {
@@ -26,7 +28,7 @@ public final class OneSpelling {
   }
 
   /** {@code input} is refused with a line, or is what {@code codec} writes for what it reads. */
-  public static <T> void require(Codec<T> codec, byte[] input) {
+  public static <T> void require(Shape<T> codec, byte[] input) {
     require(codec::read, message -> bytes(codec, message), input);
   }
 
@@ -53,8 +55,16 @@ public final class OneSpelling {
     }
   }
 
+  /** The value that is nothing but this JSON, as a reader of traces reads it. */
+  public static <T> T fromJson(Shape<T> shape, String json) throws JsonFormatException {
+    JsonReader in = new JsonReader("json", 1, json);
+    T value = shape.readJson(in);
+    in.expectEnd();
+    return value;
+  }
+
   /** The bytes of a message. */
-  public static <T> byte[] bytes(Codec<T> codec, T message) {
+  public static <T> byte[] bytes(Shape<T> codec, T message) {
     byte[] buffer = new byte[2 * Radio.MAX_BYTES];
     WireWriter out = new WireWriter(buffer);
     codec.write(message, out);

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Modifier;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +17,9 @@ import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.motion.MotionSpec;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -80,18 +82,19 @@ class SpecConventionTest {
   private static int violations(InstanceMonitor<?> spec) {
     Monitors monitors = new Monitors(List.of(spec));
     for (String xid : List.of("north", "south")) {
-      act(monitors, xid, I, "do_mutex", "1", "1", "A", "");
-      act(monitors, xid, I, "od_mutex", "1", "A");
-      act(monitors, xid, J, "do_mutex", "1", "2", "A", "");
-      act(monitors, xid, J, "od_mutex", "1", "A");
+      enter(monitors, xid, I, 1);
+      enter(monitors, xid, J, 2);
     }
     return (int) monitors.report().violations("Exclusive");
   }
 
-  private static void act(
-      Monitors monitors, String xid, ProcessId who, String name, String... args) {
-    List<String> all = new ArrayList<>(List.of(args));
-    all.add(0, who.toString());
-    monitors.observe(new Action(0, who.robot(), "mutex/" + xid, name, all));
+  private static void enter(Monitors monitors, String xid, ProcessId who, long ts) {
+    SortedSet<String> a = Sections.copyOf(Set.of("A"));
+    for (MutexFact fact :
+        List.of(
+            new MutexFact.DoMutex(who, 1, ts, a, new TreeSet<>()),
+            new MutexFact.OdMutex(who, 1, a))) {
+      monitors.observe(Action.of(0, who.robot(), MutexFact.source(xid), MutexFact.SHAPE, fact));
+    }
   }
 }

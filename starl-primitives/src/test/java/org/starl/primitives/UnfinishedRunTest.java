@@ -23,6 +23,7 @@ import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.registration.Registration;
+import org.starl.shape.Shapes;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.Diagnosis.Kind;
 import org.starl.sim.RobotSpec;
@@ -33,6 +34,7 @@ import org.starl.sim.Simulation;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 /** A run that does not finish says why: twelve planted faults. */
 class UnfinishedRunTest {
@@ -282,7 +284,7 @@ class UnfinishedRunTest {
         run(
             1,
             app -> {
-              GvhCell<Integer> rounds = app.gvh().variable("app", "rounds", 0);
+              GvhCell<Integer> rounds = app.gvh().variable(Var.of("rounds", Shapes.INT), 0);
               while (rounds.get() >= 0) {
                 app.pause(500);
                 rounds.set(rounds.get() + 1);

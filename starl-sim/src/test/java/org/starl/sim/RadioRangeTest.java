@@ -17,7 +17,6 @@ import org.starl.body.WheelCommand;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -25,6 +24,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
+import org.starl.shape.WireReader;
 import org.starl.sim.net.Latency;
 import org.starl.time.Time;
 

@@ -15,17 +15,20 @@ import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Pose;
+import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.sim.check.ErrorRate;
 import org.starl.sim.check.Levels;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.Splitting;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 class RedrawsTest {
 
@@ -51,6 +54,8 @@ class RedrawsTest {
             }
           });
 
+  private static final Var<Double> X = Var.of("x", Shapes.REAL);
+
   /** Tosses a coin in each round, sends a message if it shows heads, and counts what arrives. */
   private static final class Tosser extends LogicThread {
     private int heard;
@@ -62,12 +67,13 @@ class RedrawsTest {
     @Override
     public List<Object> callStarL() {
       Endpoint<Integer> endpoint = gvh.comms.open(COINS, (from, message) -> hear());
+      GvhCell<Double> x = gvh.variable(X, 0.0);
       Rng coin = gvh.plat.entropy.fork("coin");
       for (int i = 0; i < ROUNDS; i++) {
         if (gvh.id.name().equals(BOT0) && coin.nextBoolean(0.5)) {
           endpoint.broadcast(i);
         }
-        gvh.trace.variable("app", "x", gvh.gps.hasFix() ? gvh.gps.pose().xMm() : 0);
+        x.set(gvh.gps.hasFix() ? gvh.gps.pose().xMm() : 0);
         sleep(100);
       }
       return List.of(heard);

@@ -16,12 +16,12 @@ import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.trace.TraceEvent;
 

@@ -43,6 +43,7 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.DropSummary;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.udp.Discovery;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
@@ -51,14 +52,21 @@ import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceSink;
+import org.starl.trace.Vocabulary;
 
 /**
  * One robot of a deployment, from {@link #open} to {@link #close}: an incarnation of its program on the
  * real platform. Times are those of {@link RealClock#ofDate}.
  */
 public final class DeployedRobot implements AutoCloseable {
+
+  /** What a reader of the traces of robots in real time needs, besides that of the app. */
+  public static final Vocabulary VOCABULARY =
+      ProcessFact.VOCABULARY.and(DropSummary.VOCABULARY).and(MeasuredBody.VOCABULARY);
 
   private static final String TAG = "network";
 
@@ -392,7 +400,12 @@ public final class DeployedRobot implements AutoCloseable {
     strand.post(() -> {
       if (trace.isOn()) {
         trace.record(
-            new Action(strand.pieceClock().nowNs(), id, source, action, List.of(argument)));
+            Action.of(
+                strand.pieceClock().nowNs(),
+                id,
+                Instance.of(source),
+                Note.SHAPE,
+                new Note(action, List.of(argument))));
       }
     });
   }

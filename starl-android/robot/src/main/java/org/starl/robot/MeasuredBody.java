@@ -2,8 +2,6 @@ package org.starl.robot;
 
 import static org.starl.time.Time.NS_PER_MS;
 
-import java.util.List;
-import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -11,26 +9,49 @@ import org.starl.geometry.Fix;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Positioning;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 import org.starl.time.Time;
-import org.starl.trace.TraceEvent;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceSink;
+import org.starl.trace.Vocabulary;
 
 /**
  * Passes a robot's fixes on and writes them into its trace as events of its body: in the trace the
- * body stands at its measured position until the next fix. An action {@code positions within} has the
+ * body stands at its measured position until the next fix. A fact {@code positions within} has the
  * largest distance in mm between the true body and that position so far: the measurement's error plus
  * the path that the wheels can have driven since (bounded, because the wheels are stopped below the
- * program when fixes stop). It does not cover a body that is pushed or slides: an action {@code
+ * program when fixes stop). It does not cover a body that is pushed or slides: a fact {@code
  * positions lost} has the time, in ms, for which that could have gone unseen. Strand only.
  */
 public final class MeasuredBody implements Positioning {
 
-  private static final String SOURCE = "positions";
-  private static final String WITHIN = "within";
-  private static final String LOST = "lost";
+  /** The body was at most so far from its place in the trace. */
+  public record Within(long mm) {
+
+    /** Its shape. */
+    public static final RecordShape<Within> SHAPE =
+        Shapes.of(Within.class, Shapes.part("mm", Shapes.LONG, Within::mm), Within::new)
+            .named("within");
+  }
+
+  /** No measurement came for so long. */
+  public record Lost(long ms) {
+
+    /** Its shape. */
+    public static final RecordShape<Lost> SHAPE =
+        Shapes.of(Lost.class, Shapes.part("ms", Shapes.LONG, Lost::ms), Lost::new).named("lost");
+  }
+
+  /** The instance in the trace. */
+  public static final Instance SOURCE = Instance.of("positions");
+
+  /** What a reader of traces needs. */
+  static final Vocabulary VOCABULARY =
+      Vocabulary.NONE.facts(SOURCE.primitive(), Within.SHAPE, Lost.SHAPE);
 
   /** At 300 mm/s a body goes 6 mm in it; a fix that comes earlier is not written. */
   private static final long EVERY_NS = 20 * NS_PER_MS;
@@ -95,27 +116,6 @@ public final class MeasuredBody implements Positioning {
     }
   }
 
-  /** The distance in mm between body and trace that this event records; empty for other events. */
-  public static OptionalDouble withinMm(TraceEvent event) {
-    return value(event, WITHIN);
-  }
-
-  /** The time in ms without a measurement that this event records; empty for other events. */
-  public static OptionalDouble lostMs(TraceEvent event) {
-    return value(event, LOST);
-  }
-
-  private static OptionalDouble value(TraceEvent event, String name) {
-    if (event instanceof Action action
-        && action.source().equals(SOURCE)
-        && action.name().equals(name)
-        && action.args().size() == 1
-        && action.args().get(0).matches("\\d{1,9}")) {
-      return OptionalDouble.of(Integer.parseInt(action.args().get(0)));
-    }
-    return OptionalDouble.empty();
-  }
-
   private void write(Fix fix, long nowNs) {
     if (last == null) {
       recordBounds(fix, nowNs);
@@ -133,16 +133,16 @@ public final class MeasuredBody implements Positioning {
   private void recordBounds(Fix fix, long nowNs) {
     long ageNs = Math.max(0, nowNs - fix.timeNs());
     if (ageNs > stillAfterNs) {
-      record(nowNs, LOST, ageNs / NS_PER_MS);
+      record(nowNs, Lost.SHAPE, new Lost(ageNs / NS_PER_MS));
     }
     double offMm = fix.errorMm() + mostMmPerS * Time.seconds(Math.min(ageNs, stillAfterNs));
     if (offMm > recordedMm) {
       recordedMm = (long) Math.ceil(offMm);
-      record(nowNs, WITHIN, recordedMm);
+      record(nowNs, Within.SHAPE, new Within(recordedMm));
     }
   }
 
-  private void record(long nowNs, String name, long value) {
-    trace.record(new Action(nowNs, id, SOURCE, name, List.of(Long.toString(value))));
+  private <F> void record(long nowNs, RecordShape<F> shape, F fact) {
+    trace.record(Action.of(nowNs, id, SOURCE, shape, fact));
   }
 }

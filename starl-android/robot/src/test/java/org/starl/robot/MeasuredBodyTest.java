@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Positioning;
+import org.starl.robot.MeasuredBody.Lost;
+import org.starl.robot.MeasuredBody.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -64,11 +67,15 @@ class MeasuredBodyTest {
     return new Pose(xMm, 0, 0);
   }
 
-  private double withinMm() {
+  private <F> Stream<F> facts(Class<F> type) {
     return trace.stream()
-        .flatMapToDouble(event -> MeasuredBody.withinMm(event).stream())
-        .max()
-        .orElse(0);
+        .flatMap(event -> event instanceof Action action ? Stream.of(action.fact()) : Stream.of())
+        .filter(type::isInstance)
+        .map(type::cast);
+  }
+
+  private long withinMm() {
+    return facts(Within.class).mapToLong(Within::mm).max().orElse(0);
   }
 
   @Test
@@ -116,11 +123,8 @@ class MeasuredBodyTest {
     assertThat(withinMm()).isEqualTo(40);
   }
 
-  private List<Double> lostMs() {
-    return trace.stream()
-        .flatMapToDouble(event -> MeasuredBody.lostMs(event).stream())
-        .boxed()
-        .toList();
+  private List<Long> lostMs() {
+    return facts(Lost.class).map(Lost::ms).toList();
   }
 
   @Test
@@ -149,7 +153,7 @@ class MeasuredBodyTest {
     body.end(1_200 * MS);
 
     assertThat(withinMm()).isEqualTo(5 + 120);
-    assertThat(lostMs()).containsExactly(500.0, 580.0);
+    assertThat(lostMs()).containsExactly(500L, 580L);
   }
 
   @Test

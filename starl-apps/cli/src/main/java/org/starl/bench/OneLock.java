@@ -9,6 +9,7 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
+import org.starl.trace.Instance;
 
 /** One lock for a whole intersection: whichever zones a car asks for, it gets one section. */
 final class OneLock implements MutexPrim {
@@ -91,7 +92,7 @@ final class OneLock implements MutexPrim {
   }
 
   @Override
-  public String source() {
+  public Instance source() {
     return inner.source();
   }
 

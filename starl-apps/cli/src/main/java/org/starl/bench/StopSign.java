@@ -12,9 +12,11 @@ import org.starl.GlobalVarHolder;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 
 /**
  * The right of way at a four-way stop, for one car: it stands for 2 s, and enters when all cars that
@@ -48,9 +50,9 @@ final class StopSign implements MutexPrim {
   StopSign(GlobalVarHolder gvh, Junction junction) {
     this.gvh = gvh;
     this.junction = junction;
-    crit = gvh.variable(source(), "crit", false);
-    failed = gvh.variable(source(), "failed", false);
-    failure = gvh.variable(source(), "failure", MutexFailure.NONE);
+    crit = gvh.variable(source(), MutexFact.CRIT, false);
+    failed = gvh.variable(source(), MutexFact.FAILED, false);
+    failure = gvh.variable(source(), MutexFact.FAILURE, MutexFailure.NONE);
   }
 
   @Override
@@ -80,17 +82,17 @@ final class StopSign implements MutexPrim {
 
   @Override
   public GvhVariable<Boolean> crit() {
-    return crit;
+    return crit.variable();
   }
 
   @Override
   public GvhVariable<Boolean> failed() {
-    return failed;
+    return failed.variable();
   }
 
   @Override
   public GvhVariable<MutexFailure> failure() {
-    return failure;
+    return failure.variable();
   }
 
   @Override
@@ -121,8 +123,8 @@ final class StopSign implements MutexPrim {
   }
 
   @Override
-  public String source() {
-    return "stop";
+  public Instance source() {
+    return Instance.of("stop");
   }
 
   @Override

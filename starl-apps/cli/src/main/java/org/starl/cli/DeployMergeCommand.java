@@ -67,6 +67,7 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
     TraceMerge merge =
         TraceMerge.of(
             files,
+            header -> TraceFile.vocabulary(files.get(0), header, demos()),
             OptionValues.read("--clock-error", clockError, Quantities::durationNs),
             OptionValues.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), demos()).plan();

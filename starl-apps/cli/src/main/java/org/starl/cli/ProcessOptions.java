@@ -21,6 +21,7 @@ import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultEffect;
 import org.starl.sim.fault.RobotSelector;
 import org.starl.sim.fault.TimeRange;
+import org.starl.trace.Vocabulary;
 import picocli.CommandLine.Option;
 
 /** The options of {@code run} for robots as processes. */
@@ -73,9 +74,11 @@ final class ProcessOptions {
   }
 
   /** Runs the robots of {@code plan}; {@code words} are the options that make it. */
-  LaunchResult run(SimulationPlan plan, List<String> words, PrintWriter err) throws IOException {
+  LaunchResult run(SimulationPlan plan, List<String> words, Vocabulary vocabulary, PrintWriter err)
+      throws IOException {
     LaunchSettings settings = settings(plan);
-    try (Launcher launcher = new Launcher(plan, command(words), settings, err::println)) {
+    try (Launcher launcher =
+        new Launcher(plan, command(words), vocabulary, settings, err::println)) {
       return launcher.run();
     }
   }

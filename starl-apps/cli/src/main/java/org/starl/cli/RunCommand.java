@@ -17,6 +17,7 @@ import org.starl.sim.TraceRecorder;
 import org.starl.sim.export.CsvTable;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.record.PictureTime;
+import org.starl.trace.Vocabulary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -127,7 +128,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
             : "replay: " + again;
     Ran ran;
     try {
-      ran = run(app, plan, pictureName, request.words(seedNumber));
+      ran = run(app, plan, pictureName, request.words(seedNumber), request.vocabulary(seedNumber));
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
@@ -188,7 +189,8 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   }
 
   /** Runs the plan. The requested files are written even if the run fails. */
-  private Ran run(String app, Plan plan, String pictureName, List<String> words)
+  private Ran run(
+      String app, Plan plan, String pictureName, List<String> words, Vocabulary vocabulary)
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, CsvTable::positions);
@@ -206,7 +208,8 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
           .observer(theories.observer())
           .observer(picture.observer());
       if (processes.areOn()) {
-        LaunchResult launched = processes.run(plan.simulation().build().plan(), words, err());
+        LaunchResult launched =
+            processes.run(plan.simulation().build().plan(), words, vocabulary, err());
         return Ran.processes(app, launched, plan.story().measures());
       }
       plan.simulation().carriers(Carriers.select(carrier, err()));

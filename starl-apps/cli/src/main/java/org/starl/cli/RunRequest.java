@@ -26,6 +26,7 @@ import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.view.ViewSettings;
+import org.starl.trace.Vocabulary;
 
 /**
  * A request to run an app, parsed from options, a scenario file, a deployment file or a trace
@@ -115,6 +116,11 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
     return Optional.of(
         "starl: --robots " + given + " changes nothing: " + demo.name() + " has " + planned);
+  }
+
+  /** The shapes of the values in a trace of such a run. */
+  Vocabulary vocabulary(long seed) {
+    return demo.vocabulary(request(seed));
   }
 
   private Request request(long seed) {

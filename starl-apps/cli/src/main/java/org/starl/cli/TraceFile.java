@@ -12,6 +12,7 @@ import org.starl.Version;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
+import org.starl.robot.DeployedRobot;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.ReplayCheck;
@@ -25,6 +26,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
 
 /**
  * A trace file and its run. Every error is {@link BadInput}: the file is missing, is not a trace,
@@ -59,7 +61,7 @@ final class TraceFile {
 
   /** Reads the header. */
   static TraceFile open(String name, Demos demos) {
-    try (TraceReader reader = reader(name)) {
+    try (TraceReader reader = reader(name, Vocabulary.NONE)) {
       TraceHeader header = reader.header();
       if (!header.starl().equals(Version.STARL)) {
         throw new BadInput(
@@ -124,8 +126,17 @@ final class TraceFile {
     return new TraceLoader(recording, observers -> show(List.of(), observers), this::monitors);
   }
 
+  private Vocabulary vocabulary() {
+    return request.vocabulary(header.scenarioSeed()).and(DeployedRobot.VOCABULARY);
+  }
+
+  /** The shapes of the values in the trace {@code name} with this header. */
+  static Vocabulary vocabulary(String name, TraceHeader header, Demos demos) {
+    return new TraceFile(name, header, request(name, header, demos)).vocabulary();
+  }
+
   private SimResult show(List<Monitor> monitors, List<? extends SimObserver> observers) {
-    try (TraceReader reader = reader(name)) {
+    try (TraceReader reader = reader(name, vocabulary())) {
       return TracePlayer.show(name, reader, monitors, List.copyOf(observers));
     } catch (IOException e) {
       throw unreadable(name, e);
@@ -187,7 +198,7 @@ final class TraceFile {
     return interventions;
   }
 
-  private static TraceReader reader(String name) throws IOException {
+  private static TraceReader reader(String name, Vocabulary vocabulary) throws IOException {
     Path path;
     try {
       path = Path.of(name);
@@ -201,7 +212,7 @@ final class TraceFile {
     }
     InputStream in = new BufferedInputStream(Files.newInputStream(path), BUFFER_BYTES);
     try {
-      return new TraceReader(name, in);
+      return new TraceReader(name, in, vocabulary);
     } catch (IOException e) {
       in.close();
       throw e;

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
@@ -21,7 +22,7 @@ import org.starl.trace.TraceEvent.Sent;
 final class CausalOrder {
 
   /** Names a message in the traces of its sender and its receivers. */
-  record Message(RobotId from, long seq, String channel, String text) {
+  record Message(RobotId from, long seq, Instance channel, Object message) {
 
     static Message of(Sent sent) {
       return new Message(sent.robot(), sent.seq(), sent.channel(), sent.message());

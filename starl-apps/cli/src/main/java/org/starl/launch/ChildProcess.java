@@ -10,9 +10,10 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
+import org.starl.shape.JsonFormatException;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceFormatException;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
 
 /** A robot's process, seen by its parent. Two threads read its output and post events and lines. */
 final class ChildProcess {
@@ -40,6 +41,7 @@ final class ChildProcess {
 
   private static final long END_LIMIT_S = 10;
 
+  private final Vocabulary vocabulary;
   private final Executor executor;
   private final Listener listener;
   private final Process process;
@@ -47,11 +49,18 @@ final class ChildProcess {
   /**
    * Starts it.
    *
+   * @param vocabulary the shapes of the values in its trace
    * @param executor runs the listener's methods in order
    * @throws IOException if the program does not exist
    */
-  ChildProcess(String name, List<String> command, Executor executor, Listener listener)
+  ChildProcess(
+      String name,
+      List<String> command,
+      Vocabulary vocabulary,
+      Executor executor,
+      Listener listener)
       throws IOException {
+    this.vocabulary = vocabulary;
     this.executor = executor;
     this.listener = listener;
     process = new ProcessBuilder(command).start();
@@ -108,14 +117,14 @@ final class ChildProcess {
 
   private void readTrace() {
     boolean isComplete = false;
-    try (TraceReader trace = new TraceReader("trace", process.getInputStream())) {
+    try (TraceReader trace = new TraceReader("trace", process.getInputStream(), vocabulary)) {
       for (TraceEvent event = trace.next(); event != null; event = trace.next()) {
         TraceEvent read = event;
         long seenNs = RealClock.machineNs();
         executor.execute(() -> listener.traced(read, seenNs));
       }
       isComplete = trace.end() != null;
-    } catch (TraceFormatException cutOff) {
+    } catch (JsonFormatException cutOff) {
       isComplete = false; // killed while it wrote a line
     } catch (IOException e) {
       warn(String.valueOf(e));

@@ -24,8 +24,10 @@ import org.starl.geometry.Point;
 import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
 import org.starl.launch.LaunchResult.Death;
+import org.starl.platform.LogSink.Level;
+import org.starl.robot.DeployedRobot;
 import org.starl.robot.realtime.RealClock;
-import org.starl.robot.trace.ProcessWord;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimResult;
@@ -38,6 +40,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Vocabulary;
 
 /** Runs each robot of a plan as a process, once. Every process ends with {@link #close} or the JVM. */
 public final class Launcher implements AutoCloseable {
@@ -51,6 +54,7 @@ public final class Launcher implements AutoCloseable {
 
   private final SimulationPlan plan;
   private final LaunchSettings settings;
+  private final Vocabulary vocabulary;
   private final Consumer<String> console;
   private final Path folder;
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
@@ -74,13 +78,19 @@ public final class Launcher implements AutoCloseable {
    *
    * @param command starts a robot's process when the robot's name, folder and rounds are appended;
    *     the process calls {@link RobotProcess#run} with an equal plan
+   * @param vocabulary the shapes of the values in the robots' traces
    * @param console receives log lines
    * @throws IOException if a process cannot be started, or a folder cannot be made
    */
   public Launcher(
-      SimulationPlan plan, List<String> command, LaunchSettings settings, Consumer<String> console)
+      SimulationPlan plan,
+      List<String> command,
+      Vocabulary vocabulary,
+      LaunchSettings settings,
+      Consumer<String> console)
       throws IOException {
     this.plan = plan;
+    this.vocabulary = vocabulary.and(DeployedRobot.VOCABULARY);
     this.settings = settings;
     this.console = console;
     folder = Files.createTempDirectory("starl-processes");
@@ -305,7 +315,7 @@ public final class Launcher implements AutoCloseable {
       words.add(id.name());
       words.add(folder.resolve(id.name()).toString());
       words.add(Integer.toString(settings.rounds()));
-      process = new ChildProcess(id.name(), words, tasks::add, this);
+      process = new ChildProcess(id.name(), words, vocabulary, tasks::add, this);
       console.accept(id + " is process " + process.pid());
     }
 
@@ -320,8 +330,8 @@ public final class Launcher implements AutoCloseable {
 
     @Override
     public void traced(TraceEvent event, long seenNs) {
-      if (ProcessWord.isProcessEvent(event)) {
-        received((Action) event, seenNs);
+      if (event instanceof Action action && action.fact() instanceof ProcessFact fact) {
+        received(action, fact, seenNs);
         return;
       }
       lastNs = Math.max(lastNs, event.timeNs());
@@ -351,55 +361,48 @@ public final class Launcher implements AutoCloseable {
     private boolean isProgress(TraceEvent event) {
       return switch (event) {
         case Variable variable -> progress.add(variable.at(0).toString());
-        case Action action when action.source().indexOf('/') < 0 ->
+        case Action action when action.source().xid().isEmpty() ->
             progress.add(action.at(0).toString());
         default -> false;
       };
     }
 
-    private void received(Action action, long seenNs) {
-      List<String> args = action.args();
-      switch (ProcessWord.valueOf(action.name())) {
-        case HELLO -> {
+    private void received(Action action, ProcessFact fact, long seenNs) {
+      switch (fact) {
+        case ProcessFact.Hello hello -> {
           isUp = true;
           begin();
         }
-        case PORT -> {
+        case ProcessFact.Port its -> {
           checkClock(action.timeNs(), seenNs - originNs);
-          port = Integer.parseInt(args.get(0));
+          port = its.port();
           go();
         }
-        case WANTS_PLACE -> waitingForPlace.add(this);
-        case ALIVE -> {
+        case ProcessFact.WantsPlace wish -> waitingForPlace.add(this);
+        case ProcessFact.Alive alive -> {
           lastNs = Math.max(lastNs, action.timeNs());
-          count(Long.parseLong(args.get(0)), Long.parseLong(args.get(1)));
-          longestPauseNs = Math.max(longestPauseNs, Long.parseLong(args.get(2)));
+          count(alive.copies(), alive.lost());
+          longestPauseNs = Math.max(longestPauseNs, alive.longestPauseNs());
         }
-        case FINISHED -> {
+        case ProcessFact.Finished finished -> {
           rounds++;
-          results = List.copyOf(args);
+          results = List.copyOf(finished.results());
         }
-        case WAITS -> {
-          awaited = args.get(0);
+        case ProcessFact.Waits told -> {
+          awaited = told.awaited();
           waits.clear();
-          for (int i = 1; i + 2 < args.size(); i += 3) {
-            waits.add(new Wait(args.get(i), args.get(i + 1), robots(args.get(i + 2))));
+          waits.addAll(told.waits());
+        }
+        case ProcessFact.Log log -> {
+          if (log.level().compareTo(Level.WARN) >= 0) {
+            warned(log.tag() + ": " + log.line());
           }
         }
-        case LOG -> {
-          if (args.get(0).equals("WARN") || args.get(0).equals("ERROR")) {
-            warned(args.get(1) + ": " + args.get(2));
-          }
-        }
-        case ERROR -> errors.add(id + ": " + args.get(0).strip());
-        case CLOCK -> {
-          // All processes use this machine's clock; PORT has checked that.
+        case ProcessFact.Failed error -> errors.add(id + ": " + error.stackTrace().strip());
+        case ProcessFact.Clock clock -> {
+          // All processes use this machine's clock; the port's message has checked that.
         }
       }
-    }
-
-    private static List<RobotId> robots(String names) {
-      return names.isEmpty() ? List.of() : Stream.of(names.split(" ")).map(RobotId::new).toList();
     }
 
     UnfinishedRobot explain() {

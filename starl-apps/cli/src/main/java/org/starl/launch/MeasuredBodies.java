@@ -12,6 +12,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.robot.MeasuredBody;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
@@ -64,9 +65,15 @@ final class MeasuredBodies {
         } else if (event instanceof Joined joined) {
           first.merge(joined.robot(), trace, (a, b) -> a.dateNs() <= b.dateNs() ? a : b);
         }
-        MeasuredBody.withinMm(event)
-            .ifPresent(mm -> withinMm.merge(event.robot(), mm, Double::max));
-        MeasuredBody.lostMs(event).ifPresent(ms -> lostMs.merge(event.robot(), ms, Double::max));
+        if (event instanceof Action action) {
+          switch (action.fact()) {
+            case MeasuredBody.Within within ->
+                withinMm.merge(event.robot(), (double) within.mm(), Double::max);
+            case MeasuredBody.Lost lost ->
+                lostMs.merge(event.robot(), (double) lost.ms(), Double::max);
+            default -> {}
+          }
+        }
       }
     }
     withinMm.keySet().removeAll(simulated);

@@ -7,18 +7,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessWord;
+import org.starl.robot.trace.ProcessFact;
+import org.starl.shape.JsonFormatException;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceFormatException;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
 
 /**
  * The trace of one process.
@@ -28,7 +30,7 @@ import org.starl.trace.TraceReader;
  * @param machine the machine whose monotonic clock has these times; unique if unknown
  * @param machineNs that clock's time at the trace's time 0
  * @param dateNs the date at the trace's time 0, in ns since 2020, by that machine
- * @param events without the process's own actions ({@link ProcessWord})
+ * @param events without the process's own facts ({@link ProcessFact})
  * @param lastNs the time of the last event
  * @param isComplete whether the process ended in order; else it was killed
  * @param hasTrueBodies whether it has the true positions of bodies; else measured ones
@@ -53,15 +55,16 @@ record RecordedTrace(
   }
 
   /**
+   * @param vocabularyOf the shapes of the values in a trace with this header
    * @throws BadInput if the file is missing, or is not a trace of a deployment
    */
-  static RecordedTrace read(String file) {
+  static RecordedTrace read(String file, Function<TraceHeader, Vocabulary> vocabularyOf) {
     if (!Files.isRegularFile(Path.of(file))) {
       throw new BadInput(file + ": no such file" + EXPECTED);
     }
     try (InputStream in =
             new BufferedInputStream(Files.newInputStream(Path.of(file)), BUFFER_BYTES);
-        TraceReader reader = new TraceReader(file, in)) {
+        TraceReader reader = new TraceReader(file, in, vocabularyOf)) {
       return read(file, reader);
     } catch (IOException e) {
       String message = String.valueOf(e.getMessage());
@@ -71,19 +74,21 @@ record RecordedTrace(
 
   private static RecordedTrace read(String file, TraceReader reader) throws IOException {
     List<TraceEvent> events = new ArrayList<>();
-    Action clock = null;
+    Action first = null;
+    ProcessFact.Clock clock = null;
     boolean isComplete = false;
     try {
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
-        if (!ProcessWord.isProcessEvent(event)) {
+        if (!ProcessFact.isProcessEvent(event)) {
           events.add(event);
         } else if (event instanceof Action action
-            && action.name().equals(ProcessWord.CLOCK.name())) {
-          clock = action;
+            && action.fact() instanceof ProcessFact.Clock told) {
+          first = action;
+          clock = told;
         }
       }
       isComplete = reader.end() != null;
-    } catch (TraceFormatException wrong) {
+    } catch (JsonFormatException wrong) {
       if (clock == null || !isLast(reader)) {
         throw wrong;
       }
@@ -93,25 +98,20 @@ record RecordedTrace(
       throw new BadInput(
           file + ": is the output of 'starl deploy merge'; expected the traces before it");
     }
-    if (clock == null || clock.args().size() != 3) {
+    if (clock == null || first == null) {
       throw new BadInput(file + ": does not name its clock" + EXPECTED);
     }
-    String machine = clock.args().get(0);
-    try {
-      return new RecordedTrace(
-          file,
-          clock.robot(),
-          machine.equals(MachineClock.UNKNOWN) ? file : machine,
-          Long.parseLong(clock.args().get(1)),
-          Long.parseLong(clock.args().get(2)),
-          reader.header(),
-          events,
-          events.isEmpty() ? 0 : events.get(events.size() - 1).timeNs(),
-          isComplete,
-          clock.robot().equals(Fault.WORLD));
-    } catch (NumberFormatException e) {
-      throw new BadInput(file + ": its clock is " + clock.args() + "; expected numbers");
-    }
+    return new RecordedTrace(
+        file,
+        first.robot(),
+        clock.machine().equals(MachineClock.UNKNOWN) ? file : clock.machine(),
+        clock.machineNs(),
+        clock.dateNs(),
+        reader.header(),
+        events,
+        events.isEmpty() ? 0 : events.get(events.size() - 1).timeNs(),
+        isComplete,
+        first.robot().equals(Fault.WORLD));
   }
 
   /** A merged trace begins with a fault of the world, as {@link TraceMerge} describes. */
@@ -144,7 +144,7 @@ record RecordedTrace(
   private static boolean isLast(TraceReader reader) throws IOException {
     try {
       return reader.end() == null && reader.next() == null;
-    } catch (TraceFormatException another) {
+    } catch (JsonFormatException another) {
       return false;
     }
   }

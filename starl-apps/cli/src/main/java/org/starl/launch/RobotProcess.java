@@ -12,10 +12,11 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.platform.LogSink.Level;
 import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
@@ -61,11 +62,12 @@ public final class RobotProcess extends RobotMain {
       throws IOException {
     RobotProcess process = new RobotProcess(plans, self, folder, rounds, out);
     Daemons.of(self + " commands", () -> process.read(in)).start();
-    process.trace.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
+    process.trace.report(process.clock, new ProcessFact.Hello(ProcessHandle.current().pid()));
     process.loop();
     if (process.robot != null && !process.robot.reportWaits()) {
       process.trace.report(
-          process.clock, ProcessWord.LOG, "WARN", "end", "the app does not release the strand");
+          process.clock,
+          new ProcessFact.Log(Level.WARN, "end", "the app does not release the strand"));
     }
     process.bringDown(false);
     process.trace.end(process.clock.nowNs());
@@ -79,7 +81,7 @@ public final class RobotProcess extends RobotMain {
         post(() -> obey(command));
       }
     } catch (IOException e) {
-      trace.report(clock, ProcessWord.LOG, "WARN", "commands", e);
+      trace.report(clock, new ProcessFact.Log(Level.WARN, "commands", e.toString()));
     } finally {
       endLoop(() -> {});
     }
@@ -90,7 +92,7 @@ public final class RobotProcess extends RobotMain {
       case ParentCommand.Begin begin -> {
         clock = new RealClock(begin.originNs());
         startRound();
-        trace.report(clock, ProcessWord.PORT, port);
+        trace.report(clock, new ProcessFact.Port(port));
       }
       case ParentCommand.Go go -> {
         ports = go.ports();
@@ -132,7 +134,7 @@ public final class RobotProcess extends RobotMain {
 
   @Override
   public void failed(Throwable error) {
-    trace.report(clock, ProcessWord.ERROR, StackTraces.of(error));
+    trace.report(clock, new ProcessFact.Failed(StackTraces.of(error)));
     // The strand may be blocked by the error, so an orderly close may never end.
     Runtime.getRuntime().halt(1);
   }

@@ -25,8 +25,8 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.sim.RobotSpec;
@@ -265,7 +265,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      sink.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
+      sink.report(() -> Math.max(0, timeNs - startNs), new ProcessFact.Log(level, tag, line));
       console.accept(tag + ": " + line);
     }
   }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -17,7 +16,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.geometry.Pose;
-import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
@@ -30,8 +28,8 @@ import org.starl.robot.DeployedRobot;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.Discovery;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
@@ -258,13 +256,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
           GlobalVarHolder gvh = runner.gvh();
           LogicThread app = runner.app();
           if (gvh != null && app != null && runner.results() == null) {
-            List<Object> args = new ArrayList<>(List.of(app.awaited()));
-            for (Wait wait : gvh.waits()) {
-              args.add(wait.source());
-              args.add(wait.what());
-              args.add(wait.on().stream().map(RobotId::name).collect(Collectors.joining(" ")));
-            }
-            trace.report(clock, ProcessWord.WAITS, args.toArray());
+            trace.report(clock, new ProcessFact.Waits(app.awaited(), gvh.waits()));
           }
         });
   }
@@ -279,19 +271,23 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   }
 
   private void reportAlive() {
-    trace.report(clock, ProcessWord.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
+    trace.report(
+        clock, new ProcessFact.Alive(radio.copies(), radio.lost(), clock.longestPauseNs()));
     alive.set(clock.nowNs() + ALIVE_EVERY_NS);
   }
 
   private void appEnded() {
     List<Object> results = Objects.requireNonNull(runner.results());
-    trace.report(clock, ProcessWord.FINISHED, results.toArray());
+    trace.report(
+        clock,
+        new ProcessFact.Finished(
+            results.stream().map(String::valueOf).collect(Collectors.toList())));
     host.finished(results);
   }
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      trace.report(clock, ProcessWord.LOG, level, tag, line);
+      trace.report(clock, new ProcessFact.Log(level, tag, line));
     }
   }
 
@@ -301,7 +297,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   public boolean place() {
     if (!isPlaceRequested) {
       isPlaceRequested = true;
-      trace.report(clock, ProcessWord.WANTS_PLACE);
+      trace.report(clock, new ProcessFact.WantsPlace());
     }
     clock.nowNs();
     if (!mayBePlaced || !body.place(0)) {

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.starl.id.RobotId;
@@ -24,6 +25,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.Vocabulary;
 
 /**
  * Merges the traces of several processes into one trace and checks the app's specifications.
@@ -79,14 +81,19 @@ public final class TraceMerge {
   /**
    * Reads traces.
    *
+   * @param vocabularyOf the shapes of the values in a trace with this header
    * @param dateErrorNs the largest error of a machine's date
    * @param driftPpm the largest drift between two clocks, in parts per million
    * @throws BadInput if one cannot be read, they are not of one deployment, or clocks contradict
    */
-  public static TraceMerge of(List<String> files, long dateErrorNs, long driftPpm) {
+  public static TraceMerge of(
+      List<String> files,
+      Function<TraceHeader, Vocabulary> vocabularyOf,
+      long dateErrorNs,
+      long driftPpm) {
     List<RecordedTrace> traces = new ArrayList<>();
     for (String file : files) {
-      RecordedTrace trace = RecordedTrace.read(file);
+      RecordedTrace trace = RecordedTrace.read(file, vocabularyOf);
       for (RecordedTrace before : traces) {
         if (trace.isSameStart(before)) {
           throw new BadInput(

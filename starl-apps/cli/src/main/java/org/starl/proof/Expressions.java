@@ -29,6 +29,19 @@ final class Expressions {
     return formals.stream().anyMatch(formal -> formal.values().isInstance(value));
   }
 
+  /** Whether the theory has values of this type: robots show others too. */
+  boolean isValue(Object value) {
+    return switch (value) {
+      case Long number -> true;
+      case Boolean truth -> true;
+      case SortedSet<?> set -> true;
+      case Fun<?, ?> fun -> true;
+      case Term term -> true;
+      case Record record -> components(record).stream().allMatch(this::isValue);
+      default -> isConstant(value);
+    };
+  }
+
   /** The value as an expression; its type follows from its class. */
   String of(Object value) {
     return of(value, value.getClass());

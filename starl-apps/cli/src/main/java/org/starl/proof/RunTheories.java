@@ -24,6 +24,7 @@ import org.starl.spec.Monitors;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.AutomatonListener;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -34,7 +35,7 @@ import org.starl.trace.TraceHeader;
 public final class RunTheories implements SimObserver, Closeable {
 
   private final OutputStream out;
-  private final Map<String, RunTheory> theories = new TreeMap<>();
+  private final Map<Instance, RunTheory> theories = new TreeMap<>();
   private final Monitors monitors;
   private String run = "A run";
   private long endNs;
@@ -58,19 +59,21 @@ public final class RunTheories implements SimObserver, Closeable {
       Automaton<S, A> automaton, Formal... formals) {
     return new AutomatonListener<>() {
       @Override
-      public void onStep(String instance, TraceEvent event, A action, S after) {
+      public void onStep(Instance instance, TraceEvent event, A action, S after) {
         theory(instance).stepped(event, action, after);
       }
 
       @Override
-      public void onResult(String instance, String function, Object argument, Object value) {
+      public void onResult(Instance instance, String function, Object argument, Object value) {
         theory(instance).resulted(function, argument, value);
       }
 
-      private RunTheory theory(String instance) {
+      private RunTheory theory(Instance instance) {
         return theories.computeIfAbsent(
             instance,
-            name -> new RunTheory(name, automaton.theory(), List.of(formals), automaton.start()));
+            name ->
+                new RunTheory(
+                    name.name(), automaton.theory(), List.of(formals), automaton.start()));
       }
     };
   }

@@ -58,8 +58,7 @@ final class RunTheory {
   }
 
   void resulted(String function, Object argument, Object value) {
-    boolean isText = value instanceof String && !expressions.isConstant(value);
-    if (!steps.isEmpty() && !isText) {
+    if (!steps.isEmpty() && expressions.isValue(value)) {
       steps.get(steps.size() - 1).results().add(new Result(function, argument, value));
     }
   }

@@ -3,11 +3,10 @@ package org.starl.workload;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
-import org.starl.comms.WireReader;
 import org.starl.primitives.agreement.AgreementSettings;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.agreement.SetAgreement;
+import org.starl.shape.Shapes;
 
 /** In each round all robots propose a value of their own. */
 final class AgreementClient extends Client {
@@ -19,9 +18,6 @@ final class AgreementClient extends Client {
 
   private static final int PROMPT_MESSAGES = 20;
 
-  private static final Codec<Integer> VALUE =
-      Codec.of((value, out) -> out.u16(value), WireReader::u16);
-
   // Created at the start: each serves as an acceptor even before this robot proposes.
   private final List<SetAgreement<Integer>> agreements = new ArrayList<>();
 
@@ -29,7 +25,8 @@ final class AgreementClient extends Client {
     super(gvh, setup, THINK_MS);
     AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
     for (int i = 0; i < setup.course().allRounds(); i++) {
-      agreements.add(new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
+      agreements.add(
+          new SetAgreement<>(gvh, "round" + i, Shapes.U16, gvh.id.participants(), settings));
     }
   }
 

@@ -16,21 +16,6 @@ import org.starl.time.Time;
  */
 abstract class Client extends LogicThread {
 
-  /** {@code source} of the clients' events. */
-  static final String SOURCE = "workload";
-
-  /** Action with the round's number: the robot makes a request. */
-  static final String ASK = "ask";
-
-  /** Action with the round's number: the request succeeded. */
-  static final String SERVED = "served";
-
-  /** Action with the round's number: the request failed. */
-  static final String TOLD = "told";
-
-  /** Action with a time in ms: a wait ended so much too late by the robot's clock. */
-  static final String LATE = "late";
-
   /** The robot's own random numbers; different after each restart. */
   protected final Rng rng;
 
@@ -44,7 +29,7 @@ abstract class Client extends LogicThread {
     super(gvh);
     course = setup.course();
     this.thinkMs = thinkMs;
-    rng = gvh.plat.entropy.fork(SOURCE + gvh.id.boot());
+    rng = gvh.plat.entropy.fork(ClientFact.SOURCE.name() + gvh.id.boot());
   }
 
   @Override
@@ -63,9 +48,9 @@ abstract class Client extends LogicThread {
   private boolean isDone(int round) {
     pause(rng.nextLong(0, thinkMs));
     prepare();
-    gvh.trace.action(SOURCE, ASK, round);
+    record(new ClientFact.ask(round));
     boolean served = obtain(round);
-    gvh.trace.action(SOURCE, served ? SERVED : TOLD, round);
+    record(served ? new ClientFact.served(round) : new ClientFact.told(round));
     if (served) {
       use();
     }
@@ -96,8 +81,12 @@ abstract class Client extends LogicThread {
       throw new IllegalStateException("woken " + -lateNs + " ns too early");
     }
     if (lateNs >= Time.NS_PER_MS) {
-      gvh.trace.action(SOURCE, LATE, lateNs / Time.NS_PER_MS);
+      record(new ClientFact.late(lateNs / Time.NS_PER_MS));
     }
+  }
+
+  private void record(ClientFact fact) {
+    gvh.trace.action(ClientFact.SOURCE, ClientFact.SHAPE, fact);
   }
 
   /** Prepares a request. */

@@ -3,8 +3,6 @@ package org.starl.workload;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Request;
-import org.starl.comms.Codec;
-import org.starl.comms.WireReader;
 import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -16,6 +14,7 @@ import org.starl.primitives.geocast.Geocast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.shape.Shapes;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.time.Time;
@@ -41,9 +40,6 @@ final class GeocastClient extends Client {
   private static final GeocastSettings SETTINGS =
       GeocastSettings.DEFAULT.withClockSkewNs(CLOCK_SKEW_NS);
 
-  private static final Codec<Integer> CODEC =
-      Codec.of((message, out) -> out.i32(message), WireReader::i32);
-
   /** When the default settings repeat a copy, from the second one on. */
   private static final List<Long> COPIES_MS = List.of(100L, 250L, 475L, 812L, 1_318L);
 
@@ -65,8 +61,8 @@ final class GeocastClient extends Client {
     super(gvh, setup, THINK_MS);
     sideMm = setup.sideMm();
     endsWithCopies = setup.course().isCalm();
-    geocast = new Geocast<>(gvh, XID, CODEC, (origin, message) -> {}, SETTINGS);
-    broadcast = new Broadcast<>(gvh, XID, CODEC, (origin, message) -> {}, SETTINGS);
+    geocast = new Geocast<>(gvh, XID, Shapes.INT, (origin, message) -> {}, SETTINGS);
+    broadcast = new Broadcast<>(gvh, XID, Shapes.INT, (origin, message) -> {}, SETTINGS);
   }
 
   static void setUp(Setup setup) {

@@ -2,17 +2,21 @@ package org.starl.workload;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
-import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.comms.Receipt;
 import org.starl.comms.Reliability;
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
+import org.starl.workload.MailFact.Care;
 
 /**
  * Robots send letters over {@code gvh.comms}: reliably to one robot, and best effort to one or all.
@@ -21,25 +25,6 @@ import org.starl.time.Time;
  * with letters under way, and opens again at once.
  */
 final class MessagesClient extends Client {
-
-  /** {@code source} of the letters' events. */
-  static final String MAIL = "mail";
-
-  /** Actions: a channel opens or closes. */
-  static final String OPEN = "open";
-
-  static final String CLOSE = "close";
-
-  /** Action: a letter is sent, to this robot or all, on this channel, with this reliability. */
-  static final String SEND = "send";
-
-  /** Action: a letter is handled, with the logical clocks of its sender then and of the robot. */
-  static final String HANDLE = "handle";
-
-  /** Actions: the receipt of a letter says so. */
-  static final String DELIVERED = "delivered";
-
-  static final String FAILED = "failed";
 
   private static final long THINK_MS = 500;
 
@@ -70,14 +55,13 @@ final class MessagesClient extends Client {
    * @param clock the sender's logical clock
    */
   record Letter(int boot, int number, long clock) {
-    static final Codec<Letter> CODEC =
-        Codec.of(
-            (letter, out) -> {
-              out.i32(letter.boot);
-              out.i32(letter.number);
-              out.i64(letter.clock);
-            },
-            in -> new Letter(in.i32(), in.i32(), in.i64()));
+    static final Shape<Letter> SHAPE =
+        Shapes.of(
+            Letter.class,
+            Shapes.part("boot", Shapes.INT, Letter::boot),
+            Shapes.part("number", Shapes.INT, Letter::number),
+            Shapes.part("clock", Shapes.LONG, Letter::clock),
+            Letter::new);
   }
 
   private final List<RobotId> robots;
@@ -104,15 +88,16 @@ final class MessagesClient extends Client {
   }
 
   private Endpoint<Letter> open(String name) {
-    Channel<Letter> channel = new Channel<>(MAIL, name, Letter.CODEC);
-    gvh.trace.action(MAIL, OPEN, channel.name());
+    Channel<Letter> channel = new Channel<>(MailFact.SOURCE.name(), name, Letter.SHAPE);
+    record(new MailFact.Opened(channel.instance()));
     return gvh.comms.open(channel, (from, letter) -> handled(channel, from, letter));
   }
 
   private void handled(Channel<Letter> channel, RobotId from, Letter letter) {
     long clock = gvh.comms.lamportClock().now();
-    gvh.trace.action(
-        MAIL, HANDLE, from, channel.name(), letter.boot(), letter.number(), letter.clock(), clock);
+    record(
+        new MailFact.Handled(
+            from, channel.instance(), letter.boot(), letter.number(), letter.clock(), clock));
   }
 
   private void setSide(boolean isOpen) {
@@ -120,7 +105,7 @@ final class MessagesClient extends Client {
     if (isOpen && open == null) {
       side = open("side");
     } else if (!isOpen && open != null) {
-      gvh.trace.action(MAIL, CLOSE, MAIL + "/side");
+      record(new MailFact.Closed(channel("side")));
       open.close();
       side = null;
     }
@@ -129,9 +114,9 @@ final class MessagesClient extends Client {
   @Override
   protected boolean obtain(int round) {
     setSide(round % SIDE_PERIOD != 1);
-    letters.broadcast(write("*", "letters", "none"));
+    letters.broadcast(write(Optional.empty(), "letters", Care.NONE));
     RobotId to = robots.get(rng.nextInt(robots.size()));
-    letters.send(to, write(to.name(), "letters", "none"));
+    letters.send(to, write(Optional.of(to), "letters", Care.NONE));
     if (side != null) {
       RobotId any = robots.get(rng.nextInt(robots.size()));
       RobotId at = rng.nextBoolean(0.5) ? to : any;
@@ -161,20 +146,30 @@ final class MessagesClient extends Client {
 
   private Receipt sendReliably(
       Endpoint<Letter> endpoint, String channel, RobotId to, Reliability reliability) {
-    Letter letter = write(to.name(), channel, reliability.equals(BRIEF) ? "brief" : "default");
+    Letter letter =
+        write(Optional.of(to), channel, reliability.equals(BRIEF) ? Care.BRIEF : Care.DEFAULT);
     Receipt receipt = endpoint.sendReliably(to, letter, reliability);
     receipt.whenSettled(() -> {
-      String how = receipt.isDelivered() ? DELIVERED : FAILED;
-      gvh.trace.action(MAIL, how, to, letter.boot(), letter.number());
+      record(
+          receipt.isDelivered()
+              ? new MailFact.Delivered(to, letter.boot(), letter.number())
+              : new MailFact.Failed(to, letter.boot(), letter.number()));
     });
     return receipt;
   }
 
-  private Letter write(String to, String channel, String reliability) {
+  private Letter write(Optional<RobotId> to, String channel, Care care) {
     lastNumber++;
     Letter letter = new Letter(gvh.id.boot(), lastNumber, gvh.comms.lamportClock().tick());
-    gvh.trace.action(
-        MAIL, SEND, to, MAIL + "/" + channel, letter.boot(), letter.number(), reliability);
+    record(new MailFact.Mailed(to, channel(channel), letter.boot(), letter.number(), care));
     return letter;
+  }
+
+  private void record(MailFact fact) {
+    gvh.trace.action(MailFact.SOURCE, MailFact.SHAPE, fact);
+  }
+
+  private static Instance channel(String xid) {
+    return Instance.of(MailFact.SOURCE.name(), xid);
   }
 }

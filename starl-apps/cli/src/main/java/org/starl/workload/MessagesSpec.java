@@ -1,5 +1,6 @@
 package org.starl.workload;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,11 +13,14 @@ import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
+import org.starl.workload.MailFact.Care;
+import org.starl.workload.MailFact.Mailed;
 
 /**
  * The promises of {@code gvh.comms}, for the letters of {@link MessagesClient}.
@@ -48,10 +52,6 @@ final class MessagesSpec extends LemmaMonitor {
   private static final String RECEIVED = "Received";
   private static final String PACED = "Paced";
 
-  private static final String ALL = "*";
-  private static final String PLAIN = "none";
-  private static final String BRIEF = "brief";
-
   /** By how much a deadline may be late: a timer set by a clock that a fault has just left. */
   private static final long LATE_NS = 2 * Time.NS_PER_S;
 
@@ -59,7 +59,7 @@ final class MessagesSpec extends LemmaMonitor {
   private final Set<RobotId> robots = new TreeSet<>();
   private final Map<RobotId, Program> programs = new TreeMap<>();
   private final Map<LetterId, Sent> sent = new TreeMap<>();
-  private final Set<String> everHandled = new TreeSet<>();
+  private final Set<Arrival> everHandled = new HashSet<>();
   private final Map<RobotId, Integer> newestStarts = new TreeMap<>();
   private final Within<LetterId> closed = new Within<>(0);
   private final Within<LetterId> deliveries;
@@ -88,13 +88,13 @@ final class MessagesSpec extends LemmaMonitor {
   /**
    * @param afterClock the latest logical clock that its sender is known to have had
    */
-  private record Sent(String to, String channel, String reliability, long atNs, long afterClock) {
+  private record Sent(Mailed letter, long atNs, long afterClock) {
     boolean isPlain() {
-      return reliability.equals(PLAIN);
+      return letter.care() == Care.NONE;
     }
 
-    boolean isTo(RobotId robot, LetterId letter) {
-      return to.equals(ALL) ? !robot.equals(letter.from) : to.equals(robot.name());
+    boolean isTo(RobotId robot, LetterId id) {
+      return letter.to().map(robot::equals).orElse(!robot.equals(id.from));
     }
   }
 
@@ -105,7 +105,7 @@ final class MessagesSpec extends LemmaMonitor {
     final Set<LetterId> unsettled = new TreeSet<>();
     final Set<LetterId> handled = new TreeSet<>();
     final Map<RobotId, Integer> newestBoots = new TreeMap<>();
-    final Set<String> open = new TreeSet<>();
+    final Set<Instance> open = new TreeSet<>();
     final Set<Long> transmitted = new TreeSet<>();
     long transmittedNs;
   }
@@ -143,8 +143,8 @@ final class MessagesSpec extends LemmaMonitor {
     }
     if (event instanceof TraceEvent.Sent datagram) {
       transmitted(datagram, report);
-    } else if (event instanceof Action action && action.source().equals(MessagesClient.MAIL)) {
-      acted(action, report);
+    } else if (event instanceof Action action && action.fact() instanceof MailFact fact) {
+      acted(action, fact, report);
     }
   }
 
@@ -187,45 +187,45 @@ final class MessagesSpec extends LemmaMonitor {
 
   private boolean isReceiverUp(LetterId letter) {
     Sent known = sent.get(letter);
-    return known != null && faults.isUp(new RobotId(known.to));
+    return known != null && known.letter.to().map(faults::isUp).orElse(true);
   }
 
-  private void acted(Action action, Report report) {
-    List<String> args = action.args();
-    Program self = programs.computeIfAbsent(action.robot(), any -> new Program());
-    switch (action.name()) {
-      case MessagesClient.OPEN -> self.open.add(args.get(0));
-      case MessagesClient.CLOSE -> closed(action, self);
-      case MessagesClient.SEND -> sent(action, self, id(action.robot(), args, 2), report);
-      case MessagesClient.HANDLE ->
-          handled(action, self, id(new RobotId(args.get(0)), args, 2), report);
-      case MessagesClient.DELIVERED ->
-          settled(action, self, id(action.robot(), args, 1), true, report);
-      case MessagesClient.FAILED ->
-          settled(action, self, id(action.robot(), args, 1), false, report);
-      default -> throw new IllegalStateException("unknown action " + action.name());
+  private void acted(Action action, MailFact fact, Report report) {
+    RobotId robot = action.robot();
+    Program self = programs.computeIfAbsent(robot, any -> new Program());
+    switch (fact) {
+      case MailFact.Opened opened -> self.open.add(opened.channel());
+      case MailFact.Closed closing -> closed(action, self, closing.channel());
+      case Mailed letter ->
+          sent(action, self, new LetterId(robot, letter.boot(), letter.number()), letter, report);
+      case MailFact.Handled letter -> handled(action, self, letter, report);
+      case MailFact.Delivered letter -> {
+        LetterId id = new LetterId(robot, letter.boot(), letter.number());
+        boolean isHandled = everHandled.contains(new Arrival(id, letter.to()));
+        check(HANDLED, isHandled, action, id + " is told delivered, but is not", report);
+        settled(action, self, id, report);
+      }
+      case MailFact.Failed letter -> {
+        LetterId id = new LetterId(robot, letter.boot(), letter.number());
+        check(SETTLED, !isTooEarly(action, self, id), action, id + " fails too early", report);
+        settled(action, self, id, report);
+      }
     }
   }
 
-  private static LetterId id(RobotId from, List<String> args, int at) {
-    return new LetterId(from, Integer.parseInt(args.get(at)), Integer.parseInt(args.get(at + 1)));
-  }
-
-  private void closed(Action action, Program self) {
-    String channel = action.args().get(0);
+  private void closed(Action action, Program self, Instance channel) {
     self.open.remove(channel);
     for (LetterId letter : self.unsettled) {
       Sent known = sent.get(letter);
-      if (known != null && known.channel.equals(channel)) {
+      if (known != null && known.letter.channel().equals(channel)) {
         closed.start(letter, action.timeNs());
       }
     }
   }
 
-  private void sent(Action action, Program self, LetterId letter, Report report) {
-    List<String> args = action.args();
+  private void sent(Action action, Program self, LetterId letter, Mailed mailed, Report report) {
     long nowNs = action.timeNs();
-    Sent what = new Sent(args.get(0), args.get(1), args.get(4), nowNs, self.clock);
+    Sent what = new Sent(mailed, nowNs, self.clock);
     sent.put(letter, what);
     if (self.boot != letter.boot) {
       Integer earlier = newestStarts.put(letter.from, letter.boot);
@@ -235,9 +235,9 @@ final class MessagesSpec extends LemmaMonitor {
     }
     if (!what.isPlain()) {
       self.unsettled.add(letter);
-      (what.reliability.equals(BRIEF) ? brief : lasting).start(letter, nowNs);
+      (mailed.care() == Care.BRIEF ? brief : lasting).start(letter, nowNs);
       // The other channel is closed at times.
-      if (what.channel.endsWith("/letters")) {
+      if (mailed.channel().xid().equals("letters")) {
         deliveries.start(letter, nowNs);
         deliveries.assume(letter, isReceiverUp(letter), nowNs);
       }
@@ -250,21 +250,22 @@ final class MessagesSpec extends LemmaMonitor {
     }
   }
 
-  private void handled(Action action, Program self, LetterId letter, Report report) {
-    List<String> args = action.args();
+  private void handled(Action action, Program self, MailFact.Handled handled, Report report) {
+    LetterId letter = new LetterId(handled.from(), handled.boot(), handled.number());
+    Instance channel = handled.channel();
     Sent known = sent.get(letter);
-    long itsClock = Long.parseLong(args.get(4));
-    long clock = Long.parseLong(args.get(5));
+    long itsClock = handled.itsClock();
+    long clock = handled.clock();
     self.clock = clock;
     boolean isGenuine =
         known != null
-            && known.channel.equals(args.get(1))
+            && known.letter.channel().equals(channel)
             && known.isTo(action.robot(), letter)
-            && self.open.contains(args.get(1))
+            && self.open.contains(channel)
             && clock >= itsClock
             && itsClock > known.afterClock
             && itsClock >= letter.number; // the clock ticks for each letter
-    check(GENUINE, isGenuine, action, letter + " on " + args.get(1) + ": not so sent", report);
+    check(GENUINE, isGenuine, action, letter + " on " + channel + ": not so sent", report);
     boolean isFirst = self.handled.add(letter);
     if (known != null && known.isPlain()) {
       if (arrivals != null && arrivals.stop(new Arrival(letter, action.robot()))) {
@@ -277,20 +278,12 @@ final class MessagesSpec extends LemmaMonitor {
     }
     int newest = self.newestBoots.merge(letter.from, letter.boot, Math::max);
     check(FRESH, letter.boot == newest, action, letter + " after its start " + newest, report);
-    everHandled.add(letter + " by " + action.robot());
+    everHandled.add(new Arrival(letter, action.robot()));
   }
 
-  private void settled(
-      Action action, Program self, LetterId letter, boolean isDelivered, Report report) {
+  private void settled(Action action, Program self, LetterId letter, Report report) {
     self.unsettled.remove(letter);
     closed.stop(letter);
-    if (!isDelivered) {
-      check(
-          SETTLED, !isTooEarly(action, self, letter), action, letter + " fails too early", report);
-    } else {
-      boolean isHandled = everHandled.contains(letter + " by " + action.args().get(0));
-      check(HANDLED, isHandled, action, letter + " is told delivered, but is not", report);
-    }
     deliveries.stop(letter);
     boolean wasBrief = brief.stop(letter);
     boolean wasLasting = lasting.stop(letter);
@@ -304,11 +297,12 @@ final class MessagesSpec extends LemmaMonitor {
   /** Whether a letter on an open channel is given up before its deadline or its last retry. */
   private boolean isTooEarly(Action action, Program self, LetterId letter) {
     Sent known = sent.get(letter);
-    if (known == null || !self.open.contains(known.channel)) {
+    if (known == null || !self.open.contains(known.letter.channel())) {
       return false;
     }
     long agoNs = action.timeNs() - known.atNs;
-    Reliability used = known.reliability.equals(BRIEF) ? MessagesClient.BRIEF : Reliability.DEFAULT;
+    Reliability used =
+        known.letter.care() == Care.BRIEF ? MessagesClient.BRIEF : Reliability.DEFAULT;
     return faults.isCalm(action.timeNs(), agoNs) && agoNs < leastNs(used);
   }
 

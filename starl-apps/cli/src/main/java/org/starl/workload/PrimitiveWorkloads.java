@@ -13,16 +13,30 @@ import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantities;
 import org.starl.input.Quantity;
+import org.starl.primitives.geocast.GeocastFact;
+import org.starl.primitives.geocast.GeocastMessage;
+import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.primitives.mutex.MutexTimes;
+import org.starl.shape.Shapes;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.record.Layer;
 import org.starl.time.Time;
+import org.starl.trace.Vocabulary;
 
 /** The primitives that have a workload. */
 public final class PrimitiveWorkloads {
+
+  /** The shapes of what the workloads send and tell. */
+  private static final Vocabulary VOCABULARY =
+      PrimitiveVocabulary.ALL
+          .messages(MailFact.SOURCE.name(), MessagesClient.Letter.SHAPE)
+          .messages(GeocastFact.GEOCAST, GeocastMessage.shape(Shapes.INT))
+          .messages(GeocastFact.BROADCAST, GeocastMessage.shape(Shapes.INT))
+          .facts(MailFact.SOURCE.name(), MailFact.SHAPE)
+          .facts(ClientFact.SOURCE.name(), ClientFact.SHAPE);
 
   /** By name. */
   public static final List<Demo> ALL =
@@ -197,6 +211,11 @@ public final class PrimitiveWorkloads {
     @Override
     public Kind kind() {
       return Kind.PRIMITIVE;
+    }
+
+    @Override
+    public Vocabulary vocabulary(Request request) {
+      return VOCABULARY;
     }
 
     private Course course(Request request) {

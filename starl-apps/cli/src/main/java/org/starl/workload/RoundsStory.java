@@ -34,7 +34,7 @@ final class RoundsStory implements Story {
   @Override
   public void observed(TraceEvent event) {
     switch (event) {
-      case Action action when action.source().equals(Client.SOURCE) -> addAction(action);
+      case Action action when action.fact() instanceof ClientFact fact -> addAction(action, fact);
       case Fault fault when fault.name().equals(Fault.CRASH) -> robot(fault.robot()).crashes++;
       case Fault fault when fault.name().equals(Fault.BEGIN) ->
           faults.merge(fault.detail().split("\\(", 2)[0], 1L, Long::sum);
@@ -44,19 +44,18 @@ final class RoundsStory implements Story {
     }
   }
 
-  private void addAction(Action action) {
+  private void addAction(Action action, ClientFact fact) {
     Results robot = robot(action.robot());
-    switch (action.name()) {
-      case Client.ASK -> robot.askedNs = action.timeNs();
-      case Client.SERVED -> {
+    switch (fact) {
+      case ClientFact.ask made -> robot.askedNs = action.timeNs();
+      case ClientFact.served granted -> {
         servedNs.add(action.timeNs());
         robot.waitsNs.add(action.timeNs() - robot.askedNs);
       }
-      case Client.TOLD -> robot.failures++;
-      case Client.LATE -> {
+      case ClientFact.told refused -> robot.failures++;
+      case ClientFact.late waking -> {
         // ServiceSpec judges it.
       }
-      default -> throw new IllegalStateException("unknown action " + action.name());
     }
   }
 

@@ -49,27 +49,37 @@ final class ServiceSpec extends LemmaMonitor {
     faults.observe(event);
     if (!faults.isCalm(event.timeNs(), FaultState.SETTLE_NS)) {
       requests.clear();
-    } else if (event instanceof Action action && action.source().equals(Client.SOURCE)) {
-      acted(action, report);
+    } else if (event instanceof Action action && action.fact() instanceof ClientFact fact) {
+      acted(action, fact, report);
     }
   }
 
-  private void acted(Action action, Report report) {
+  private void acted(Action action, ClientFact fact, Report report) {
+    switch (fact) {
+      case ClientFact.late waking -> {
+        report.checked(PROMPT);
+        String detail = "wakes " + waking.ms() + " ms too late in a calm world";
+        report.violated(PROMPT, action.timeNs(), List.of(action.robot()), detail);
+      }
+      case ClientFact.ask made -> requests.start(action.robot(), action.timeNs());
+      case ClientFact.served granted -> answered(action, "", report);
+      case ClientFact.told refused ->
+          answered(
+              action,
+              "its request of round " + refused.round() + " failed in a calm world",
+              report);
+    }
+  }
+
+  /** A request has an answer; {@code failure} is empty if it was served. */
+  private void answered(Action action, String failure, Report report) {
     RobotId robot = action.robot();
-    if (action.name().equals(Client.LATE)) {
-      report.checked(PROMPT);
-      String detail = "wakes " + action.args().get(0) + " ms too late in a calm world";
-      report.violated(PROMPT, action.timeNs(), List.of(robot), detail);
-    } else if (action.name().equals(Client.ASK)) {
-      requests.start(robot, action.timeNs());
-    } else if (requests.stop(robot)) {
+    if (requests.stop(robot)) {
       report.checked(PROMPT);
       if (!mayFail) {
         report.checked(GRANTED);
-        if (action.name().equals(Client.TOLD)) {
-          String detail =
-              "its request of round " + action.args().get(0) + " failed in a calm world";
-          report.violated(GRANTED, action.timeNs(), List.of(robot), detail);
+        if (!failure.isEmpty()) {
+          report.violated(GRANTED, action.timeNs(), List.of(robot), failure);
         }
       }
     }

@@ -77,6 +77,13 @@ final class CodeRules {
             "\\bprintStackTrace\\b",
             "e.printStackTrace();"),
         call(
+            "a value read back from a text that StarL wrote",
+            "the value itself: events carry facts, values and messages of their types",
+            CodeRules::isMain,
+            "\\bargs\\(\\)\\s*\\.\\s*get\\b|\\b(value|message|fact)\\(\\)\\s*\\.\\s*toString\\(\\)\\s*\\."
+                + "\\s*(equals|split|startsWith|endsWith|substring|indexOf|matches|contains)\\b",
+            "RobotId who = RobotId.of(action.args().get(0));"),
+        call(
             "writing to the console",
             "LogSink in a robot, the command's own writer in org.starl.cli",
             CodeRules::isMain,

@@ -49,6 +49,7 @@ final class Layers {
     "org.starl.platform..",
     "org.starl.random..",
     "org.starl.session..",
+    "org.starl.shape..",
     "org.starl.spec..",
     "org.starl.time..",
     "org.starl.trace.."

@@ -38,6 +38,7 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -185,7 +186,7 @@ public class ProgramsInJavaTest {
         .filteredOn(each -> each.robot().name().equals("bot1"))
         .filteredOn(TraceEvent.Variable.class::isInstance)
         .map(TraceEvent.Variable.class::cast)
-        .filteredOn(each -> each.source().equals("app"))
+        .filteredOn(each -> each.source().equals(Instance.APP))
         .extracting(each -> each.name() + "=" + each.value())
         .containsSubsequence(
             "location=S0",
@@ -220,7 +221,7 @@ public class ProgramsInJavaTest {
 
     @Override
     public void observe(TraceEvent event, Report report) {
-      if (event instanceof TraceEvent.Variable it && it.value().equals("MOVE_WAIT")) {
+      if (event instanceof TraceEvent.Variable it && it.value().toString().equals("MOVE_WAIT")) {
         report.violated("standing", event.timeNs(), List.of(event.robot()), "moves");
       }
     }

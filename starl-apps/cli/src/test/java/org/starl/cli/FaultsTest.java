@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
@@ -35,7 +36,7 @@ class FaultsTest {
     assertThat(cli.status()).as("%s", cli).isLessThanOrEqualTo(1);
     List<String> faults = new ArrayList<>();
     try (InputStream in = Files.newInputStream(trace);
-        TraceReader reader = new TraceReader("a.trace", in)) {
+        TraceReader reader = new TraceReader("a.trace", in, PrimitiveVocabulary.ALL)) {
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
         if (event instanceof TraceEvent.Fault fault) {
           faults.add((fault.robot() + " " + fault.name() + " " + fault.detail()).strip());

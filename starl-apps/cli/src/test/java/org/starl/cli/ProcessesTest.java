@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.launch.Kill;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;
@@ -93,7 +94,12 @@ class ProcessesTest {
     List<String> lines = new ArrayList<>();
     LaunchResult result;
     try (Launcher launcher =
-        new Launcher(simulation, ProcessOptions.command(words), settings, lines::add)) {
+        new Launcher(
+            simulation,
+            ProcessOptions.command(words),
+            CrossingFact.FIGURE_4,
+            settings,
+            lines::add)) {
       result = launcher.run();
     }
     assertThat(result.isGood()).as("%s %s", result, lines).isTrue();

@@ -101,7 +101,7 @@ class ReplayTest {
     isRefused(
         Files.writeString(folder.resolve("poem.trace"), "roses are red\n"), "expected the header");
     isRefused(Files.write(folder.resolve("bytes.trace"), new byte[] {1, -1, 10}), "expected text");
-    isRefused(changed(lines -> with(lines, 0, "\"format\":1,", "\"format\":9,")), "format 1");
+    isRefused(changed(lines -> with(lines, 0, "\"format\":2,", "\"format\":9,")), "format 2");
     isRefused(
         changed(lines -> with(lines, 0, "\"starl\":\"0", "\"starl\":\"99")),
         "was written by StarL");

@@ -17,6 +17,7 @@ import java.util.Set;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;
@@ -118,7 +119,7 @@ class RunTest {
 
   private static void assertReadsToItsEnd(Path trace) throws IOException {
     try (InputStream in = Files.newInputStream(trace);
-        TraceReader reader = new TraceReader(trace.toString(), in)) {
+        TraceReader reader = new TraceReader(trace.toString(), in, CrossingFact.FIGURE_4)) {
       assertThat(reader.header().scenario()).isEqualTo("intersection");
       assertThat(reader.header().scenarioSeed()).isEqualTo(7);
       assertThat(reader.header().robots()).hasSize(4);

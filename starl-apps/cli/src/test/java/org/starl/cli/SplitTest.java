@@ -41,7 +41,8 @@ class SplitTest {
 
       @Override
       public void observe(TraceEvent event, Report report) {
-        if (event instanceof TraceEvent.Variable variable && variable.value().equals("DONE")) {
+        if (event instanceof TraceEvent.Variable variable
+            && variable.value().toString().equals("DONE")) {
           report.checked("lucky");
           if (event.timeNs() / 20_000_000 % 5 == 0) {
             report.violated("lucky", event.timeNs(), List.of(event.robot()), "arrives");

@@ -35,7 +35,7 @@ class SpecificationsTest {
   private static final Pattern MONITOR =
       Pattern.compile(
           "(?<!abstract )(?<!abstract static )\\bclass (\\w+)(?: extends (?:Conformance|InstanceSpec|InstanceMonitor|LemmaMonitor)\\b[^{;]*|"
-              + "[^{;]*(?: implements |\\) : )[^{;]*\\bMonitor\\b(?!\\.)[^{;]*)\\{");
+              + "[^{;]*(?: implements |\\) : )[^{;]*\\b(?:App)?Monitor\\b(?!\\.)[^{;]*)\\{");
   private static final Pattern CONSTANT =
       Pattern.compile("(?:static final String|const val) (\\w+) = \"([^\"]+)\"");
   private static final Pattern LEMMAS =

@@ -3,11 +3,14 @@ package org.starl.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
 class KillTest {
@@ -33,14 +36,17 @@ class KillTest {
     assertThatThrownBy(() -> Kill.parse(text)).isInstanceOf(BadInput.class);
   }
 
+  private static Variable ahead(RobotId robot, String... zones) {
+    return new Variable(5, robot, Instance.APP, CrossingFact.MYSEQ, List.of(zones));
+  }
+
   @Test
   void itsVariableTriggersIt() {
     Kill kill = Kill.parse("bot2@app.myseq=[C, C1]+1s");
     assertThat(kill.afterNs()).isEqualTo(1_000_000_000);
-    assertThat(kill.isTriggeredBy(new Variable(5, BOT2, "app", "myseq", "[C, C1]"))).isTrue();
-    assertThat(kill.isTriggeredBy(new Variable(5, BOT2, "app", "myseq", "[C1]"))).isFalse();
-    assertThat(kill.isTriggeredBy(new Variable(5, new RobotId("bot1"), "app", "myseq", "[C, C1]")))
-        .isFalse();
-    assertThat(Kill.parse("bot2@1s").isTriggeredBy(new Variable(5, BOT2, "a", "b", "c"))).isFalse();
+    assertThat(kill.isTriggeredBy(ahead(BOT2, "C", "C1"))).isTrue();
+    assertThat(kill.isTriggeredBy(ahead(BOT2, "C1"))).isFalse();
+    assertThat(kill.isTriggeredBy(ahead(new RobotId("bot1"), "C", "C1"))).isFalse();
+    assertThat(Kill.parse("bot2@1s").isTriggeredBy(ahead(BOT2))).isFalse();
   }
 }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.sim.SimulationPlan;
 
 /** What the launcher does when a process fails. */
@@ -23,7 +24,8 @@ class LauncherTest {
   private LaunchResult run(String main, SimulationPlan plan, Duration limit) throws IOException {
     List<String> command = JavaProcess.command(128, main, List.of());
     LaunchSettings settings = new LaunchSettings(1, List.of(), limit, LaunchSettings.DEFAULT_QUIET);
-    try (Launcher launcher = new Launcher(plan, command, settings, told::add)) {
+    try (Launcher launcher =
+        new Launcher(plan, command, PrimitiveVocabulary.ALL, settings, told::add)) {
       return launcher.run();
     }
   }

@@ -36,6 +36,8 @@ import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
 import org.starl.spec.Monitor;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -200,16 +202,20 @@ class LocalSpecsTest {
     assertThat(trace.toString(StandardCharsets.UTF_8)).contains("\"kind\":\"end\"");
   }
 
+  private static Action action(long timeNs) {
+    return Action.of(timeNs, BOT, Instance.of("door"), Note.SHAPE, new Note("enter", List.of()));
+  }
+
   @Test
   void lemmasOnOtherRobotsOrBodiesAreNotChecked() {
     List<Violation> violations = new ArrayList<>();
     LocalSpecs specs = new LocalSpecs(plan().monitors(), 1000, violations::add);
 
     specs.observed(new Joined(1100, BOT, new Pose(0, 0, 0), 165));
-    specs.observed(new Action(1200, BOT, "door", "enter", List.of()));
+    specs.observed(action(1200));
     assertThat(violations).isEmpty();
 
-    specs.observed(new Action(1300, BOT, "door", "enter", List.of()));
+    specs.observed(action(1300));
     assertThat(specs.lemmas()).containsExactly("Once");
     assertThat(violations)
         .containsExactly(new Violation("Once", 300, List.of(BOT), "is inside already"));

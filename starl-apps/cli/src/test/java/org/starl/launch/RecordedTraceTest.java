@@ -14,9 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.robot.DeployedRobot;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.Simulation;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent.Action;
 
 class RecordedTraceTest {
@@ -32,16 +35,16 @@ class RecordedTraceTest {
     try (OutputStream out = Files.newOutputStream(file)) {
       ProcessTrace trace =
           new ProcessTrace(BOT0, Simulation.builder().build().plan().header(), out);
-      trace.report(() -> 0, ProcessWord.CLOCK, "machine", 1, 2);
+      trace.report(() -> 0, new ProcessFact.Clock("machine", 1, 2));
       for (long atNs = 1; atNs <= 3; atNs++) {
-        trace.record(new Action(atNs, BOT0, "app", "walks", List.of()));
+        trace.record(Action.of(atNs, BOT0, Instance.APP, Note.SHAPE, new Note("walks", List.of())));
       }
       trace.end(3);
     }
   }
 
   private RecordedTrace read() {
-    return RecordedTrace.read(file.toString());
+    return RecordedTrace.read(file.toString(), header -> DeployedRobot.VOCABULARY);
   }
 
   private void change(int line, String to) throws IOException {

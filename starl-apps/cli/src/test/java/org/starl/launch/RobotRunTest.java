@@ -39,6 +39,7 @@ import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.sim.Simulation;
+import org.starl.trace.Instance;
 
 /** One robot of a deployment, alone on the loopback interface. */
 @Tag("realtime")
@@ -291,7 +292,7 @@ class RobotRunTest {
   private static final class Endless extends LogicThread {
     Endless(GlobalVarHolder gvh) {
       super(gvh);
-      gvh.explain(() -> new Wait("test", "holds [S]", List.of(new RobotId("bot1"))));
+      gvh.explain(() -> new Wait(Instance.of("test"), "holds [S]", List.of(new RobotId("bot1"))));
     }
 
     @Override

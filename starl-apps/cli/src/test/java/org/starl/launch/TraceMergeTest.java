@@ -14,11 +14,15 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.comms.Codec;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.robot.DeployedRobot;
+import org.starl.robot.MeasuredBody;
+import org.starl.robot.MeasuredBody.Within;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -26,6 +30,8 @@ import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -44,6 +50,8 @@ class TraceMergeTest {
   private static final long SECOND = 1000 * MS;
   private static final TraceHeader HEADER =
       new TraceHeader("test", "section", 1, 1, Map.of(), List.of(A, B));
+
+  private static final Instance CHANNEL = Instance.of("p", "i");
 
   @TempDir private Path folder;
 
@@ -107,15 +115,15 @@ class TraceMergeTest {
   }
 
   private static Action action(long atMs, RobotId robot, String name) {
-    return new Action(atMs * MS, robot, "app", name, List.of());
+    return Action.of(atMs * MS, robot, Instance.APP, Note.SHAPE, new Note(name, List.of()));
   }
 
   private static Sent sent(long atMs, RobotId robot, long number) {
-    return new Sent(atMs * MS, robot, "*", "p/i", number, 10, "hello");
+    return new Sent(atMs * MS, robot, "*", CHANNEL, number, 10, Codec.text(), "hello");
   }
 
   private static Delivered delivered(long atMs, RobotId robot, RobotId from, long number) {
-    return new Delivered(atMs * MS, robot, from, "p/i", number, "hello");
+    return new Delivered(atMs * MS, robot, from, CHANNEL, number, Codec.text(), "hello");
   }
 
   private String trace(
@@ -136,7 +144,7 @@ class TraceMergeTest {
     Path file = folder.resolve(name);
     try (OutputStream out = Files.newOutputStream(file)) {
       ProcessTrace trace = new ProcessTrace(robot, HEADER, out);
-      trace.report(() -> 0, ProcessWord.CLOCK, machine, machineNs, dateNs);
+      trace.report(() -> 0, new ProcessFact.Clock(machine, machineNs, dateNs));
       Arrays.asList(events).forEach(trace::record);
       if (isWhole) {
         trace.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
@@ -180,7 +188,7 @@ class TraceMergeTest {
     String file = trace(A, "m", 0, 0, action(1, A, "enter"));
     Path merged = folder.resolve("merged.trace");
     try (TraceRecorder out = new TraceRecorder(Files.newOutputStream(merged))) {
-      TraceMerge.of(List.of(file), 0, 0).judge(plan(), List.of(out));
+      merge(List.of(file), 0, 0).judge(plan(), List.of(out));
     }
 
     assertThatThrownBy(() -> judge(0, file, merged.toString()))
@@ -188,13 +196,17 @@ class TraceMergeTest {
         .hasMessageContaining(merged + ": is the output of 'starl deploy merge'");
   }
 
+  private static TraceMerge merge(List<String> files, long dateErrorNs, long driftPpm) {
+    return TraceMerge.of(files, header -> DeployedRobot.VOCABULARY, dateErrorNs, driftPpm);
+  }
+
   private static TraceMerge.Result judge(long dateErrorNs, String... files) {
-    return TraceMerge.of(List.of(files), dateErrorNs, 0).judge(plan(), List.of());
+    return merge(List.of(files), dateErrorNs, 0).judge(plan(), List.of());
   }
 
   private static List<String> order(long dateErrorNs, String... files) {
     List<String> seen = new ArrayList<>();
-    TraceMerge.of(List.of(files), dateErrorNs, 0)
+    merge(List.of(files), dateErrorNs, 0)
         .judge(
             plan(),
             List.of(
@@ -262,8 +274,7 @@ class TraceMergeTest {
         trace(A, "m", 0, 0, action(100, A, "enter"), action(200, A, "leave"), sent(210, A, 1));
     String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
 
-    TraceMerge.Result result =
-        TraceMerge.of(List.of(a, b), 100 * MS, 1_000_000).judge(plan(), List.of());
+    TraceMerge.Result result = merge(List.of(a, b), 100 * MS, 1_000_000).judge(plan(), List.of());
 
     assertThat(result.orders()).isEqualTo(5);
     assertThat(result.violations()).isEmpty();
@@ -287,7 +298,7 @@ class TraceMergeTest {
     List<TraceEvent> faults = new ArrayList<>();
 
     TraceMerge.Result result =
-        TraceMerge.of(List.of(a, b), SECOND, 0)
+        merge(List.of(a, b), SECOND, 0)
             .judge(
                 plan(),
                 List.of(
@@ -313,7 +324,7 @@ class TraceMergeTest {
   }
 
   private static Action within(long atMs, RobotId robot, int mm) {
-    return new Action(atMs * MS, robot, "positions", "within", List.of(String.valueOf(mm)));
+    return Action.of(atMs * MS, robot, MeasuredBody.SOURCE, Within.SHAPE, new Within(mm));
   }
 
   /** Two discs of 100 mm, the second measured so far from the first, each within 10 mm. */
@@ -361,7 +372,7 @@ class TraceMergeTest {
     String again = trace(A, "a.2.trace", "m", 0, 100 * MS, true, joined(100, A, 50));
     List<TraceEvent> seen = new ArrayList<>();
 
-    TraceMerge.of(List.of(again, a), SECOND, 0)
+    merge(List.of(again, a), SECOND, 0)
         .judge(
             plan(),
             List.of(
@@ -383,9 +394,9 @@ class TraceMergeTest {
     String board = headed("board", Map.of("scenario", "figure7", "debris", "0"));
     String other = headed("other", Map.of("scenario", "figure7", "debris", "1"));
 
-    assertThat(TraceMerge.of(List.of(phone, board), SECOND, 0).header().settings())
+    assertThat(merge(List.of(phone, board), SECOND, 0).header().settings())
         .containsExactly(Map.entry("scenario", "figure7"));
-    assertThatThrownBy(() -> TraceMerge.of(List.of(phone, board, other), SECOND, 0))
+    assertThatThrownBy(() -> merge(List.of(phone, board, other), SECOND, 0))
         .isInstanceOf(BadInput.class)
         .hasMessageEndingWith("other.trace:1: its header differs; expected the header of " + board);
   }
@@ -395,7 +406,7 @@ class TraceMergeTest {
     try (OutputStream out = Files.newOutputStream(file)) {
       TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
       ProcessTrace trace = new ProcessTrace(A, header, out);
-      trace.report(() -> 0, ProcessWord.CLOCK, "m", 0, 0);
+      trace.report(() -> 0, new ProcessFact.Clock("m", 0, 0));
       trace.end(0);
     }
     return file.toString();

@@ -13,14 +13,15 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.TraceLines;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Variable;
 
 /** The theories of a run; PVS decides whether they can be proved. */
 class RunTheoriesTest {
@@ -28,8 +29,37 @@ class RunTheoriesTest {
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
   private final RunTheories theories = new RunTheories(out);
 
-  private void acts(String robot, String source, String name, String... args) {
-    theories.observed(new Action(1_500_000_000, new RobotId(robot), source, name, List.of(args)));
+  private void acts(String robot, String source, String fact) {
+    String json = fact.replace('\'', '"');
+    theories.observed(TraceLines.action(1_500_000_000, new RobotId(robot), source, json));
+  }
+
+  private void sets(long timeNs, String source, String variable, String value) {
+    RobotId robot = new RobotId("b");
+    theories.observed(
+        TraceLines.variable(timeNs, robot, source, variable, value.replace('\'', '"')));
+  }
+
+  private void asks(String robot, String mutex, String... want) {
+    acts(
+        robot,
+        mutex,
+        "{'do_mutex':{'who':'%s#1','num':1,'ts':1,'want':%s,'known':[]}}"
+            .formatted(robot, sections(want)));
+  }
+
+  private void holds(String robot, String mutex, String... held) {
+    acts(
+        robot,
+        mutex,
+        "{'od_mutex':{'who':'%s#1','num':1,'held':%s}}".formatted(robot, sections(held)));
+  }
+
+  private static String sections(String... names) {
+    return Stream.of(names)
+        .sorted()
+        .map(name -> "'" + name + "'")
+        .collect(Collectors.joining(",", "[", "]"));
   }
 
   private String text() throws IOException {
@@ -39,9 +69,9 @@ class RunTheoriesTest {
 
   @Test
   void aMutexRunIsWrittenStateByStateWithItsObligations() throws IOException {
-    acts("bot-1", "mutex/x", "do_mutex", "bot-1#1", "1", "1", "A 7", "");
-    acts("bot-1", "mutex/x", "od_mutex", "bot-1#1", "1", "A 7");
-    acts("bot-1", "mutex/x", "release", "bot-1#1", "1", "A", "7");
+    asks("bot-1", "mutex/x", "A", "7");
+    holds("bot-1", "mutex/x", "A", "7");
+    acts("bot-1", "mutex/x", "{'release':{'who':'bot-1#1','num':1,'given':['A'],'left':['7']}}");
     assertThat(text())
         .isEqualTo(
             """
@@ -138,8 +168,12 @@ class RunTheoriesTest {
 
   @Test
   void aRegistrationRunHasItsListsByNumber() throws IOException {
-    acts("b", "registration/x", "do_register", "b#1");
-    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
+    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    sets(
+        5,
+        "registration/x",
+        "view",
+        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
     assertThat(text())
         .contains("  IMPORTING Registration_decls[PIDS]\n")
         .contains("  PIDS: TYPE = {b_1}\n")
@@ -166,9 +200,13 @@ class RunTheoriesTest {
   /** Each learn has its result, so that its absence shows. */
   @Test
   void aListThatIsKnownBeforeAskingIsAResult() throws IOException {
-    acts("b", "registration/x", "do_register", "b#1");
-    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
-    acts("b", "registration/x", "do_register", "b#2");
+    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    sets(
+        5,
+        "registration/x",
+        "view",
+        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
+    acts("b", "registration/x", "{'do_register':{'i':'b#2'}}");
     assertThat(text())
         .contains("  a_5: actions = learn(b_2, 1)\n")
         .contains("  result_5: LEMMA rList(b_2, s_5) = {x: PIDS | x = b_1}\n");
@@ -176,9 +214,9 @@ class RunTheoriesTest {
 
   @Test
   void anAgreementRunHasItsValuesAndTheUndecidedOnes() throws IOException {
-    acts("b", "agreement/x", "propose", "01ff");
-    theories.observed(new Variable(5, new RobotId("b"), "agreement/x", "decided", "01ff"));
-    theories.observed(new Variable(6, new RobotId("b"), "agreement/x", "decided", "null"));
+    acts("b", "agreement/x", "{'propose':{'i':'b','v':'01ff'}}");
+    sets(5, "agreement/x", "decided", "'01ff'");
+    sets(6, "agreement/x", "decided", "null");
     assertThat(text())
         .contains("  Values: TYPE = {n01ff}\n")
         .contains("  IMPORTING SetAgreement_decls[PIDS, Values]\n")
@@ -198,10 +236,10 @@ class RunTheoriesTest {
 
   @Test
   void anElectionRunHasItsTermsByNumber() throws IOException {
-    acts("b", "election/x", "Election", "2", "b#1");
-    acts("b", "election/x", "do_election", "b#1");
-    acts("b", "election/x", "candidate", "1", "b#1");
-    theories.observed(new Variable(5, new RobotId("b"), "election/x", "Leader", "1:b#1"));
+    acts("b", "election/x", "{'Election':{'size':2,'i':'b#1'}}");
+    acts("b", "election/x", "{'do_election':{'i':'b#1'}}");
+    acts("b", "election/x", "{'candidate':{'i':'b#1','n':1}}");
+    sets(5, "election/x", "Leader", "{'Name':{'id':'b#1','term':1}}");
     assertThat(text())
         .contains("  IMPORTING Election_decls[PIDS]\n")
         .contains("  a_3: actions = elect(1, b_1)\n")
@@ -224,16 +262,16 @@ class RunTheoriesTest {
 
   @Test
   void aDeviatingStepIsTheLastOneSoThatPvsRejectsIt() throws IOException {
-    acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
-    acts("b", "mutex/x", "od_mutex", "b#1", "1", "B");
-    acts("b", "mutex/x", "release", "b#1", "1", "B", "");
+    asks("b", "mutex/x", "A");
+    holds("b", "mutex/x", "B");
+    acts("b", "mutex/x", "{'release':{'who':'b#1','num':1,'given':['B'],'left':[]}}");
     assertThat(text()).contains("step_2: LEMMA enabled(a_2, s_1)").doesNotContain("step_3");
   }
 
   @Test
   void everyInstanceHasTheRestartAndInstancesAreOrdered() throws IOException {
-    acts("b", "mutex/y", "stands_in", "b#1", "");
-    acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
+    acts("b", "mutex/y", "{'stands_in':{'who':'b#1','sections':[]}}");
+    asks("b", "mutex/x", "A");
     theories.observed(new TraceEvent.Fault(7, new RobotId("b"), "restart", ""));
     String text = text();
     assertThat(text).containsSubsequence("run_mutex_x: THEORY", "run_mutex_y: THEORY");
@@ -243,8 +281,8 @@ class RunTheoriesTest {
 
   @Test
   void everyUsedNameIsDeclared() throws IOException {
-    acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A or-else B", "");
-    acts("c", "mutex/x", "do_mutex", "c#1", "1", "1", "true", "");
+    asks("b", "mutex/x", "A", "or-else", "B");
+    asks("c", "mutex/x", "true");
     Matcher type = Pattern.compile("TYPE = \\{(.*)}").matcher(text());
     List<String> declared = new ArrayList<>();
     while (type.find()) {
@@ -283,15 +321,19 @@ class RunTheoriesTest {
   @Tag("realtime")
   void statementsOfARunAreThoseThatPvsCheckMakesAgain(@TempDir Path folder)
       throws IOException, InterruptedException {
-    acts("b", "election/x", "Election", "2", "b#1");
-    acts("b", "election/x", "do_election", "b#1");
-    acts("b", "election/x", "candidate", "1", "b#1");
-    theories.observed(new Variable(5, new RobotId("b"), "election/x", "Leader", "1:b#1"));
-    acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
-    acts("b", "mutex/x", "od_mutex", "b#1", "1", "A");
-    acts("b", "registration/x", "do_register", "b#1");
-    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
-    theories.observed(new Variable(5, new RobotId("b"), "registration/x", "rList", "1:b"));
+    acts("b", "election/x", "{'Election':{'size':2,'i':'b#1'}}");
+    acts("b", "election/x", "{'do_election':{'i':'b#1'}}");
+    acts("b", "election/x", "{'candidate':{'i':'b#1','n':1}}");
+    sets(5, "election/x", "Leader", "{'Name':{'id':'b#1','term':1}}");
+    asks("b", "mutex/x", "A");
+    holds("b", "mutex/x", "A");
+    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    sets(
+        5,
+        "registration/x",
+        "view",
+        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
+    sets(5, "registration/x", "rList", "{'Agreed':{'list':['b'],'ts':1}}");
     String text = text();
     assertThat(statements(folder, text))
         .isEqualTo("run Election_decls 4\nrun Mutex_decls 2\nrun Registration_decls 3");
@@ -316,7 +358,7 @@ class RunTheoriesTest {
 
   @Test
   void aRunWithoutATheoryIsRefused() {
-    acts("b", "app", "trip", "A B");
+    acts("b", "app", "{'note':{'name':'trip','texts':['A','B']}}");
     assertThatThrownBy(theories::close)
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith("--pvs: this run has no primitive with a theory in pvs/: expected");

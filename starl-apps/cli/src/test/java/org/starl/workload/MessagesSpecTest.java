@@ -4,20 +4,27 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.starl.time.Time.NS_PER_S;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.workload.MailFact.Care;
+import org.starl.workload.MailFact.Mailed;
+import org.starl.workload.MessagesClient.Letter;
 
 /** The specification on handwritten traces: letters of bot0 to bot1, within 5 s; plain ones 1 s. */
 class MessagesSpecTest {
 
   private static final RobotId SENDER = new RobotId("bot0");
   private static final RobotId RECEIVER = new RobotId("bot1");
-  private static final String LETTERS = "mail/letters";
+  private static final Instance LETTERS = Instance.of("mail", "letters");
 
   private final Monitors monitors = new Monitors(List.of(new MessagesSpec(5 * NS_PER_S, NS_PER_S)));
 
@@ -25,22 +32,26 @@ class MessagesSpecTest {
   void bothAreThere() {
     for (RobotId robot : List.of(SENDER, RECEIVER)) {
       monitors.observe(new TraceEvent.Joined(0, robot, new Pose(0, 0, 0), 165));
-      act(0, robot, "open", LETTERS);
+      act(0, robot, new MailFact.Opened(LETTERS));
     }
   }
 
-  private void act(long atS, RobotId robot, String name, String... args) {
-    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, robot, "mail", name, List.of(args)));
+  private void act(long atS, RobotId robot, MailFact fact) {
+    monitors.observe(Action.of(atS * NS_PER_S, robot, MailFact.SOURCE, MailFact.SHAPE, fact));
   }
 
-  private void send(long atS, int boot, int number, String reliability) {
-    String text = Integer.toString(number);
-    act(atS, SENDER, "send", "bot1", LETTERS, Integer.toString(boot), text, reliability);
+  private void send(long atS, int boot, int number, Care care) {
+    act(atS, SENDER, new Mailed(Optional.of(RECEIVER), LETTERS, boot, number, care));
   }
 
   private void handle(long atS, int boot, int number) {
-    String text = Integer.toString(number);
-    act(atS, RECEIVER, "handle", "bot0", LETTERS, Integer.toString(boot), text, "7", "7");
+    act(atS, RECEIVER, new MailFact.Handled(SENDER, LETTERS, boot, number, 7, 7));
+  }
+
+  private void transmit(long atNs) {
+    Letter letter = new Letter(1, 1, 7);
+    monitors.observe(
+        new TraceEvent.Sent(atNs, SENDER, "bot1", LETTERS, 4, 60, Letter.SHAPE, letter));
   }
 
   private void fault(long atS, RobotId robot, String name) {
@@ -49,17 +60,18 @@ class MessagesSpecTest {
 
   /** The results so far: any event shows the time. */
   private SpecReport at(long atS) {
-    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, SENDER, "app", "any", List.of()));
+    monitors.observe(
+        Action.of(atS * NS_PER_S, SENDER, Instance.APP, Note.SHAPE, new Note("any", List.of())));
     return monitors.report();
   }
 
   @Test
   void aLetterThatIsHandledOnceAndToldDeliveredHolds() {
-    send(1, 1, 1, "default");
-    monitors.observe(new TraceEvent.Sent(NS_PER_S, SENDER, "bot1", LETTERS, 4, 60, "Letter"));
+    send(1, 1, 1, Care.DEFAULT);
+    transmit(NS_PER_S);
     handle(2, 1, 1);
-    act(3, SENDER, "delivered", "bot1", "1", "1");
-    send(11, 1, 2, "none");
+    act(3, SENDER, new MailFact.Delivered(RECEIVER, 1, 1));
+    send(11, 1, 2, Care.NONE);
     handle(12, 1, 2);
     assertThat(at(99).holds()).as("%s", monitors.report()).isTrue();
     assertThat(monitors.report().lemmas())
@@ -74,35 +86,35 @@ class MessagesSpecTest {
 
   @Test
   void aLetterOnAClosedChannelViolatesGenuine() {
-    send(1, 1, 1, "default");
-    act(2, RECEIVER, "close", LETTERS);
+    send(1, 1, 1, Care.DEFAULT);
+    act(2, RECEIVER, new MailFact.Closed(LETTERS));
     handle(3, 1, 1);
     assertThat(at(3).violations("Genuine")).isEqualTo(1);
   }
 
   @Test
   void aClockBehindTheLettersViolatesGenuine() {
-    send(1, 1, 1, "default");
-    act(2, RECEIVER, "handle", "bot0", LETTERS, "1", "1", "7", "6");
+    send(1, 1, 1, Care.DEFAULT);
+    act(2, RECEIVER, new MailFact.Handled(SENDER, LETTERS, 1, 1, 7, 6));
     assertThat(at(3).violations("Genuine")).isEqualTo(1);
   }
 
   @Test
   void aClockThatStandsStillViolatesGenuine() {
-    act(1, RECEIVER, "send", "bot0", LETTERS, "1", "1", "default");
-    act(2, SENDER, "handle", "bot1", LETTERS, "1", "1", "7", "7");
-    send(3, 1, 1, "default");
+    act(1, RECEIVER, new Mailed(Optional.of(SENDER), LETTERS, 1, 1, Care.DEFAULT));
+    act(2, SENDER, new MailFact.Handled(RECEIVER, LETTERS, 1, 1, 7, 7));
+    send(3, 1, 1, Care.DEFAULT);
     handle(4, 1, 1);
     assertThat(at(5).violations("Genuine")).isEqualTo(1);
   }
 
   @Test
   void aReliableLetterThatIsHandledTwiceViolatesOnceUnlessTheReceiverRestarts() {
-    send(1, 1, 1, "default");
+    send(1, 1, 1, Care.DEFAULT);
     handle(2, 1, 1);
     fault(3, RECEIVER, "crash");
     fault(4, RECEIVER, "restart");
-    act(4, RECEIVER, "open", LETTERS);
+    act(4, RECEIVER, new MailFact.Opened(LETTERS));
     handle(5, 1, 1);
     assertThat(at(5).violations("Once")).isZero();
     handle(6, 1, 1);
@@ -111,10 +123,10 @@ class MessagesSpecTest {
 
   @Test
   void aLetterOfAnEarlierStartAfterOneOfALaterStartViolatesFresh() {
-    send(1, 1, 1, "default");
+    send(1, 1, 1, Care.DEFAULT);
     fault(2, SENDER, "crash");
     fault(2, SENDER, "restart");
-    send(3, 2, 1, "default");
+    send(3, 2, 1, Care.DEFAULT);
     handle(4, 2, 1);
     handle(5, 1, 1);
     assertThat(at(5).violations("Fresh")).isEqualTo(1);
@@ -122,24 +134,24 @@ class MessagesSpecTest {
 
   @Test
   void aStartWithTheNumberOfAnEarlierOneViolatesFresh() {
-    send(1, 1, 1, "default");
+    send(1, 1, 1, Care.DEFAULT);
     fault(2, SENDER, "crash");
     fault(2, SENDER, "restart");
-    send(3, 1, 1, "default");
-    send(3, 1, 2, "default");
+    send(3, 1, 1, Care.DEFAULT);
+    send(3, 1, 2, Care.DEFAULT);
     assertThat(at(5).violations("Fresh")).isEqualTo(1);
   }
 
   @Test
   void aFalseReceiptViolatesHandled() {
-    send(1, 1, 1, "default");
-    act(2, SENDER, "delivered", "bot1", "1", "1");
+    send(1, 1, 1, Care.DEFAULT);
+    act(2, SENDER, new MailFact.Delivered(RECEIVER, 1, 1));
     assertThat(at(3).violations("Handled")).isEqualTo(1);
   }
 
   @Test
   void aLetterWithoutAnEndViolatesSettledWhileBothAreUp() {
-    send(1, 1, 1, "default");
+    send(1, 1, 1, Care.DEFAULT);
     fault(2, RECEIVER, "crash");
     assertThat(at(8).violations("Settled")).isZero();
     fault(9, RECEIVER, "restart");
@@ -149,7 +161,7 @@ class MessagesSpecTest {
 
   @Test
   void aLetterAfterItsDeadlineViolatesSettledEvenIfTheReceiverIsDown() {
-    send(1, 1, 1, "brief");
+    send(1, 1, 1, Care.BRIEF);
     fault(2, RECEIVER, "crash");
     assertThat(at(7).violations("Settled")).isZero();
     assertThat(at(9).violations("Settled")).isEqualTo(1);
@@ -157,44 +169,44 @@ class MessagesSpecTest {
 
   @Test
   void aLetterThatIsPendingWhenItsChannelHasClosedViolatesSettled() {
-    send(1, 1, 1, "default");
-    send(1, 1, 2, "default");
-    act(2, SENDER, "close", LETTERS);
-    act(2, SENDER, "failed", "bot1", "1", "1");
+    send(1, 1, 1, Care.DEFAULT);
+    send(1, 1, 2, Care.DEFAULT);
+    act(2, SENDER, new MailFact.Closed(LETTERS));
+    act(2, SENDER, new MailFact.Failed(RECEIVER, 1, 1));
     assertThat(at(3).violations("Settled")).isEqualTo(1);
   }
 
   @Test
   void aLetterThatIsGivenUpBeforeItsDeadlineViolatesSettledUnlessAFaultMeetsIt() {
-    send(1, 1, 1, "brief");
-    act(6, SENDER, "failed", "bot1", "1", "1");
-    send(11, 1, 2, "brief");
+    send(1, 1, 1, Care.BRIEF);
+    act(6, SENDER, new MailFact.Failed(RECEIVER, 1, 1));
+    send(11, 1, 2, Care.BRIEF);
     fault(12, RECEIVER, "crash");
-    act(13, SENDER, "failed", "bot1", "1", "2");
+    act(13, SENDER, new MailFact.Failed(RECEIVER, 1, 2));
     fault(14, RECEIVER, "restart");
     assertThat(at(14).violations("Settled")).isZero();
-    send(15, 1, 3, "brief");
-    act(19, SENDER, "failed", "bot1", "1", "3");
+    send(15, 1, 3, Care.BRIEF);
+    act(19, SENDER, new MailFact.Failed(RECEIVER, 1, 3));
     assertThat(at(20).violations("Settled")).isEqualTo(1);
   }
 
   @Test
   void aDatagramThatIsSentTwiceAtOnceViolatesPaced() {
     for (long atNs : List.of(1L, 2L, 2L)) {
-      monitors.observe(new TraceEvent.Sent(atNs, SENDER, "bot1", LETTERS, 4, 60, "Letter"));
+      transmit(atNs);
     }
     assertThat(at(3).violations("Paced")).isEqualTo(1);
   }
 
   @Test
   void aPlainLetterThatIsLostInACalmWorldViolatesReceived() {
-    send(11, 1, 1, "none");
+    send(11, 1, 1, Care.NONE);
     assertThat(at(13).violations("Received")).isEqualTo(1);
   }
 
   @Test
   void aPlainLetterThatArrivesTwiceInACalmWorldViolatesReceived() {
-    send(11, 1, 1, "none");
+    send(11, 1, 1, Care.NONE);
     handle(11, 1, 1);
     handle(11, 1, 1);
     assertThat(at(13).violations("Received")).isEqualTo(1);

@@ -33,13 +33,17 @@ public final class Runs {
    * @param set parameters and settings alike, as {@code --set} takes them
    */
   public static Plan plan(String name, long seed, Map<String, String> set) {
+    return plan(name, seed, OptionalInt.empty(), set);
+  }
+
+  static Plan plan(String name, long seed, OptionalInt robots, Map<String, String> set) {
     Demo demo = demo(name);
     SortedMap<String, String> parameters = new TreeMap<>();
     demo.parameters().forEach(p -> parameters.put(p.key(), p.defaultValue()));
     SortedMap<String, String> settings = new TreeMap<>(Map.of("duration", "1200s"));
     set.forEach(
         (key, value) -> (parameters.containsKey(key) ? parameters : settings).put(key, value));
-    Request request = new Request(seed, OptionalInt.empty(), parameters);
+    Request request = new Request(seed, robots, parameters);
     SimSettings.Builder builder = demo.defaultSettings(request);
     settings.forEach(builder::set);
     Plan plan = demo.plan(request, builder.build());
@@ -70,8 +74,7 @@ public final class Runs {
                     served.clear();
                   }
                 } else if (event instanceof Action action
-                    && action.source().equals(Client.SOURCE)
-                    && action.name().equals(Client.SERVED)) {
+                    && action.fact() instanceof ClientFact.served) {
                   served.merge(action.robot(), 1, Integer::sum);
                 }
               }

@@ -17,8 +17,9 @@ class ServiceSpecTest {
 
   private Monitors monitors = new Monitors(List.of(new ServiceSpec(5 * NS_PER_S, false)));
 
-  private void act(long atS, String name) {
-    monitors.observe(new TraceEvent.Action(atS * NS_PER_S, BOT, "workload", name, List.of("1")));
+  private void act(long atS, ClientFact fact) {
+    monitors.observe(
+        TraceEvent.Action.of(atS * NS_PER_S, BOT, ClientFact.SOURCE, ClientFact.SHAPE, fact));
   }
 
   private void fault(long atS, String name) {
@@ -32,19 +33,19 @@ class ServiceSpecTest {
 
   @Test
   void aRequestWithoutAnAnswerViolatesPrompt() {
-    act(1, "ask");
+    act(1, new ClientFact.ask(1));
     assertThat(end(7).violations("Prompt")).isEqualTo(1);
   }
 
   @Test
   void aFailureViolatesGrantedUnlessThePrimitiveMayFail() {
-    act(1, "ask");
-    act(2, "told");
+    act(1, new ClientFact.ask(1));
+    act(2, new ClientFact.told(1));
     assertThat(end(9).violations("Granted")).isEqualTo(1);
     assertThat(monitors.report().violations("Prompt")).isZero();
     monitors = new Monitors(List.of(new ServiceSpec(5 * NS_PER_S, true)));
-    act(1, "ask");
-    act(2, "told");
+    act(1, new ClientFact.ask(1));
+    act(2, new ClientFact.told(1));
     assertThat(end(9).lemmas()).containsExactly("Prompt");
     assertThat(monitors.report().holds()).isTrue();
   }
@@ -52,21 +53,21 @@ class ServiceSpecTest {
   @Test
   void aWaitThatEndsTooLateInACalmWorldViolatesPrompt() {
     fault(1, "begin");
-    act(2, "late");
+    act(2, new ClientFact.late(1));
     fault(3, "end");
-    act(12, "late");
+    act(12, new ClientFact.late(1));
     assertThat(monitors.report().violations("Prompt")).isZero();
-    act(13, "late");
+    act(13, new ClientFact.late(1));
     assertThat(end(14).violations("Prompt")).isEqualTo(1);
   }
 
   @Test
   void nothingIsOwedToARequestThatAFaultMeets() {
-    act(1, "ask");
+    act(1, new ClientFact.ask(1));
     fault(2, "begin");
     fault(3, "end");
-    act(14, "told");
-    act(14, "ask");
+    act(14, new ClientFact.told(1));
+    act(14, new ClientFact.ask(1));
     assertThat(end(18).checks("Granted")).isZero();
     assertThat(monitors.report().holds()).isTrue();
   }
@@ -75,8 +76,8 @@ class ServiceSpecTest {
   void serviceIsOwedAgainWhenTheWorldHasBeenCalm() {
     fault(2, "begin");
     fault(3, "end");
-    act(12, "ask");
-    act(13, "ask");
+    act(12, new ClientFact.ask(1));
+    act(13, new ClientFact.ask(1));
     assertThat(end(19).violations("Prompt")).isEqualTo(1);
   }
 }

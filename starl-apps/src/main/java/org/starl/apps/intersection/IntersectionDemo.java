@@ -30,6 +30,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
+import org.starl.trace.Vocabulary;
 
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {
@@ -65,6 +66,11 @@ public final class IntersectionDemo implements Demo {
   @Override
   public List<Scenario> scenarios() {
     return SCENARIOS;
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
   }
 
   @Override

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
@@ -48,7 +48,7 @@ final class IntersectionStory implements Story {
         cars.computeIfAbsent(event.robot(), id -> new ArrayList<>(List.of(new Crossed())));
     Crossed car = trips.get(trips.size() - 1);
     switch (event) {
-      case Action action -> CrossingTrace.trip(action).ifPresent(trip -> car.trip = trip.label());
+      case Action action -> CrossingFact.trip(action).ifPresent(trip -> car.trip = trip.label());
       case Variable variable -> changed(car, variable);
       case Joined joined when car.cameNs < 0 -> car.cameNs = joined.timeNs();
       case Joined joined -> {
@@ -66,10 +66,10 @@ final class IntersectionStory implements Story {
   }
 
   private static void changed(Crossed car, Variable variable) {
-    CrossingTrace.myseq(variable).ifPresent(myseq -> car.rest = myseq);
-    CrossingTrace.location(variable)
+    CrossingFact.myseq(variable).ifPresent(myseq -> car.rest = myseq);
+    CrossingFact.location(variable)
         .ifPresent(location -> located(car, location, variable.timeNs()));
-    if (CrossingTrace.isStopped(variable)) {
+    if (CrossingFact.isStopped(variable)) {
       car.stops++;
     }
   }

@@ -73,6 +73,6 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
     }
     String label = "legacy " + String.join(" ", stations.keySet());
     ItemPosition exit = points.get(points.size() - 1);
-    return new Trip(label, List.of(), List.copyOf(stations.values()), exit);
+    return new Trip(label, Optional.empty(), List.of(), List.copyOf(stations.values()), exit);
   }
 }

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.robot.Car;
 import org.starl.id.RobotId;
@@ -80,12 +80,12 @@ final class OpenRoadStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (CrossingTrace.location(event).filter(Location.MOVE_WAIT::equals).isPresent()) {
+    if (CrossingFact.location(event).filter(Location.MOVE_WAIT::equals).isPresent()) {
       Car car = waiting.remove(event.robot());
       if (car != null) {
         waitsNs.add(event.timeNs() - car.readyNs());
       }
-    } else if (CrossingTrace.isStopped(event)) {
+    } else if (CrossingFact.isStopped(event)) {
       stopped++;
     } else if (event instanceof TraceEvent.Left && onFloor.remove(event.robot())) {
       leftNs.add(event.timeNs());

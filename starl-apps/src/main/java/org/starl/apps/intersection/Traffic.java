@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.robot.Car;
@@ -72,7 +72,7 @@ class Traffic implements Director, SimObserver {
 
   @Override
   public final void observed(TraceEvent event) {
-    CrossingTrace.location(event)
+    CrossingFact.location(event)
         .ifPresent(location -> {
           if (location == Location.UNREGISTER_WAIT || location == Location.DONE) {
             ready.add(event.robot());

@@ -40,6 +40,7 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.time.Time;
+import org.starl.trace.Vocabulary;
 
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {
@@ -88,6 +89,11 @@ public final class LightPaintDemo implements Demo {
     }
     inputs.sort(Comparator.comparing(Input::name));
     return inputs;
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
   }
 
   @Override

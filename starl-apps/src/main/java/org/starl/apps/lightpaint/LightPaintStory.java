@@ -10,7 +10,7 @@ import org.starl.apps.Product;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.lightpaint.logic.Location;
-import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.spec.LightTrail;
 import org.starl.apps.lightpaint.spec.Pass;
@@ -18,6 +18,7 @@ import org.starl.apps.lightpaint.view.PaintedDrawing;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
@@ -49,7 +50,7 @@ final class LightPaintStory implements Story {
     switch (event) {
       case TraceEvent.Joined joined -> painter(joined.robot());
       case Fault fault when fault.name().equals(Fault.CRASH) -> painter(fault.robot()).crashes++;
-      case Variable variable when variable.source().equals(PaintTrace.SOURCE) -> changed(variable);
+      case Variable variable when variable.source().equals(Instance.APP) -> changed(variable);
       default -> {
         // Not part of the story.
       }
@@ -58,14 +59,13 @@ final class LightPaintStory implements Story {
 
   private void changed(Variable variable) {
     Painter painter = painter(variable.robot());
-    if (variable.name().equals(PaintTrace.LIGHT)) {
+    Location location = variable.of(PaintFact.LOCATION);
+    if (variable.of(PaintFact.LIGHT) != null) {
       lastLightNs = variable.timeNs();
-    } else if (variable.name().equals(PaintTrace.LOCATION)) {
-      if (variable.value().equals(Location.RETREAT.name())) {
-        painter.retreats++;
-      } else if (variable.value().equals(Location.DONE.name())) {
-        painter.endNs = variable.timeNs();
-      }
+    } else if (location == Location.RETREAT) {
+      painter.retreats++;
+    } else if (location == Location.DONE) {
+      painter.endNs = variable.timeNs();
     }
   }
 

@@ -43,6 +43,7 @@ import org.starl.sim.world.GridMap;
 import org.starl.sim.world.GridMaps;
 import org.starl.spec.ExceptRobots;
 import org.starl.time.Time;
+import org.starl.trace.Vocabulary;
 
 /** The paper's section 5.4: {@code starl run maze}. */
 public final class MazeDemo implements Demo {
@@ -92,6 +93,11 @@ public final class MazeDemo implements Demo {
   @Override
   public List<Parameter> parameters() {
     return FACTORY.parameters();
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
   }
 
   @Override

@@ -10,7 +10,7 @@ import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.maze.logic.Answer;
-import org.starl.apps.maze.logic.MazeTrace;
+import org.starl.apps.maze.logic.MazeFact;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -42,17 +42,18 @@ final class MazeStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (event instanceof Action action && MazeTrace.is(action, MazeTrace.MARK)) {
-      marks.merge(action.robot(), 1, Integer::sum);
-      counts.merge(CONTACTS, 1L, Long::sum);
-    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.ANSWER)) {
-      answered(action);
+    if (event instanceof Action action && action.fact() instanceof MazeFact fact) {
+      switch (fact) {
+        case MazeFact.Marked marked -> {
+          marks.merge(action.robot(), 1, Integer::sum);
+          counts.merge(CONTACTS, 1L, Long::sum);
+        }
+        case MazeFact.Answered answered -> answered(action, answered.goal(), answered.answer());
+      }
     }
   }
 
-  private void answered(Action action) {
-    String goal = action.args().get(0);
-    Answer answer = Answer.valueOf(action.args().get(1));
+  private void answered(Action action, String goal, Answer answer) {
     String result =
         switch (answer) {
           case REACHED -> "is at " + goal;

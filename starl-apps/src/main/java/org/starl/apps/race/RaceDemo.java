@@ -29,6 +29,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.trace.Vocabulary;
 
 /** The paper's Race App (section 5.4): {@code starl run race}. */
 public final class RaceDemo implements Demo {
@@ -49,6 +50,11 @@ public final class RaceDemo implements Demo {
   @Override
   public String summary() {
     return "robots race to the same points; arrivals are broadcast (paper, section 5.4)";
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
   }
 
   @Override

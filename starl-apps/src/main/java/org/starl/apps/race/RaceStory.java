@@ -8,8 +8,8 @@ import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 import org.starl.time.Time;
@@ -45,16 +45,16 @@ final class RaceStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.ARRIVE)) {
-      races.get(Integer.parseInt(action.args().get(0))).arrivals++;
+    if (event instanceof Action action && action.fact() instanceof RaceFact.Arrived arrived) {
+      races.get(arrived.point()).arrivals++;
     }
-    RaceTrace.taken(event)
-        .ifPresent(claim -> {
-          Race race = races.get(claim.point());
-          race.firstNs = race.known.isEmpty() ? event.timeNs() : race.firstNs;
-          race.lastNs = event.timeNs();
-          race.known.put(event.robot(), claim);
-        });
+    Claim claim = RaceFact.taken(event);
+    if (claim != null) {
+      Race race = races.get(claim.point());
+      race.firstNs = race.known.isEmpty() ? event.timeNs() : race.firstNs;
+      race.lastNs = event.timeNs();
+      race.known.put(event.robot(), claim);
+    }
   }
 
   @Override

@@ -44,6 +44,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.trace.Vocabulary;
 
 /** The paper's Distributed Search (section 5.4): {@code starl run search}. */
 public final class SearchDemo implements Demo {
@@ -80,6 +81,11 @@ public final class SearchDemo implements Demo {
   @Override
   public List<Parameter> parameters() {
     return FACTORY.parameters();
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
   }
 
   @Override

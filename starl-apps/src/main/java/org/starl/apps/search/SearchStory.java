@@ -1,9 +1,11 @@
 package org.starl.apps.search;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -12,7 +14,8 @@ import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.search.logic.Answer;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.SearchFact;
+import org.starl.apps.search.logic.SearchFact.Assigned;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 import org.starl.time.Time;
@@ -26,7 +29,7 @@ final class SearchStory implements Story {
 
   private final List<String> lines = new ArrayList<>();
   private final SortedMap<RobotId, Long> endedNs = new TreeMap<>();
-  private final SortedSet<String> answers = new TreeSet<>();
+  private final Set<Answer> answers = new LinkedHashSet<>();
   private final SortedSet<RobotId> leaders = new TreeSet<>();
   private final SortedSet<RobotId> joined = new TreeSet<>();
   private final SortedMap<String, Long> sweptNs = new TreeMap<>();
@@ -41,31 +44,40 @@ final class SearchStory implements Story {
         tell(fault, "crashes");
       }
       case Fault fault when fault.name().equals(Fault.RESTART) -> tell(fault, "restarts");
-      case Variable duty when SearchTrace.is(duty, SearchTrace.DUTY) -> {
-        if (duty.value().isEmpty()) {
-          leaders.remove(robot);
-        } else if (leaders.add(robot)) {
-          tell(duty, "leads");
-        }
-      }
-      case Variable room when SearchTrace.is(room, SearchTrace.ROOM) -> {
-        if (!room.value().isEmpty()) {
-          tell(room, "takes room " + room.value());
-        }
-      }
-      case Action swept when SearchTrace.is(swept, SearchTrace.SWEPT) -> {
-        sweptNs.putIfAbsent(swept.args().get(0), swept.timeNs());
-        tell(swept, "has searched room " + swept.args().get(0) + " in full");
-      }
-      case Action found when SearchTrace.is(found, SearchTrace.FOUND) ->
-          tell(found, "sees " + found.args().get(0));
-      case Action answer when SearchTrace.is(answer, SearchTrace.ANSWER) -> {
-        endedNs.put(robot, answer.timeNs());
-        if (answers.add(answer.args().get(0))) {
-          tell(answer, "ends: " + answer.args().get(0));
-        }
-      }
+      case Variable variable -> changed(variable);
+      case Action action when action.fact() instanceof SearchFact fact -> acted(action, fact);
       default -> {
+        // Not part of the story.
+      }
+    }
+  }
+
+  private void changed(Variable variable) {
+    Assigned duty = variable.of(SearchFact.DUTY);
+    String room = variable.of(SearchFact.ROOM);
+    if (duty != null && !duty.isLeading()) {
+      leaders.remove(variable.robot());
+    } else if (duty != null && leaders.add(variable.robot())) {
+      tell(variable, "leads");
+    } else if (room != null && !room.isEmpty()) {
+      tell(variable, "takes room " + room);
+    }
+  }
+
+  private void acted(Action action, SearchFact fact) {
+    switch (fact) {
+      case SearchFact.Swept swept -> {
+        sweptNs.putIfAbsent(swept.room(), action.timeNs());
+        tell(action, "has searched room " + swept.room() + " in full");
+      }
+      case SearchFact.Found found -> tell(action, "sees " + found.thing());
+      case SearchFact.Ended ended -> {
+        endedNs.put(action.robot(), action.timeNs());
+        if (answers.add(ended.answer())) {
+          tell(action, "ends: " + ended.answer());
+        }
+      }
+      case SearchFact.Planned planned -> {
         // Not part of the story.
       }
     }
@@ -89,9 +101,13 @@ final class SearchStory implements Story {
   @Override
   public Measures measures() {
     SortedMap<String, Long> counts = new TreeMap<>();
-    for (String answer : answers) {
-      boolean isFound = answer.startsWith(Answer.FOUND);
-      String kind = isFound ? "found" : answer.equals(Answer.NOTHING) ? answer : "gave up";
+    for (Answer answer : answers) {
+      String kind =
+          switch (answer) {
+            case Answer.Found found -> "found";
+            case Answer.Nothing nothing -> nothing.toString();
+            case Answer.GaveUp gaveUp -> "gave up";
+          };
       counts.merge("answer: " + kind, 1L, Long::sum);
     }
     List<Long> ends = List.copyOf(endedNs.values());

@@ -2,21 +2,27 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhCell;
 import org.starl.id.ProcessId;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.trace.Instance;
 
 /** A car with one planted bug, which writes the same trace events as a correct car. */
 final class BuggyCar extends LogicThread {
 
-  private static final String MUTEX = "mutex/crossing";
+  private static final Instance MUTEX = Instance.of(MutexFact.PRIMITIVE, "crossing");
 
   /** The planted bug. */
   enum Fault {
@@ -42,9 +48,9 @@ final class BuggyCar extends LogicThread {
     this.fault = fault;
     this.trip = trip;
     id = gvh.id.freshProcess();
-    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
-    location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, Location.S_0);
-    myseq = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
+    gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
+    location = gvh.variable(CrossingFact.LOCATION, Location.S_0);
+    myseq = gvh.variable(CrossingFact.MYSEQ, trip.zones());
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
   }
 
@@ -54,8 +60,9 @@ final class BuggyCar extends LogicThread {
     await(() -> fault != Fault.NEVER_LEAVES);
     if (fault != Fault.DOES_NOT_ASK) {
       held = trip.zones();
-      gvh.trace.action(MUTEX, "do_mutex", id, 1, 1, text(held), id);
-      gvh.trace.action(MUTEX, "od_mutex", id, 1, text(held));
+      SortedSet<ProcessId> known = new TreeSet<>(List.of(id));
+      tell(new MutexFact.DoMutex(id, 1, 1, Sections.copyOf(held), known));
+      tell(new MutexFact.OdMutex(id, 1, Sections.copyOf(held)));
     }
     location.set(Location.MOVE_WAIT);
     for (ItemPosition station : trip.stations()) {
@@ -92,10 +99,10 @@ final class BuggyCar extends LogicThread {
     List<String> given = new ArrayList<>(held);
     given.removeAll(left);
     held = List.copyOf(left);
-    gvh.trace.action(MUTEX, "release", id, 1, text(given), text(held));
+    tell(new MutexFact.Release(id, 1, Sections.copyOf(given), Sections.copyOf(held)));
   }
 
-  private static String text(List<String> zones) {
-    return String.join(" ", zones.stream().sorted().toList());
+  private void tell(MutexFact fact) {
+    gvh.trace.action(MUTEX, MutexFact.SHAPE, fact);
   }
 }

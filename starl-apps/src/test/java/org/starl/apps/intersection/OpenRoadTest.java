@@ -16,6 +16,8 @@ import org.starl.apps.intersection.robot.Floor;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFlag;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
@@ -52,9 +54,7 @@ class OpenRoadTest {
         lastJoinedNs = joined.timeNs();
       } else if (event instanceof TraceEvent.Left left) {
         onFloor.remove(left.robot());
-      } else if (event instanceof Variable v
-          && v.name().equals("motionflag")
-          && v.value().equals("FAIL")) {
+      } else if (event instanceof Variable v && v.of(MotionFact.FLAG) == MotionFlag.FAIL) {
         stopped++;
       }
     }

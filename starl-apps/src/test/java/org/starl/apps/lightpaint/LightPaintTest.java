@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.LightColour;
 import org.starl.LightControl;
 import org.starl.apps.Input;
 import org.starl.apps.Plan;
@@ -26,7 +27,7 @@ import org.starl.apps.Product;
 import org.starl.apps.Request;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Location;
-import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
@@ -120,8 +121,8 @@ class LightPaintTest {
               @Override
               public void observed(TraceEvent event) {
                 if (event instanceof TraceEvent.Variable variable
-                    && variable.source().equals(LightControl.SOURCE)) {
-                  colours.add(variable.value());
+                    && variable.of(LightControl.COLOUR) instanceof LightColour colour) {
+                  colours.add(colour.toString());
                 }
               }
             });
@@ -207,8 +208,7 @@ class LightPaintTest {
               @Override
               public void observed(TraceEvent event) {
                 if (event instanceof TraceEvent.Variable variable
-                    && PaintTrace.is(variable, PaintTrace.LOCATION)
-                    && variable.value().equals(location.name())) {
+                    && variable.of(PaintFact.LOCATION) == location) {
                   times.add(variable.timeNs() / Time.NS_PER_MS);
                 }
               }

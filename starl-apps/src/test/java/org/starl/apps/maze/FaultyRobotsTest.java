@@ -11,8 +11,8 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.CollisionMode;
+import org.starl.apps.maze.logic.MazeFact;
 import org.starl.apps.maze.logic.MazeTask;
-import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.apps.maze.robot.DrawnMaze;
 import org.starl.apps.maze.robot.Layout;
 import org.starl.apps.maze.spec.MazeSpec;
@@ -20,7 +20,6 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -28,6 +27,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 
 /** Simulates faulty robots: the specification must report each planted bug. */
 class FaultyRobotsTest {
@@ -70,7 +70,7 @@ class FaultyRobotsTest {
                   new Point(x + mm, y - mm),
                   new Point(x + mm, y + mm),
                   new Point(x - mm, y + mm));
-          gvh.trace.action(MazeTrace.SOURCE, MazeTrace.MARK, RegionText.format(square));
+          gvh.trace.action(Instance.APP, MazeFact.SHAPE, new MazeFact.Marked(square));
         }
       });
     }
@@ -97,7 +97,8 @@ class FaultyRobotsTest {
 
     private void answer(Answer answer) {
       String name = task.goals().get(0).name();
-      gvh.trace.action(MazeTrace.SOURCE, MazeTrace.ANSWER, name, answer, gvh.gps.errorMm() + 75);
+      double errorMm = gvh.gps.errorMm() + 75;
+      gvh.trace.action(Instance.APP, MazeFact.SHAPE, new MazeFact.Answered(name, answer, errorMm));
     }
   }
 

@@ -23,7 +23,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -170,13 +172,14 @@ class RaceTest {
 
     @Override
     public void observed(TraceEvent event) {
-      if (event instanceof Action action && !action.args().isEmpty()) {
-        boolean isFirst = action.args().get(0).equals("0");
-        if (isFirst && action.name().equals("arrive")) {
-          arrived.add(action.robot());
-        } else if (isFirst && action.name().equals("taken") && action.timeNs() >= fromNs) {
-          knewNs.putIfAbsent(action.robot(), action.timeNs());
-        }
+      if (event instanceof Action action
+          && action.fact() instanceof RaceFact.Arrived there
+          && there.point() == 0) {
+        arrived.add(action.robot());
+      }
+      Claim claim = RaceFact.taken(event);
+      if (claim != null && claim.point() == 0 && event.timeNs() >= fromNs) {
+        knewNs.putIfAbsent(event.robot(), event.timeNs());
       }
     }
   }

@@ -17,6 +17,8 @@ import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeFlag;
+import org.starl.shape.Shapes;
+import org.starl.trace.Var;
 
 /**
  * One robot of a formation. The robots agree on a leader and its formation; the leader announces the
@@ -25,6 +27,9 @@ import org.starl.primitives.paths.TubeFlag;
 final class FormationApp extends LogicThread {
 
   static final Rectangle FLOOR = new Rectangle(0, 0, 5000, 3000);
+
+  static final Var<String> FORMATION = Var.of("formation", Shapes.TEXT);
+  static final Var<Boolean> DRIVING = Var.of("driving", Shapes.BOOL);
 
   private static final String NONE = "";
   private static final long ANNOUNCED_MS = 2_000;
@@ -43,8 +48,8 @@ final class FormationApp extends LogicThread {
     choice = new SetAgreement<>(gvh, "leader", Codec.text());
     barrier = new Barrier(gvh, "ready");
     paths = new DistributedPathPlanning(gvh, "floor", new OptimalPlanner(), FLOOR);
-    formation = gvh.variable("app", "formation", NONE);
-    driving = gvh.variable("app", "driving", false);
+    formation = gvh.variable(FORMATION, NONE);
+    driving = gvh.variable(DRIVING, false);
     news = new Broadcast<>(gvh, "news", Codec.text(), (from, text) -> formation.set(text));
   }
 

@@ -21,15 +21,20 @@ final class FormationSpec extends AppMonitor {
     lemma("all_know", "No robot drives before all robots know the formation.");
     lemma("one_formation", "All robots know one formation.");
     lemma("in_place", "At the end of the run each robot is at its place in the formation.");
+    on(FormationApp.FORMATION, this::onFormation);
+    on(FormationApp.DRIVING, this::onDriving);
   }
 
-  @Override
-  protected void onVariable(RobotId robot, String name, String value) {
-    if (name.equals("formation") && !value.isEmpty()) {
-      known.put(robot, value);
+  private void onFormation(RobotId robot, String formation) {
+    if (!formation.isEmpty()) {
+      known.put(robot, formation);
       boolean one = new TreeSet<>(known.values()).size() == 1;
       check("one_formation", one, known.keySet(), known.toString());
-    } else if (name.equals("driving") && value.equals("true")) {
+    }
+  }
+
+  private void onDriving(RobotId robot, boolean driving) {
+    if (driving) {
       boolean all = known.size() == team.size();
       check("all_know", all, List.of(robot), "only " + known.keySet() + " know it");
     }

@@ -9,6 +9,8 @@ import org.starl.gvh.GvhCell;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
+import org.starl.shape.Shapes;
+import org.starl.trace.Var;
 
 /**
  * One robot patrols on a ring of waypoints. The rings of all robots share the corridor, in which
@@ -20,6 +22,9 @@ final class PatrolApp extends LogicThread {
   static final Rectangle CORRIDOR = new Rectangle(0, 1200, 5000, 1800);
 
   static final String CORRIDOR_NAME = "corridor";
+
+  static final Var<Integer> ROUNDS = Var.of("rounds", Shapes.INT);
+  static final Var<String> WAY = Var.of("way", Shapes.TEXT);
 
   /** A ring: its home, then the waypoints in the order of the patrol. */
   record Ring(
@@ -56,8 +61,8 @@ final class PatrolApp extends LogicThread {
     this.ring = ring;
     this.rounds = rounds;
     mutex = new M_Mutex(gvh, CORRIDOR_NAME, gvh.id.participants());
-    made = gvh.variable("app", "rounds", 0);
-    way = gvh.variable("app", "way", "home");
+    made = gvh.variable(ROUNDS, 0);
+    way = gvh.variable(WAY, "home");
   }
 
   @Override

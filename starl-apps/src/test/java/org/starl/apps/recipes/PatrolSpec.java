@@ -24,16 +24,16 @@ final class PatrolSpec extends AppMonitor {
     underWay = new TreeSet<>(homes.keySet());
     lemma("at_home", "A robot that counts a round is at home.");
     lemma("home_in_time", "Each robot has made all its rounds within the bound.");
+    on(PatrolApp.ROUNDS, this::onRounds);
   }
 
-  @Override
-  protected void onVariable(RobotId robot, String name, String value) {
-    if (!name.equals("rounds") || value.equals("0")) {
+  private void onRounds(RobotId robot, int made) {
+    if (made == 0) {
       return;
     }
     double mm = bodies().poseAt(robot, nowNs()).at().distanceMm(homes.get(robot));
     check("at_home", mm <= NEAR_MM, List.of(robot), Math.round(mm) + " mm from home");
-    if (Integer.parseInt(value) == rounds) {
+    if (made == rounds) {
       underWay.remove(robot);
       check("home_in_time", nowNs() <= boundNs, List.of(robot), "too late");
     }

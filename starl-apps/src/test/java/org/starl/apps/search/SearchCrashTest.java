@@ -12,7 +12,9 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Plan;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.SearchApp.Location;
+import org.starl.apps.search.logic.SearchFact;
+import org.starl.apps.search.logic.SearchFact.Assigned;
 import org.starl.id.RobotId;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
@@ -77,14 +79,15 @@ class SearchCrashTest {
       if (victim == null && isIt.test(variable)) {
         victim = variable.robot();
       }
-      if (tells(SearchTrace.ROOM, "").test(variable)) {
-        isFollowed |= isDead && variable.value().equals(rooms.get(victim));
-        isBack |= isDead && variable.robot().equals(victim) && !variable.value().isEmpty();
+      String room = variable.of(SearchFact.ROOM);
+      if (room != null) {
+        isFollowed |= isDead && room.equals(rooms.get(victim));
+        isBack |= isDead && variable.robot().equals(victim) && !room.isEmpty();
         if (!isDead) {
-          rooms.put(variable.robot(), variable.value());
+          rooms.put(variable.robot(), room);
         }
       }
-      isSucceeded |= isDead && tells(SearchTrace.DUTY, "2").test(variable);
+      isSucceeded |= isDead && leads(variable, 2);
     }
 
     @Override
@@ -112,21 +115,23 @@ class SearchCrashTest {
     }
   }
 
-  private static Predicate<Variable> tells(String name, String value) {
-    return variable ->
-        variable.source().equals(SearchTrace.SOURCE)
-            && variable.name().equals(name)
-            && variable.value().startsWith(value);
+  private static boolean leads(Variable variable, long term) {
+    return variable.of(SearchFact.DUTY) instanceof Assigned duty && duty.term() == term;
+  }
+
+  private static boolean sweeps(Variable variable) {
+    return variable.of(SearchFact.LOCATION) == Location.SWEEP;
   }
 
   private static Predicate<Variable> leadersSweep() {
     SortedSet<RobotId> leaders = new TreeSet<>();
     return variable -> {
-      if (tells(SearchTrace.DUTY, "1 ").test(variable)) {
+      if (variable.of(SearchFact.DUTY) instanceof Assigned duty
+          && duty.term() == 1
+          && !duty.rooms().isEmpty()) {
         leaders.add(variable.robot());
       }
-      return leaders.contains(variable.robot())
-          && tells(SearchTrace.LOCATION, "SWEEP").test(variable);
+      return leaders.contains(variable.robot()) && sweeps(variable);
     };
   }
 
@@ -149,7 +154,7 @@ class SearchCrashTest {
   @Test
   void theRoomOfASearcherThatCrashesIsAssignedToAnother() {
     for (long seed = 4; seed <= 6; seed++) {
-      Killer killer = killed(seed, 0, tells(SearchTrace.LOCATION, "SWEEP"));
+      Killer killer = killed(seed, 0, SearchCrashTest::sweeps);
       assertThat(killer.isFollowed).as("seed %d", seed).isTrue();
     }
   }

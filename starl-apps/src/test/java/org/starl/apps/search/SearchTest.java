@@ -21,7 +21,7 @@ import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.Room;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.SearchFact;
 import org.starl.apps.search.logic.Sweep;
 import org.starl.apps.search.robot.GeneratedHouse;
 import org.starl.body.MotionParameters;
@@ -118,7 +118,7 @@ class SearchTest {
             new SimObserver() {
               @Override
               public void observed(TraceEvent event) {
-                if (event instanceof Action action && action.name().equals(SearchTrace.FOUND)) {
+                if (event instanceof Action action && action.fact() instanceof SearchFact.Found) {
                   finders.add(action.robot());
                 }
               }

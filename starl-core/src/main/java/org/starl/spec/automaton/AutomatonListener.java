@@ -1,5 +1,6 @@
 package org.starl.spec.automaton;
 
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -15,7 +16,7 @@ public interface AutomatonListener<S, A extends Action> {
    * @param event the event that was mapped to the action
    * @param after the state after it
    */
-  void onStep(String instance, TraceEvent event, A action, S after);
+  void onStep(Instance instance, TraceEvent event, A action, S after);
 
   /**
    * The trace records a result of the latest step.
@@ -23,16 +24,16 @@ public interface AutomatonListener<S, A extends Action> {
    * @param function of the theory, of an argument and a state: {@code crit_set}
    * @param value its value at {@code argument} in the latest state, by the trace
    */
-  void onResult(String instance, String function, Object argument, Object value);
+  void onResult(Instance instance, String function, Object argument, Object value);
 
   /** Ignores everything. */
   static <S, A extends Action> AutomatonListener<S, A> none() {
     return new AutomatonListener<>() {
       @Override
-      public void onStep(String instance, TraceEvent event, A action, S after) {}
+      public void onStep(Instance instance, TraceEvent event, A action, S after) {}
 
       @Override
-      public void onResult(String instance, String function, Object argument, Object value) {}
+      public void onResult(Instance instance, String function, Object argument, Object value) {}
     };
   }
 }

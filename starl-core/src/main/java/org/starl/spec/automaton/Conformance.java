@@ -3,6 +3,7 @@ package org.starl.spec.automaton;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.starl.spec.InstanceMonitor;
+import org.starl.trace.Instance;
 
 /**
  * Checks that every run of every instance of a primitive is a run of its theory's automaton. The lemma
@@ -14,7 +15,7 @@ import org.starl.spec.InstanceMonitor;
  */
 public abstract class Conformance<R> extends InstanceMonitor<R> {
 
-  private final Function<String, R> begin;
+  private final Function<Instance, R> begin;
 
   /**
    * @param theory its name: {@code Mutex_decls}
@@ -24,14 +25,14 @@ public abstract class Conformance<R> extends InstanceMonitor<R> {
    */
   @SuppressWarnings("this-escape") // a lemma only adds a row to the table of the superclass
   protected Conformance(
-      String theory, String subject, Predicate<String> isInstance, Function<String, R> begin) {
+      String theory, String subject, Predicate<Instance> isInstance, Function<Instance, R> begin) {
     super(isInstance);
     this.begin = begin;
     lemma(theory, "The run of " + subject + " is one of the theory's automaton, step by step.");
   }
 
   @Override
-  protected final R begin(String source) {
+  protected final R begin(Instance source) {
     return begin.apply(source);
   }
 }

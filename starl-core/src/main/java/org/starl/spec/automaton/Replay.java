@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.starl.spec.Monitor.Report;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -19,7 +20,7 @@ public final class Replay<S, A extends Action> {
   private static final int CHANGE_EVERY = 11;
 
   private final Automaton<S, A> automaton;
-  private final String instance;
+  private final Instance instance;
   private final AutomatonListener<S, A> steps;
   private S state;
   // An earlier action, whose guard is tried in later states.
@@ -31,7 +32,7 @@ public final class Replay<S, A extends Action> {
    * @param instance for violations: {@code mutex/crossing}
    * @param steps receives every step
    */
-  public Replay(Automaton<S, A> automaton, String instance, AutomatonListener<S, A> steps) {
+  public Replay(Automaton<S, A> automaton, Instance instance, AutomatonListener<S, A> steps) {
     this.automaton = automaton;
     this.instance = instance;
     this.steps = steps;

@@ -7,13 +7,17 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 
 /** A lamp that is switched on and off. */
 class ReplayTest {
 
+  private static final Instance LAMP = Instance.of("lamp", "x");
   private static final TraceEvent EVENT =
-      new TraceEvent.Action(7_000_000, new RobotId("bot1"), "lamp/x", "switch_on", List.of());
+      TraceEvent.Action.of(
+          7_000_000, new RobotId("bot1"), LAMP, Note.SHAPE, new Note("switch_on", List.of()));
 
   private sealed interface Switch extends Action {
     record switch_on(int i) implements Switch {}
@@ -61,15 +65,16 @@ class ReplayTest {
   private final Replay<Boolean, Switch> replay =
       new Replay<>(
           new Lamp(),
-          "lamp/x",
+          LAMP,
           new AutomatonListener<>() {
             @Override
-            public void onStep(String instance, TraceEvent event, Switch action, Boolean after) {
+            public void onStep(Instance instance, TraceEvent event, Switch action, Boolean after) {
               steps.add(instance + " " + action.text() + " " + after);
             }
 
             @Override
-            public void onResult(String instance, String component, Object argument, Object value) {
+            public void onResult(
+                Instance instance, String component, Object argument, Object value) {
               steps.add(instance + " " + component + "(" + argument + ") = " + value);
             }
           });
@@ -122,7 +127,7 @@ class ReplayTest {
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.step(EVENT, new Switch.switch_on(1), report);
     SpecReport other = new SpecReport();
-    new Replay<>(new Lamp(), "lamp/y", AutomatonListener.none())
+    new Replay<>(new Lamp(), Instance.of("lamp", "y"), AutomatonListener.none())
         .step(EVENT, new Switch.switch_on(0), other);
     assertThat(counts(report))
         .containsOnly("taken 1", "i > 0 true 2", "NOT on(s) true 1", "NOT on(s) false 1");

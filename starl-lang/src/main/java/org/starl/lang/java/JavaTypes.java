@@ -246,4 +246,32 @@ final class JavaTypes {
         ? Code.name(type).field(name(constructor))
         : new Code.New(type + "." + name(constructor), arguments);
   }
+
+  /** How values of a type are written in a trace. */
+  Code shape(Type type, Pos pos) {
+    String shapes = use("org.starl.shape.Shapes");
+    Code most = Code.name("0xFFFF");
+    Code words = Code.call(shapes + ".words");
+    return switch (type.base()) {
+      case Type.SetOf set when !isGiven(set) && form(set) == Sets.FINITE ->
+          shape(set.element(), pos).equals(words)
+              ? words
+              : Code.call(shapes + ".set", shape(set.element(), pos), most);
+      case Type.ListOf list when !isGiven(list) ->
+          shape(list.element(), pos).equals(words)
+              ? words
+              : Code.call(shapes + ".list", shape(list.element(), pos), most);
+      default ->
+          switch (boxed(type, pos)) {
+            case "Boolean" -> Code.name(shapes + ".BOOL");
+            case "Long" -> Code.name(shapes + ".LONG");
+            case "Double" -> Code.name(shapes + ".REAL");
+            case "String" -> Code.name(shapes + ".TEXT");
+            case "RobotId" -> Code.name(shapes + ".ROBOT");
+            case "ProcessId" -> Code.name(shapes + ".PROCESS");
+            case "Participants" -> Code.name(shapes + ".PARTICIPANTS");
+            default -> words;
+          };
+    };
+  }
 }

@@ -98,6 +98,7 @@ final class ProgramWriter {
     out.line(0, "public final class " + simpleName() + " extends " + thread + " {").blank();
     locations();
     new TypesWriter(around, types, out).write();
+    variables();
     fields();
     constructor();
     callStarL();
@@ -143,6 +144,31 @@ final class ProgramWriter {
                 + " letters");
       }
     }
+  }
+
+  /** A constant for each variable: observers read it under this one. */
+  private void variables() {
+    String var = types.use("org.starl.trace.Var");
+    out.blank().doc(2, List.of("Where it is."), List.of());
+    assign(
+        2,
+        "public static final " + var + "<Location> LOCATION",
+        Code.call(var + ".of", Code.string("location"), Code.name("Location.class")));
+    for (Variable each : program.variables()) {
+      String type = types.boxed(each.type(), each.pos());
+      String note = each.note().strip();
+      out.blank()
+          .doc(2, List.of(note.isEmpty() ? "The variable " + each.name() + "." : note), List.of());
+      assign(
+          2,
+          "public static final " + var + "<" + type + "> " + declaration(each),
+          Code.call(var + ".of", Code.string(each.name()), types.shape(each.type(), each.pos())));
+    }
+  }
+
+  private static String declaration(Variable variable) {
+    String name = constant(variable.name());
+    return OWN.contains(variable.name().toLowerCase(Locale.ROOT)) ? name + "_" : name;
   }
 
   private void fields() {
@@ -218,13 +244,15 @@ final class ProgramWriter {
       Map<String, Code> arguments = arguments(each.primitive().parameters(), each.arguments());
       assign(name(each.name()), java("", each.primitive().javaMade(), arguments));
     }
-    variable("location", "location", Code.name("Location").field(first()));
+    variable("location", "LOCATION", Code.name("Location").field(first()));
     program
         .variables()
-        .forEach(each -> variable(name(each.name()), each.name(), expressions.of(each.start())));
+        .forEach(
+            each -> variable(name(each.name()), declaration(each), expressions.of(each.start())));
     String wait = types.use("org.starl.gvh.Wait");
     types.use("java.util.List");
-    String made = "new " + wait + "(\"app\", where(), List.of())";
+    String instance = types.use("org.starl.trace.Instance");
+    String made = "new " + wait + "(" + instance + ".APP, where(), List.of())";
     out.line(4, "gvh.explain(() -> isOver() ? null : " + made + ");");
     out.line(2, "}");
   }
@@ -233,14 +261,18 @@ final class ProgramWriter {
     return constant(program.locations().getFirst().name());
   }
 
-  private void variable(String field, String name, Code start) {
-    assign(field, Code.call("gvh.variable", Code.string("app"), Code.string(name), start));
+  private void variable(String field, String declaration, Code start) {
+    assign(field, Code.call("gvh.variable", Code.name(declaration), start));
   }
 
   private void assign(String field, Code value) {
-    Layout layout = new Layout().token(field + " =").open(4).brk(" ");
+    assign(4, field, value);
+  }
+
+  private void assign(int indent, String target, Code value) {
+    Layout layout = new Layout().token(target + " =").open(4).brk(" ");
     value.write(layout);
-    out.add(4, layout.token(";").close());
+    out.add(indent, layout.token(";").close());
   }
 
   private void callStarL() {

@@ -1,14 +1,19 @@
 package org.starl.primitives.agreement;
 
+import static org.starl.shape.Shapes.part;
+
 import java.util.Collections;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Vote;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /**
  * The memory of an acceptor that must survive a restart.
@@ -21,27 +26,35 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
   static final AcceptorRecord NEW = new AcceptorRecord(null, new TreeMap<>());
 
   private static final int FORMAT = 1;
+  private static final Shape<Optional<Decided>> DECIDED =
+      Shapes.optional(Decided.shape(Value.SHAPE));
+  private static final Shape<Long> NUMBER = Shapes.atLeast(1, "decree number");
 
   AcceptorRecord {
     slots = Collections.unmodifiableSortedMap(new TreeMap<>(slots));
   }
 
   /** The promise and the vote for one number. */
-  record Slot(Ballot promised, @Nullable Vote vote) {}
+  record Slot(Ballot promised, @Nullable Vote vote) {
+    private static final Shape<Slot> SHAPE =
+        Shapes.of(
+            Slot.class,
+            part("promised", Ballot.SHAPE, Slot::promised),
+            part(
+                "vote",
+                Shapes.optional(Vote.shape(Value.SHAPE)),
+                slot -> Optional.ofNullable(slot.vote())),
+            (promised, vote) -> new Slot(promised, vote.orElse(null)));
+  }
 
   byte[] toBytes() {
     return WireWriter.toBytes(out -> {
       out.u8(FORMAT);
-      out.bool(decided != null);
-      if (decided != null) {
-        out.i64(decided.number());
-        out.bytes(decided.value().bytes());
-      }
+      DECIDED.write(Optional.ofNullable(decided), out);
       out.u16(slots.size());
       slots.forEach((number, slot) -> {
-        out.i64(number);
-        SynodCodec.ballot(out, slot.promised());
-        SynodCodec.vote(out, slot.vote());
+        NUMBER.write(number, out);
+        Slot.SHAPE.write(slot, out);
       });
     });
   }
@@ -53,18 +66,15 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
     if (format != FORMAT) {
       throw new WireFormatException("acceptor record of format " + format);
     }
-    Decided decided =
-        in.bool() ? new Decided(in.i64(1, SynodCodec.DECREE), SynodCodec.value(in)) : null;
+    Decided decided = DECIDED.read(in).orElse(null);
     SortedMap<Long, Slot> slots = new TreeMap<>();
     int count = in.u16();
     for (int i = 0; i < count; i++) {
-      long number = in.i64(1, SynodCodec.DECREE);
+      long number = NUMBER.read(in);
       if (!slots.isEmpty() && slots.lastKey() >= number) {
         throw new WireFormatException("decree " + number + " out of order");
       }
-      Ballot promised = SynodCodec.ballot(in);
-      Vote vote = in.bool() ? new Vote(SynodCodec.ballot(in), SynodCodec.value(in)) : null;
-      slots.put(number, new Slot(promised, vote));
+      slots.put(number, Slot.SHAPE.read(in));
     }
     if (in.remaining() > 0) {
       throw new WireFormatException(in.remaining() + " bytes after the record");

@@ -10,12 +10,12 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run of every {@link SetAgreement} is a run of the theory {@code SetAgreement_decls}. The map
- * from events to actions, where {@code i} is the event's robot:
+ * Every run of every {@link SetAgreement} is a run of the theory {@code SetAgreement_decls}. The fact
+ * {@code propose} is an action of the theory. The map of other events to actions, where {@code i} is
+ * the event's robot:
  *
  * <pre>
  * event                          action
- * propose v                      propose(i, v)
  * decided v, for the first time  choose(v): the decision itself is not in the trace
  * decided v                      decide(i); decided(i) is v
  * decided null                   restart(i), if the robot's program before knew a decision;
@@ -38,27 +38,26 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
     super(
         AgreementAutomaton.SET_AGREEMENT_DECLS,
         "every agreement",
-        SetAgreement::isAgreement,
+        AgreementFact::isAgreement,
         source -> new Replay<>(new AgreementAutomaton(), source, steps));
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    if (action.name().equals(SetAgreement.PROPOSE)) {
-      instance(action.source())
-          .step(action, new AgreementAction.propose(action.robot(), action.args().get(0)), report);
+    if (action.fact() instanceof AgreementAction.propose proposal) {
+      instance(action.source()).step(action, proposal, report);
     }
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (!variable.name().equals(SetAgreement.DECIDED)) {
+    Decision<?> shown = variable.of(AgreementFact.DECIDED);
+    if (shown == null) {
       return;
     }
     Replay<States, AgreementAction> replay = instance(variable.source());
     RobotId i = variable.robot();
-    String value = variable.value();
-    if (value.equals(Decision.NONE_YET)) {
+    if (!shown.isDecided()) {
       if (replay.state().decided().at(i).isUp()) {
         replay.step(variable, new AgreementAction.restart(i), report);
         replay.<Lift<String>>result(
@@ -66,6 +65,7 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
       }
       return;
     }
+    String value = shown.toString(); // as in the proposal
     if (!replay.state().value().isUp()) {
       replay.step(variable, new AgreementAction.choose(value), report);
     }

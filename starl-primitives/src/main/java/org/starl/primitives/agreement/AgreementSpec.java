@@ -3,13 +3,13 @@ package org.starl.primitives.agreement;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -17,7 +17,7 @@ import org.starl.trace.TraceEvent.Variable;
  * The specification of {@link SetAgreement}: {@code Agreement}, one value for each instance; {@code
  * Validity}, only a proposed value; and, where a bound is given, {@code Decided}.
  */
-public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
+public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   static final String AGREEMENT = "Agreement";
   static final String VALIDITY = "Validity";
@@ -38,7 +38,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
    *     with the whole bound once that holds again
    */
   public AgreementSpec(long decidedWithinNs) {
-    super(SetAgreement::isAgreement);
+    super(AgreementFact::isAgreement);
     lemma(AGREEMENT, "No two robots decide on different values.");
     lemma(VALIDITY, "Only a proposed value is decided on.");
     progress =
@@ -50,7 +50,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   }
 
   /** One agreement. */
-  static final class Instance {
+  static final class Run {
     private List<RobotId> acceptors = List.of();
     private final Set<String> proposals = new TreeSet<>();
     private final Set<RobotId> knowing = new TreeSet<>();
@@ -61,8 +61,8 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   private record First(RobotId robot, String value) {}
 
   @Override
-  protected Instance begin(String source) {
-    return new Instance();
+  protected Run begin(Instance source) {
+    return new Run();
   }
 
   @Override
@@ -72,22 +72,21 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new AgreementConformance(), new SynodSpec(SetAgreement.PRIMITIVE));
+    return List.of(new AgreementConformance(), new SynodSpec(AgreementFact.PRIMITIVE));
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    Instance instance = instance(action.source());
-    switch (action.name()) {
-      case SetAgreement.ACCEPTORS -> {
-        if (instance.acceptors.isEmpty()) {
-          instance.acceptors =
-              action.args().stream().map(RobotId::new).collect(Collectors.toList());
+    Run run = instance(action.source());
+    switch (action.fact()) {
+      case AgreementFact.Acceptors acceptors -> {
+        if (run.acceptors.isEmpty()) {
+          run.acceptors = acceptors.robots();
         }
       }
-      case SetAgreement.PROPOSE -> {
-        instance.proposals.add(action.args().get(0));
-        if (!instance.knowing.contains(action.robot())) {
+      case AgreementAction.propose proposal -> {
+        run.proposals.add(proposal.v());
+        if (!run.knowing.contains(action.robot())) {
           progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
         }
       }
@@ -97,50 +96,47 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
 
   @Override
   protected void changed(Variable variable, Report report) {
-    boolean isDecision =
-        variable.name().equals(SetAgreement.DECIDED) && !variable.value().equals(Decision.NONE_YET);
-    boolean isFailure =
-        variable.name().equals(SetAgreement.FAILED)
-            && variable.value().equals(Boolean.TRUE.toString());
-    if (isDecision) {
-      Instance instance = instance(variable.source());
-      decided(instance, variable, report);
-      instance.knowing.add(variable.robot());
+    boolean isOver = Boolean.TRUE.equals(variable.of(AgreementFact.FAILED));
+    if (variable.of(AgreementFact.DECIDED) instanceof Decision.Decided<?> decision) {
+      Run run = instance(variable.source());
+      decided(run, decision.toString(), variable, report); // as in the proposal
+      run.knowing.add(variable.robot());
+      isOver = true;
     }
-    if (isDecision || isFailure) {
+    if (isOver) {
       progress.meet(new ProcessKey(variable.source(), variable.robot()), report);
     }
   }
 
-  private static void decided(Instance instance, Variable event, Report report) {
+  private static void decided(Run run, String value, Variable event, Report report) {
     report.checked(AGREEMENT);
-    First first = instance.decision;
+    First first = run.decision;
     if (first == null) {
-      first = new First(event.robot(), event.value());
-      instance.decision = first;
+      first = new First(event.robot(), value);
+      run.decision = first;
     }
-    if (!first.value().equals(event.value())) {
+    if (!first.value().equals(value)) {
       report.violated(
           AGREEMENT,
           event.timeNs(),
           List.of(first.robot(), event.robot()),
-          event.source() + ": " + first.value() + " and " + event.value());
+          event.source() + ": " + first.value() + " and " + value);
     }
     report.checked(VALIDITY);
-    if (!instance.proposals.contains(event.value())) {
+    if (!run.proposals.contains(value)) {
       report.violated(
           VALIDITY,
           event.timeNs(),
           List.of(event.robot()),
-          event.source() + ": " + event.value() + " was never proposed");
+          event.source() + ": " + value + " was never proposed");
     }
   }
 
   @Override
   protected void ended(RobotId robot) {
     instances()
-        .forEach((source, instance) -> {
-          instance.knowing.remove(robot);
+        .forEach((source, run) -> {
+          run.knowing.remove(robot);
           progress.stop(new ProcessKey(source, robot));
         });
   }

@@ -1,6 +1,12 @@
 package org.starl.primitives.agreement;
 
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import org.starl.id.ProcessId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * The rank of one attempt of one proposer. It is unique: a proposer uses no round twice, and no two
@@ -9,6 +15,14 @@ import org.starl.id.ProcessId;
  * @param round above 0
  */
 public record Ballot(long round, ProcessId proposer) implements Comparable<Ballot> {
+
+  /** Its shape. */
+  public static final Shape<Ballot> SHAPE =
+      Shapes.of(
+          Ballot.class,
+          part("round", LONG, Ballot::round),
+          part("proposer", PROCESS, Ballot::proposer),
+          Ballot::new);
 
   public Ballot {
     if (round <= 0) {
@@ -26,19 +40,5 @@ public record Ballot(long round, ProcessId proposer) implements Comparable<Ballo
   @Override
   public String toString() {
     return round + "/" + proposer;
-  }
-
-  /**
-   * Parses the text of {@link #toString}.
-   *
-   * @throws IllegalArgumentException if {@code text} has another form
-   */
-  static Ballot parse(String text) {
-    int slash = text.indexOf('/');
-    if (slash < 0) {
-      throw new IllegalArgumentException("ballot '" + text + "': expected round/robot#incarnation");
-    }
-    return new Ballot(
-        Long.parseLong(text.substring(0, slash)), ProcessId.parse(text.substring(slash + 1)));
   }
 }

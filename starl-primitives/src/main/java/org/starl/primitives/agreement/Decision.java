@@ -7,15 +7,12 @@ package org.starl.primitives.agreement;
  */
 public sealed interface Decision<T> {
 
-  /** The text of a decision that is not known, in the trace. */
-  String NONE_YET = "null";
-
   boolean isDecided();
 
   /**
    * The value agreed on; the same on every robot, for ever.
    *
-   * @param bytes the value as its codec writes it; the trace shows them
+   * @param bytes the value as its shape writes it; the trace shows them
    */
   record Decided<T>(T value, Value bytes) implements Decision<T> {
     @Override
@@ -39,7 +36,7 @@ public sealed interface Decision<T> {
 
     @Override
     public String toString() {
-      return NONE_YET;
+      return "null";
     }
   }
 }

@@ -6,13 +6,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
-import org.starl.comms.Codec;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.primitives.Phases;
+import org.starl.shape.Shape;
+import org.starl.trace.Instance;
 
 /**
  * Agreement on one value, once. A robot that constructs it serves as an acceptor, if it is
@@ -22,39 +22,10 @@ import org.starl.primitives.Phases;
  */
 public final class SetAgreement<T> extends SynodPrimitive {
 
-  /** Action with the acceptors: from now on this robot serves, if it is one of them. */
-  static final String ACCEPTORS = "acceptors";
-
-  static final String PROPOSE = "propose";
-
-  /** Variable: the decision, or {@code null}. */
-  public static final String DECIDED = "decided";
-
-  static final String FAILED = "failed";
-
-  /** The primitive's name in sources. */
-  public static final String PRIMITIVE = "agreement";
-
-  private static final String IDLE = "IDLE";
-  private static final String PROPOSING = "PROPOSING";
-  private static final String HAS_DECIDED = "DECIDED";
-  private static final String GAVE_UP = "FAILED";
-
-  /** The phases: it has not proposed, proposes, knows the decision, or has given up. */
-  public static final Phases PHASES =
-      Phases.of(
-          PRIMITIVE,
-          SynodMessage.class,
-          () -> SetAgreement::phase,
-          IDLE,
-          PROPOSING,
-          HAS_DECIDED,
-          GAVE_UP);
-
   private static final long ONLY_NUMBER = 1;
 
   private final Participants acceptors;
-  private final Codec<T> codec;
+  private final Shape<T> shape;
   private final long deadlineMs;
   private final GvhCell<Decision<T>> decided;
   private final GvhCell<Boolean> failed;
@@ -64,35 +35,36 @@ public final class SetAgreement<T> extends SynodPrimitive {
    * With all robots of the deployment as acceptors.
    *
    * @param xid the instance: robots with equal ones agree with each other
-   * @param codec encodes values, in at most {@link Value#MAX_BYTES} bytes
+   * @param shape of the values, in at most {@link Value#MAX_BYTES} bytes
    */
-  public SetAgreement(GlobalVarHolder gvh, String xid, Codec<T> codec) {
-    this(gvh, xid, codec, gvh.id.participants());
+  public SetAgreement(GlobalVarHolder gvh, String xid, Shape<T> shape) {
+    this(gvh, xid, shape, gvh.id.participants());
   }
 
   /**
    * @param acceptors the same on every robot, for ever; a decision needs a majority of them in reach
    */
-  public SetAgreement(GlobalVarHolder gvh, String xid, Codec<T> codec, Participants acceptors) {
-    this(gvh, xid, codec, acceptors, AgreementSettings.DEFAULT);
+  public SetAgreement(GlobalVarHolder gvh, String xid, Shape<T> shape, Participants acceptors) {
+    this(gvh, xid, shape, acceptors, AgreementSettings.DEFAULT);
   }
 
   public SetAgreement(
       GlobalVarHolder gvh,
       String xid,
-      Codec<T> codec,
+      Shape<T> shape,
       Participants acceptors,
       AgreementSettings settings) {
     super(
         gvh,
-        PRIMITIVE + "/" + xid,
-        new Channel<>(PRIMITIVE, xid, new SynodCodec(SynodCodec.Format.of(codec))));
-    this.codec = codec;
+        Instance.of(AgreementFact.PRIMITIVE, xid),
+        new Channel<>(AgreementFact.PRIMITIVE, xid, new SynodCodec(SynodCodec.Format.of(shape))));
+    this.shape = shape;
     this.acceptors = acceptors;
     this.deadlineMs = settings.deadlineMs();
-    decided = gvh.variable(source, DECIDED, new Decision.NoneYet<>());
-    failed = gvh.variable(source, FAILED, false);
-    gvh.trace.action(source, ACCEPTORS, acceptors.asList().toArray());
+    decided = gvh.variable(source, AgreementFact.decided(), new Decision.NoneYet<>());
+    failed = gvh.variable(source, AgreementFact.FAILED, false);
+    gvh.trace.action(
+        source, AgreementFact.ACCEPTORS, new AgreementFact.Acceptors(acceptors.asList()));
     protocol = new Protocol(settings.timing());
     wire.start(protocol, this::show);
   }
@@ -102,12 +74,17 @@ public final class SetAgreement<T> extends SynodPrimitive {
    * at the deadline, {@link #failed}; then it may be called again. A new call replaces the one before.
    * After a decision, a call changes nothing.
    *
-   * @throws IllegalArgumentException if the codec does not write {@code value}, or writes more than
+   * @throws IllegalArgumentException if the shape does not write {@code value}, or writes more than
    *     {@link Value#MAX_BYTES} bytes
    */
   public void propose(T value) {
-    Value proposed = Value.write(out -> codec.write(value, out));
-    gvh.trace.action(source, PROPOSE, proposed);
+    Value proposed = Value.write(out -> shape.write(value, out));
+    if (gvh.trace.isOn()) {
+      gvh.trace.action(
+          source,
+          AgreementFact.PROPOSE,
+          new AgreementAction.propose(gvh.id.name(), proposed.toString()));
+    }
     wire.call(nowNs -> protocol.propose(proposed, nowNs));
   }
 
@@ -118,34 +95,19 @@ public final class SetAgreement<T> extends SynodPrimitive {
 
   /** The decision, once this robot knows it. */
   public GvhVariable<Decision<T>> decided() {
-    return decided;
+    return decided.variable();
   }
 
   /** Whether the latest proposal was given up at its deadline. */
   public GvhVariable<Boolean> failed() {
-    return failed;
-  }
-
-  private static String phase(String before, String name, List<String> texts) {
-    boolean hasDecided = before.equals(HAS_DECIDED);
-    return switch (name) {
-      case PROPOSE -> hasDecided ? before : PROPOSING;
-      case DECIDED -> texts.get(0).equals("null") ? before : HAS_DECIDED;
-      case FAILED -> texts.get(0).equals("true") && !hasDecided ? GAVE_UP : before;
-      default -> before;
-    };
-  }
-
-  /** Whether {@code source} is an agreement, as in {@code agreement/colour}. */
-  static boolean isAgreement(String source) {
-    return source.startsWith(PRIMITIVE + "/");
+    return failed.variable();
   }
 
   private void show() {
     SynodMessage.Decided latest = protocol.synod.latest();
     if (latest != null && !decided.get().isDecided()) {
       Value bytes = latest.value();
-      decided.set(new Decision.Decided<>(bytes.read(source, codec::read), bytes));
+      decided.set(new Decision.Decided<>(bytes.read(source.name(), shape::read), bytes));
     }
     failed.set(protocol.gaveUp);
   }
@@ -160,7 +122,7 @@ public final class SetAgreement<T> extends SynodPrimitive {
           acceptors,
           gvh.id.freshProcess(),
           timing,
-          gvh.plat.entropy.fork(source),
+          gvh.plat.entropy.fork(source.name()),
           wire,
           gvh.plat.clock.nowNs());
     }
@@ -181,10 +143,10 @@ public final class SetAgreement<T> extends SynodPrimitive {
     }
 
     @Override
-    public @Nullable Wait waitsFor(String name) {
+    public @Nullable Wait waitsFor(Instance agreement) {
       return gaveUp
-          ? new Wait(name, "failed: no majority of the acceptors answered", List.of())
-          : super.waitsFor(name);
+          ? new Wait(agreement, "failed: no majority of the acceptors answered", List.of())
+          : super.waitsFor(agreement);
     }
 
     @Override

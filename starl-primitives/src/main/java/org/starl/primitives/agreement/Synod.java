@@ -2,7 +2,6 @@ package org.starl.primitives.agreement;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.WireFormatException;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -14,6 +13,7 @@ import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.random.Rng;
+import org.starl.shape.WireFormatException;
 
 /**
  * One robot's part in a sequence of decrees: proposer, acceptor if it is one, and learner (Lamport,

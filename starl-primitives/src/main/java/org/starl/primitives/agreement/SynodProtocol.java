@@ -6,6 +6,7 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * One robot's part in a primitive that decides by a {@link Synod}: the base of the protocols of
@@ -61,7 +62,7 @@ public abstract class SynodProtocol implements SynodListener {
   }
 
   /** What it waits for, in words, and from which robots; null if for nothing. */
-  public @Nullable Wait waitsFor(String source) {
+  public @Nullable Wait waitsFor(Instance source) {
     return synod.isProposing()
         ? new Wait(source, "needs answers of a majority; missing", synod.unanswered())
         : null;

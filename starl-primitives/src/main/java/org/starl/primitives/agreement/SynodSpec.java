@@ -5,9 +5,19 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Nack;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Query;
+import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.spec.LemmaMonitor;
-import org.starl.trace.MessageText;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
@@ -37,18 +47,16 @@ public final class SynodSpec extends LemmaMonitor {
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;
 
-  private static final List<String> RULED =
-      List.of("Prepare", "Promise", "Accept", "Accepted", "Decided");
-
-  private final String channels;
-  private final Map<String, Instance> instances = new TreeMap<>();
+  private final String kind;
+  private final Map<Instance, Run> runs = new TreeMap<>();
   private boolean isRealTime;
 
   /**
-   * @param primitive whose channels carry messages of a Synod, such as {@code registration}
+   * @param kind of the channels that carry messages of a Synod, such as {@code registration} or {@code
+   *     election.synod}
    */
-  public SynodSpec(String primitive) {
-    channels = primitive + "/";
+  public SynodSpec(String kind) {
+    this.kind = kind;
     lemma(BALLOTS, "An acceptor answers no ballot below one that it has answered.");
     lemma(VOTES, "An acceptor's promise reports its latest vote.");
     lemma(QUORUMS, "A value is proposed, and reported as decided, only as a majority allows.");
@@ -57,65 +65,51 @@ public final class SynodSpec extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     if (event instanceof Sent sent) {
-      sent(sent, report);
+      if (sent.channel().kind().equals(kind) && sent.message() instanceof SynodMessage message) {
+        sent(sent, message, report);
+      }
     } else if (event instanceof Fault fault) {
       isRealTime |= fault.isRealTime();
     }
   }
 
-  private void sent(Sent sent, Report report) {
-    String message = sent.message();
-    if (!sent.channel().startsWith(channels)) {
-      return; // An app may have messages of these names.
-    }
-    String type = MessageText.type(message);
-    if (!RULED.contains(type) || isForgotten(sent)) {
+  private void sent(Sent sent, SynodMessage message, Report report) {
+    Run run = runs.computeIfAbsent(sent.channel(), channel -> new Run());
+    if (run.hasForgotten(message.number())) {
       return;
     }
-    switch (type) {
+    switch (message) {
       // The first question of a ballot goes to all acceptors.
-      case "Prepare" -> instance(sent).acceptors.add(sent.to());
-      case "Promise" -> decree(sent).promised(sent, field(message, "vote"), report);
-      case "Accepted" -> decree(sent).voted(sent, report);
-      case "Accept" -> decree(sent).proposed(sent, report);
-      case "Decided" -> decree(sent).decided(sent, report);
-      default -> throw new IllegalStateException(type + ": no rule");
+      case Prepare m -> run.acceptors.add(sent.to());
+      case Promise m -> decree(run, m).promised(sent, m, report);
+      case Accepted m -> decree(run, m).voted(sent, m.ballot(), report);
+      case Accept m -> decree(run, m).proposed(sent, m, report);
+      case Decided m -> decree(run, m).decided(sent, m.value(), report);
+      case Nack m -> {} // no rule
+      case Query m -> {} // no rule
     }
-  }
-
-  private boolean isForgotten(Sent sent) {
-    TreeMap<Long, Decree> decrees = instance(sent).decrees;
-    return decrees.size() >= KEPT_NUMBERS && number(sent) < decrees.firstKey();
-  }
-
-  private static long number(Sent sent) {
-    return Long.parseLong(field(sent.message(), "number"));
-  }
-
-  private static String field(String message, String name) {
-    return MessageText.field(message, name);
   }
 
   private static Ballot higher(Ballot a, Ballot b) {
     return a.compareTo(b) > 0 ? a : b;
   }
 
-  private Instance instance(Sent sent) {
-    return instances.computeIfAbsent(sent.channel(), channel -> new Instance());
-  }
-
-  private Decree decree(Sent sent) {
-    Instance instance = instance(sent);
-    Decree decree = instance.decrees.computeIfAbsent(number(sent), n -> new Decree(instance));
-    if (instance.decrees.size() > KEPT_NUMBERS) {
-      instance.decrees.pollFirstEntry();
+  private Decree decree(Run run, SynodMessage message) {
+    Decree decree = run.decrees.computeIfAbsent(message.number(), n -> new Decree(run));
+    if (run.decrees.size() > KEPT_NUMBERS) {
+      run.decrees.pollFirstEntry();
     }
     return decree;
   }
 
-  private static final class Instance {
+  /** One channel. */
+  private static final class Run {
     private final Set<String> acceptors = new TreeSet<>();
     private final TreeMap<Long, Decree> decrees = new TreeMap<>();
+
+    boolean hasForgotten(long number) {
+      return decrees.size() >= KEPT_NUMBERS && number < decrees.firstKey();
+    }
 
     boolean isMajority(long count) {
       return 2 * count > acceptors.size();
@@ -124,74 +118,83 @@ public final class SynodSpec extends LemmaMonitor {
 
   /** What robots have said for one number. */
   private final class Decree {
-    private final Instance instance;
-    private final Map<String, Ballot> answered = new TreeMap<>();
-    private final Map<String, Ballot> voted = new TreeMap<>();
+    private final Run run;
+    private final Map<RobotId, Ballot> answered = new TreeMap<>();
+    private final Map<RobotId, Ballot> voted = new TreeMap<>();
     private final Map<Ballot, Attempt> attempts = new TreeMap<>();
 
-    Decree(Instance instance) {
-      this.instance = instance;
+    Decree(Run run) {
+      this.run = run;
     }
 
-    void promised(Sent sent, String vote, Report report) {
-      Ballot ballot = answer(sent, report);
-      Ballot last = voted.get(sent.robot().name());
-      Ballot told = Attempt.ballot(vote);
-      boolean isLate = last != null && (told == null || told.compareTo(last) < 0);
-      check(VOTES, !isLate, sent, "after its vote in ballot " + last, report);
+    void promised(Sent sent, Promise promise, Report report) {
+      answers(sent, promise.ballot(), report);
+      Vote told = promise.vote();
+      Ballot last = voted.get(sent.robot());
+      boolean isLate = last != null && (told == null || told.ballot().compareTo(last) < 0);
+      check(VOTES, !isLate, sent, () -> "after its vote in ballot " + last, report);
       if (told != null) {
-        String value = attempt(told).value;
-        boolean isKnown = value == null || value.equals(field(vote, "value"));
-        check(VOTES, isKnown, sent, "but ballot " + told + " has the value " + value, report);
+        Value value = attempt(told.ballot()).value;
+        boolean isKnown = value == null || value.equals(told.value());
+        check(
+            VOTES,
+            isKnown,
+            sent,
+            () -> "but ballot " + told.ballot() + " has the value " + value,
+            report);
       }
-      attempt(ballot).promises.putIfAbsent(sent.robot().name(), vote);
+      attempt(promise.ballot()).promised(sent.robot(), told);
     }
 
-    void voted(Sent sent, Report report) {
-      Ballot ballot = answer(sent, report);
-      voted.merge(sent.robot().name(), ballot, SynodSpec::higher);
-      attempt(ballot).votes.add(sent.robot().name());
+    void voted(Sent sent, Ballot ballot, Report report) {
+      answers(sent, ballot, report);
+      voted.merge(sent.robot(), ballot, SynodSpec::higher);
+      attempt(ballot).votes.add(sent.robot());
     }
 
-    void proposed(Sent sent, Report report) {
-      Ballot ballot = Ballot.parse(field(sent.message(), "ballot"));
-      Attempt attempt = attempt(ballot);
-      String value = field(sent.message(), "value");
-      if (attempt.value == null) {
-        boolean isOwn = ballot.proposer().robot().equals(sent.robot());
-        check(QUORUMS, isOwn, sent, "in another robot's ballot", report);
-        boolean isSafe = isRealTime || attempt.allows(value, instance);
-        check(QUORUMS, isSafe, sent, "after the promises " + attempt.promises, report);
+    void proposed(Sent sent, Accept accept, Report report) {
+      Attempt attempt = attempt(accept.ballot());
+      Value value = accept.value();
+      Value before = attempt.value;
+      if (before == null) {
+        boolean isOwn = accept.ballot().proposer().robot().equals(sent.robot());
+        check(QUORUMS, isOwn, sent, () -> "in another robot's ballot", report);
+        boolean isSafe = isRealTime || attempt.allows(value, run);
+        check(QUORUMS, isSafe, sent, () -> "after the promises " + attempt.promises, report);
         attempt.value = value;
       }
-      boolean isOne = value.equals(attempt.value);
-      check(QUORUMS, isOne, sent, "after " + attempt.value + " in this ballot", report);
+      boolean isOne = before == null || value.equals(before);
+      check(QUORUMS, isOne, sent, () -> "after " + before + " in this ballot", report);
     }
 
-    void decided(Sent sent, Report report) {
-      String value = field(sent.message(), "value");
+    void decided(Sent sent, Value value, Report report) {
       boolean isChosen = isRealTime;
       for (Attempt attempt : attempts.values()) {
-        isChosen |= value.equals(attempt.value) && instance.isMajority(attempt.votes.size());
+        Value its = attempt.value;
+        isChosen |= its != null && value.equals(its) && run.isMajority(attempt.votes.size());
       }
-      check(QUORUMS, isChosen, sent, "without the votes of a majority", report);
+      check(QUORUMS, isChosen, sent, () -> "without the votes of a majority", report);
     }
 
-    private Ballot answer(Sent sent, Report report) {
-      Ballot ballot = Ballot.parse(field(sent.message(), "ballot"));
-      Ballot highest = answered.merge(sent.robot().name(), ballot, SynodSpec::higher);
-      check(BALLOTS, highest.equals(ballot), sent, "after an answer to ballot " + highest, report);
-      return ballot;
+    private void answers(Sent sent, Ballot ballot, Report report) {
+      Ballot highest = answered.merge(sent.robot(), ballot, SynodSpec::higher);
+      check(
+          BALLOTS,
+          ballot.equals(highest),
+          sent,
+          () -> "after an answer to ballot " + highest,
+          report);
     }
 
     private Attempt attempt(Ballot ballot) {
       return attempts.computeIfAbsent(ballot, b -> new Attempt());
     }
 
-    private void check(String lemma, boolean holds, Sent sent, String wrong, Report report) {
+    private void check(
+        String lemma, boolean holds, Sent sent, Supplier<String> wrong, Report report) {
       report.checked(lemma);
       if (!holds) {
-        String detail = sent.channel() + ": " + sent.message() + " " + wrong;
+        String detail = sent.channel() + ": " + sent.message() + " " + wrong.get();
         report.violated(lemma, sent.timeNs(), List.of(sent.robot()), detail);
       }
     }
@@ -199,18 +202,23 @@ public final class SynodSpec extends LemmaMonitor {
 
   /** One ballot: the votes that its promises report, its value, and its voters. */
   private static final class Attempt {
-    private final Map<String, String> promises = new TreeMap<>();
-    private final Set<String> votes = new TreeSet<>();
-    private @Nullable String value;
+    private final Map<RobotId, @Nullable Vote> promises = new TreeMap<>();
+    private final Set<RobotId> votes = new TreeSet<>();
+    private @Nullable Value value;
+
+    /** A repeated promise may report a later vote; the first one counts. */
+    void promised(RobotId acceptor, @Nullable Vote vote) {
+      if (!promises.containsKey(acceptor)) {
+        promises.put(acceptor, vote);
+      }
+    }
 
     /** Whether some majority's promises allow the value. */
-    boolean allows(String proposed, Instance instance) {
-      boolean isFree = instance.isMajority(upTo(null));
-      for (String vote : promises.values()) {
+    boolean allows(Value proposed, Run run) {
+      boolean isFree = run.isMajority(upTo(null));
+      for (Vote vote : promises.values()) {
         isFree |=
-            !vote.equals("null")
-                && proposed.equals(field(vote, "value"))
-                && instance.isMajority(upTo(ballot(vote)));
+            vote != null && proposed.equals(vote.value()) && run.isMajority(upTo(vote.ballot()));
       }
       return isFree;
     }
@@ -218,15 +226,11 @@ public final class SynodSpec extends LemmaMonitor {
     /** The promises that report no vote in a higher ballot; null is below all. */
     private long upTo(@Nullable Ballot highest) {
       long count = 0;
-      for (String vote : promises.values()) {
-        Ballot ballot = ballot(vote);
-        count += ballot == null || (highest != null && ballot.compareTo(highest) <= 0) ? 1 : 0;
+      for (Vote vote : promises.values()) {
+        boolean isUpTo = vote == null || (highest != null && vote.ballot().compareTo(highest) <= 0);
+        count += isUpTo ? 1 : 0;
       }
       return count;
-    }
-
-    static @Nullable Ballot ballot(String vote) {
-      return vote.equals("null") ? null : Ballot.parse(field(vote, "ballot"));
     }
   }
 }

@@ -12,6 +12,7 @@ import org.starl.comms.Endpoint;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.trace.Instance;
 
 /**
  * Connects a {@link SynodProtocol} to its robot: channels, stable storage, one timer. Strand only.
@@ -19,7 +20,7 @@ import org.starl.platform.Timer;
 public final class SynodWire implements SynodLink {
 
   private final GlobalVarHolder gvh;
-  private final String source;
+  private final Instance source;
   private final String stableKey;
   private final Timer timer;
   private final Endpoint<SynodMessage> endpoint;
@@ -31,9 +32,9 @@ public final class SynodWire implements SynodLink {
    * Opens the Synod's channel. The protocol may read and write its record from now on, and receives
    * messages from {@link #start} on.
    *
-   * @param source the primitive's name in the trace
+   * @param source the primitive's instance in the trace
    */
-  public SynodWire(GlobalVarHolder gvh, String source, Channel<SynodMessage> channel) {
+  public SynodWire(GlobalVarHolder gvh, Instance source, Channel<SynodMessage> channel) {
     this.gvh = gvh;
     this.source = source;
     this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash

@@ -3,9 +3,11 @@ package org.starl.primitives.agreement;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** The value that a Synod decides on: bytes that it does not interpret. Immutable. */
 public final class Value {
@@ -17,6 +19,11 @@ public final class Value {
    * still fits one datagram.
    */
   public static final int MAX_BYTES = 1000;
+
+  /** Its bytes after their number in two bytes; in JSON its hexadecimal digits. */
+  public static final Shape<Value> SHAPE =
+      Shapes.<Value>text("value", Value::toString, Value::parse)
+          .bytes((value, out) -> out.bytes(value.bytes), in -> of(in.bytes()));
 
   private static final String HEX = "0123456789abcdef";
 
@@ -75,6 +82,19 @@ public final class Value {
   @Override
   public int hashCode() {
     return Arrays.hashCode(bytes);
+  }
+
+  private static Value parse(String text) {
+    byte[] bytes = new byte[text.length() / 2];
+    for (int i = 0; i < bytes.length; i++) {
+      int high = HEX.indexOf(text.charAt(2 * i));
+      bytes[i] = (byte) (high << 4 | HEX.indexOf(text.charAt(2 * i + 1)));
+    }
+    Value value = of(bytes);
+    if (!value.toString().equals(text)) {
+      throw new IllegalArgumentException("value '" + text + "': expected hexadecimal digits");
+    }
+    return value;
   }
 
   /** In hexadecimal digits. */

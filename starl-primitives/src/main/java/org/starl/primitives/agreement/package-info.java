@@ -30,7 +30,7 @@
  * prepare messages are hints: they let one decree serve several proposers, and no safety argument uses
  * them.
  *
- * <p>May import: core, {@code org.starl.primitives}.
+ * <p>May import: core, {@code org.starl.primitives}, its {@code exhaustive}.
  */
 @NullMarked
 package org.starl.primitives.agreement;

@@ -1,7 +1,5 @@
 package org.starl.primitives.barrier;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
@@ -16,6 +14,7 @@ import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
+import org.starl.trace.Instance;
 
 /**
  * The barrier of one robot: {@link BarrierProtocol} on its gvh. A robot that constructs it votes, if it
@@ -77,30 +76,28 @@ public final class Barrier extends SynodPrimitive implements BarrierPrim {
       BarrierSettings settings) {
     super(
         gvh,
-        firstInstance(gvh, BarrierTrace.PRIMITIVE + "/" + instance),
-        new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(new BarrierCodec(first))));
-    outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
+        firstInstance(gvh, Instance.of(BarrierFact.PRIMITIVE, instance)),
+        new Channel<>(BarrierFact.SYNOD, instance, new SynodCodec(new OutcomesFormat(first))));
+    outcome = gvh.variable(source, BarrierFact.OUTCOME, BarrierOutcome.NONE_YET);
     protocol =
         new BarrierProtocol(
             me,
             first,
             settings,
-            gvh.plat.entropy.fork(source),
+            gvh.plat.entropy.fork(source.name()),
             wire,
             this::send,
             gvh.plat.clock.nowNs());
-    List<Object> ids = new ArrayList<>(first);
-    ids.add(0, me);
-    gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
+    gvh.trace.action(source, BarrierFact.CREATED, new BarrierFact.Created(me, first));
     endpoint =
         wire.open(
-            new Channel<>(BarrierTrace.PRIMITIVE, instance, new BarrierCodec(first)),
+            new Channel<>(BarrierFact.PRIMITIVE, instance, BarrierMessage.SHAPE),
             BarrierMessage::from,
             protocol::received);
     wire.start(protocol, this::show);
   }
 
-  private static String firstInstance(GlobalVarHolder gvh, String source) {
+  private static Instance firstInstance(GlobalVarHolder gvh, Instance source) {
     gvh.requireFirstInstance(source);
     return source;
   }
@@ -114,13 +111,14 @@ public final class Barrier extends SynodPrimitive implements BarrierPrim {
 
   @Override
   public void arrive() {
-    gvh.trace.action(source, BarrierTrace.ARRIVE, protocol.generation(), protocol.me());
+    gvh.trace.action(
+        source, BarrierFact.ARRIVE, new BarrierAction.arrive(protocol.me(), protocol.generation()));
     wire.call(protocol::arrive);
   }
 
   @Override
   public GvhVariable<BarrierOutcome> outcome() {
-    return outcome;
+    return outcome.variable();
   }
 
   @Override

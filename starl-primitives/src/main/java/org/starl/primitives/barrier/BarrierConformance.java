@@ -1,10 +1,5 @@
 package org.starl.primitives.barrier;
 
-import java.util.Collections;
-import java.util.List;
-import java.util.SortedSet;
-import java.util.TreeSet;
-import org.starl.id.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
@@ -12,14 +7,14 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run of every barrier is a run of the theory {@code Barrier_decls}. The map from events to
- * actions, where {@code i} is the id that the event's robot announced last:
+ * Every run of every barrier is a run of the theory {@code Barrier_decls}. The fact {@code arrive} is
+ * an action of the theory, if its id is one of the event's robot. The map of other events to actions,
+ * where {@code i} is the id that the event's robot announced last:
  *
  * <pre>
  * event                            action
  * Barrier i members                none: the robot announces its id i. The members of the instance's
  *                                  first such event are the parameter first; all others must be equal
- * arrive g i                       arrive(i, g), if i is an id of the event's robot
  * outcome g:passed, g:failed[M],
  *   for the first time             decide(g, passed), decide(g, failed(M))
  * outcome g:passed, g:failed[M]    tell(i, g); told(i) is this
@@ -51,28 +46,25 @@ public final class BarrierConformance extends Conformance<BarrierRun> {
     super(
         BarrierAutomaton.BARRIER_DECLS,
         "every barrier",
-        BarrierTrace::isBarrier,
+        BarrierFact::isBarrier,
         source -> new BarrierRun(source, steps));
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    List<String> args = action.args();
     BarrierRun run = instance(action.source());
-    if (action.name().equals(BarrierTrace.BARRIER)) {
-      SortedSet<ProcessId> members = new TreeSet<>();
-      args.subList(1, args.size()).forEach(id -> members.add(ProcessId.parse(id)));
-      run.created(
-          action, ProcessId.parse(args.get(0)), Collections.unmodifiableSortedSet(members), report);
-    } else if (action.name().equals(BarrierTrace.ARRIVE)) {
-      run.arrived(action, Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)), report);
+    switch (action.fact()) {
+      case BarrierFact.Created created -> run.created(action, created, report);
+      case BarrierAction step when action.process() != null -> run.stepped(action, step, report);
+      default -> {}
     }
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (variable.name().equals(BarrierTrace.OUTCOME)) {
-      instance(variable.source()).shown(variable, report);
+    BarrierOutcome outcome = variable.of(BarrierFact.OUTCOME);
+    if (outcome != null) {
+      instance(variable.source()).shown(variable, outcome, report);
     }
   }
 

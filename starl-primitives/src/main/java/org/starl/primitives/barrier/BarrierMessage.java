@@ -1,9 +1,18 @@
 package org.starl.primitives.barrier;
 
+import static org.starl.shape.Shapes.BOOL;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import org.starl.id.ProcessId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** The barrier's own messages. All are idempotent. */
 sealed interface BarrierMessage {
+
+  /** Their shape. The bytes are in {@code docs/wire-format.md}. */
+  Shape<BarrierMessage> SHAPE = shape();
 
   /** The member of the sender. */
   ProcessId from();
@@ -20,4 +29,22 @@ sealed interface BarrierMessage {
    */
   record Here(ProcessId from, long generation, boolean hasArrived, long noted)
       implements BarrierMessage {}
+
+  private static Shape<BarrierMessage> shape() {
+    Shape<Long> generation = Shapes.atLeast(1, "generation");
+    return Shapes.oneOf(
+        BarrierMessage.class,
+        Shapes.of(
+            Arrival.class,
+            part("from", PROCESS, Arrival::from),
+            part("generation", generation, Arrival::generation),
+            Arrival::new),
+        Shapes.of(
+            Here.class,
+            part("from", PROCESS, Here::from),
+            part("generation", generation, Here::generation),
+            part("hasArrived", BOOL, Here::hasArrived),
+            part("noted", generation, Here::noted),
+            Here::new));
+  }
 }

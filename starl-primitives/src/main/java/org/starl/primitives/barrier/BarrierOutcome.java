@@ -1,9 +1,14 @@
 package org.starl.primitives.barrier;
 
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** The outcome of the generation in which a robot arrived last, as the robot was told. */
 public sealed interface BarrierOutcome {
@@ -11,42 +16,8 @@ public sealed interface BarrierOutcome {
   /** None yet: the robot never arrived, or waits. */
   BarrierOutcome NONE_YET = new NoneYet();
 
-  /**
-   * Reads what {@code toString} wrote.
-   *
-   * @throws IllegalArgumentException if {@code text} is no outcome
-   */
-  static BarrierOutcome parse(String text) {
-    if (text.equals("null")) {
-      return NONE_YET;
-    }
-    int colon = text.indexOf(':');
-    if (colon > 0) {
-      long generation = Long.parseLong(text.substring(0, colon));
-      String what = text.substring(colon + 1);
-      if (what.equals("passed")) {
-        return new Passed(generation);
-      }
-      if (what.equals("excluded")) {
-        return new Excluded(generation);
-      }
-      if (what.equals("unknown")) {
-        return new Unknown(generation);
-      }
-      if (what.startsWith("failed[") && what.endsWith("]")) {
-        SortedSet<ProcessId> missing = new TreeSet<>();
-        for (String id : what.substring("failed[".length(), what.length() - 1).split(", ", -1)) {
-          missing.add(ProcessId.parse(id));
-        }
-        return new Failed(generation, missing);
-      }
-    }
-    throw new IllegalArgumentException(
-        "outcome '"
-            + text
-            + "': expected null, or a generation and a colon, then passed, failed[..], excluded"
-            + " or unknown");
-  }
+  /** Its shape. */
+  Shape<BarrierOutcome> SHAPE = shape();
 
   /** Whether the latest wait is over. */
   boolean isTold();
@@ -135,5 +106,24 @@ public sealed interface BarrierOutcome {
     public String toString() {
       return generation + ":unknown";
     }
+  }
+
+  private static Shape<BarrierOutcome> shape() {
+    Shape<Long> generation = Shapes.atLeast(1, "generation");
+    return Shapes.oneOf(
+        BarrierOutcome.class,
+        Shapes.of(NoneYet.class, NoneYet::new),
+        Shapes.of(Passed.class, part("generation", generation, Passed::generation), Passed::new),
+        Shapes.of(
+            Failed.class,
+            part("generation", generation, Failed::generation),
+            part("missing", Shapes.set(PROCESS, 0xFFFF), Failed::missing),
+            Failed::new),
+        Shapes.of(
+            Excluded.class,
+            part("generation", Shapes.atLeast(0, "generation"), Excluded::generation),
+            Excluded::new),
+        Shapes.of(
+            Unknown.class, part("generation", generation, Unknown::generation), Unknown::new));
   }
 }

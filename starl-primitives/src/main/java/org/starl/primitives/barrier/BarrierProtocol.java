@@ -20,6 +20,7 @@ import org.starl.primitives.barrier.BarrierMessage.Arrival;
 import org.starl.primitives.barrier.BarrierMessage.Here;
 import org.starl.primitives.suspicion.Suspicion;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * One robot's part in one barrier: generations 1, 2, 3, ... The Synod decides the outcome of each once,
@@ -35,7 +36,7 @@ class BarrierProtocol extends SynodProtocol {
 
   private final ProcessId me;
   private final SortedSet<ProcessId> first;
-  private final BarrierCodec codec;
+  private final OutcomesFormat format;
   private final BarrierSettings settings;
   private final SynodLink link;
   private final BarrierPort port;
@@ -75,14 +76,14 @@ class BarrierProtocol extends SynodProtocol {
     super(me.robot(), robots(first), me, settings.timing(), rng, link, nowNs);
     this.me = me;
     this.first = Collections.unmodifiableSortedSet(new TreeSet<>(first));
-    this.codec = new BarrierCodec(first);
+    this.format = new OutcomesFormat(first);
     this.settings = settings;
     this.link = link;
     this.port = port;
     this.suspicion = new Suspicion(settings.silenceMs() * NS_PER_MS);
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
-      decided(known.number(), codec.read(known.value()));
+      decided(known.number(), format.read(known.value()));
     }
   }
 
@@ -166,7 +167,7 @@ class BarrierProtocol extends SynodProtocol {
   // Queries.
 
   @Override
-  public @Nullable Wait waitsFor(String source) {
+  public @Nullable Wait waitsFor(Instance source) {
     SortedSet<ProcessId> absent = absent();
     if (!waiting || absent.isEmpty()) {
       return super.waitsFor(source);
@@ -217,7 +218,7 @@ class BarrierProtocol extends SynodProtocol {
   }
 
   private void tellOutcomes(ProcessId to) {
-    link.send(to.robot(), new SynodMessage.Decided(decided, codec.toValue(outcomes)));
+    link.send(to.robot(), new SynodMessage.Decided(decided, format.toValue(outcomes)));
   }
 
   /** Works for the outcome of this generation, once it can be proposed. */
@@ -252,7 +253,7 @@ class BarrierProtocol extends SynodProtocol {
 
   /** {@code Barrier_agreement.propose}: the proposal, from the latest knowledge. */
   private Value proposal() {
-    return codec.toValue(isAllHere() ? outcomes : outcomes.withBroken(generation, givenUp));
+    return format.toValue(isAllHere() ? outcomes : outcomes.withBroken(generation, givenUp));
   }
 
   /** The first deadline gives up the absent members; the second one ends the wait. */
@@ -343,6 +344,6 @@ class BarrierProtocol extends SynodProtocol {
 
   @Override
   public void learned(long number, Value value) {
-    decided(number, codec.read(value));
+    decided(number, format.read(value));
   }
 }

@@ -1,5 +1,6 @@
 package org.starl.primitives.barrier;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -11,12 +12,13 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
 /** One barrier, as {@link BarrierSpec} sees it in the trace. */
 final class BarrierRecord {
 
-  private final String source;
+  private final Instance source;
   private final FaultState faults;
   private final SortedSet<ProcessId> first = new TreeSet<>();
   private final Set<RobotId> seen = new TreeSet<>();
@@ -33,12 +35,12 @@ final class BarrierRecord {
   /** The first robot to be told the outcome of a generation, and the outcome: passed or failed. */
   private record First(RobotId robot, BarrierOutcome outcome) {}
 
-  BarrierRecord(String source, FaultState faults) {
+  BarrierRecord(Instance source, FaultState faults) {
     this.source = source;
     this.faults = faults;
   }
 
-  void created(ProcessId id, List<ProcessId> members) {
+  void created(ProcessId id, Collection<ProcessId> members) {
     seen.add(id.robot());
     ids.put(id.robot(), id);
     first.addAll(members);
@@ -57,8 +59,7 @@ final class BarrierRecord {
     waiting.remove(robot);
   }
 
-  void told(Variable variable, Report report) {
-    BarrierOutcome outcome = BarrierOutcome.parse(variable.value());
+  void told(Variable variable, BarrierOutcome outcome, Report report) {
     if (!outcome.isTold()) {
       return;
     }

@@ -16,6 +16,7 @@ import org.starl.primitives.barrier.BarrierAutomaton.Told;
 import org.starl.spec.Monitor.Report;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Replay;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -24,7 +25,7 @@ import org.starl.trace.TraceEvent.Variable;
 final class BarrierRun {
 
   /** An id that was told that it is excluded, before the outcome of the generation is known. */
-  private record Early(Variable event, ProcessId i) {}
+  private record Early(Variable event, ProcessId i, BarrierOutcome shown) {}
 
   /** The automaton with its parameter, and the replay on it. */
   private record Begun(BarrierAutomaton automaton, Replay<States, BarrierAction> replay) {
@@ -38,46 +39,47 @@ final class BarrierRun {
     }
   }
 
-  private final String source;
+  private final Instance source;
   private final AutomatonListener<States, BarrierAction> steps;
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final SortedMap<Long, List<Early>> excluded = new TreeMap<>();
   private @Nullable Begun begun;
 
-  BarrierRun(String source, AutomatonListener<States, BarrierAction> steps) {
+  BarrierRun(Instance source, AutomatonListener<States, BarrierAction> steps) {
     this.source = source;
     this.steps = steps;
   }
 
-  void created(Action event, ProcessId i, SortedSet<ProcessId> members, Report report) {
-    ids.put(event.robot(), i);
+  void created(Action event, BarrierFact.Created created, Report report) {
+    ids.put(event.robot(), created.i());
     Begun run = begun;
     if (run == null) {
-      BarrierAutomaton automaton = new BarrierAutomaton(members);
+      BarrierAutomaton automaton = new BarrierAutomaton(created.members());
       run = new Begun(automaton, new Replay<>(automaton, source, steps));
       begun = run;
     }
-    run.replay.result(event, "first", i, members, run.automaton.first(), report);
+    run.replay.result(
+        event, "first", created.i(), created.members(), run.automaton.first(), report);
   }
 
-  void arrived(Action event, long generation, ProcessId i, Report report) {
+  void stepped(Action event, BarrierAction action, Report report) {
     Begun run = begun;
-    if (run != null && i.robot().equals(event.robot())) {
-      run.step(event, new BarrierAction.arrive(i, generation), report);
+    if (run != null) {
+      run.step(event, action, report);
     }
   }
 
-  void shown(Variable event, Report report) {
+  void shown(Variable event, BarrierOutcome shown, Report report) {
     Begun run = begun;
     if (run == null) {
       return;
     }
-    switch (BarrierOutcome.parse(event.value())) {
+    switch (shown) {
       case BarrierOutcome.Passed o ->
-          told(run, event, o.generation(), new Outcome.passed(), report);
+          told(run, event, o, o.generation(), new Outcome.passed(), report);
       case BarrierOutcome.Failed o ->
-          told(run, event, o.generation(), new Outcome.failed(o.missing()), report);
-      case BarrierOutcome.Excluded o -> excluded(run, event, o.generation(), report);
+          told(run, event, o, o.generation(), new Outcome.failed(o.missing()), report);
+      case BarrierOutcome.Excluded o -> excluded(run, event, o, report);
       case BarrierOutcome.NoneYet o -> {
         // No action.
       }
@@ -87,7 +89,13 @@ final class BarrierRun {
     }
   }
 
-  private void told(Begun run, Variable event, long generation, Outcome outcome, Report report) {
+  private void told(
+      Begun run,
+      Variable event,
+      BarrierOutcome shown,
+      long generation,
+      Outcome outcome,
+      Report report) {
     if (isOpen(generation, run.state())) {
       decide(run, event, generation, outcome, report);
     }
@@ -96,7 +104,7 @@ final class BarrierRun {
       Outcome expected = run.state().outcome().at(generation);
       run.replay.result(event, "outcome", generation, outcome, expected, report);
     } else {
-      tell(run, event, i, generation, report);
+      tell(run, event, i, generation, shown, report);
     }
   }
 
@@ -110,15 +118,16 @@ final class BarrierRun {
         s.arrived().with(generation, s.arrived().defaultValue()), s.outcome(), s.told());
   }
 
-  private void excluded(Begun run, Variable event, long generation, Report report) {
+  private void excluded(Begun run, Variable event, BarrierOutcome.Excluded shown, Report report) {
+    long generation = shown.generation();
     ProcessId i = ids.get(event.robot());
     if (i == null || generation == 0) {
       return; // it was never a member
     }
     if (isOpen(generation, run.state())) {
-      excluded.computeIfAbsent(generation, g -> new ArrayList<>()).add(new Early(event, i));
+      excluded.computeIfAbsent(generation, g -> new ArrayList<>()).add(new Early(event, i, shown));
     } else {
-      tell(run, event, i, generation, report);
+      tell(run, event, i, generation, shown, report);
     }
   }
 
@@ -128,14 +137,19 @@ final class BarrierRun {
     run.replay.reduce(s -> withoutArrivals(generation, s));
     List<Early> waiting = excluded.remove(generation);
     if (waiting != null) {
-      waiting.forEach(early -> tell(run, early.event, early.i, generation, report));
+      waiting.forEach(early -> tell(run, early.event, early.i, generation, early.shown, report));
     }
   }
 
-  private static void tell(Begun run, Variable event, ProcessId i, long generation, Report report) {
+  private static void tell(
+      Begun run,
+      Variable event,
+      ProcessId i,
+      long generation,
+      BarrierOutcome shown,
+      Report report) {
     run.step(event, new BarrierAction.tell(i, generation), report);
-    String expected = shown(i, run.state().told().at(i)).toString();
-    run.replay.result(event, "told", i, event.value(), expected, report);
+    run.replay.result(event, "told", i, shown, shown(i, run.state().told().at(i)), report);
   }
 
   private static BarrierOutcome shown(ProcessId i, Told told) {

@@ -1,8 +1,6 @@
 package org.starl.primitives.barrier;
 
 import java.util.List;
-import java.util.stream.Collectors;
-import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
@@ -10,6 +8,7 @@ import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -53,7 +52,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
    *     for {@link FaultState#SETTLE_NS}
    */
   public BarrierSpec(long releasedWithinNs, long toldWithinNs, long promptNs) {
-    super(BarrierTrace::isBarrier);
+    super(BarrierFact::isBarrier);
     lemma(NO_EARLY, "No robot passes the barrier before all its members have arrived.");
     lemma(UNIFORM, "All robots that wait at one barrier are told the same outcome.");
     released =
@@ -74,7 +73,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   }
 
   @Override
-  protected BarrierRecord begin(String source) {
+  protected BarrierRecord begin(Instance source) {
     return new BarrierRecord(source, faults);
   }
 
@@ -85,25 +84,24 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new BarrierConformance(), new SynodSpec(BarrierTrace.SYNOD));
+    return List.of(new BarrierConformance(), new SynodSpec(BarrierFact.SYNOD));
   }
 
   @Override
   protected void acted(Action action, Report report) {
     BarrierRecord generations = instance(action.source());
-    List<String> args = action.args();
-    if (action.name().equals(BarrierTrace.BARRIER)) {
-      List<ProcessId> ids = args.stream().map(ProcessId::parse).collect(Collectors.toList());
-      generations.created(ids.get(0), ids.subList(1, ids.size()));
-    } else if (action.name().equals(BarrierTrace.ARRIVE)) {
-      generations.arrived(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));
+    switch (action.fact()) {
+      case BarrierFact.Created created -> generations.created(created.i(), created.members());
+      case BarrierAction.arrive coming -> generations.arrived(coming.g(), coming.i());
+      default -> {}
     }
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (variable.name().equals(BarrierTrace.OUTCOME)) {
-      instance(variable.source()).told(variable, report);
+    BarrierOutcome outcome = variable.of(BarrierFact.OUTCOME);
+    if (outcome != null) {
+      instance(variable.source()).told(variable, outcome, report);
     }
   }
 

@@ -10,6 +10,8 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodPrimitive;
+import org.starl.shape.Shapes;
+import org.starl.trace.Instance;
 
 /**
  * The election of one robot: {@link ElectionProtocol} on its gvh. A robot that constructs it votes, if
@@ -42,24 +44,26 @@ public final class Election extends SynodPrimitive implements ElectionPrim {
       GlobalVarHolder gvh, String xid, Participants participants, ElectionSettings settings) {
     super(
         gvh,
-        ElectionTrace.PRIMITIVE + "/" + xid,
-        new Channel<>(ElectionTrace.SYNOD, xid, new SynodCodec(new ElectionCodec())));
-    leader = gvh.variable(source, ElectionTrace.LEADER, Leader.NONE);
-    failed = gvh.variable(source, ElectionTrace.FAILED, false);
+        Instance.of(ElectionFact.PRIMITIVE, xid),
+        new Channel<>(
+            ElectionFact.SYNOD, xid, new SynodCodec(SynodCodec.Format.of(Shapes.PROCESS))));
+    leader = gvh.variable(source, ElectionFact.LEADER, Leader.NONE);
+    failed = gvh.variable(source, ElectionFact.FAILED, false);
     me = gvh.id.freshProcess();
     protocol =
         new ElectionProtocol(
             me,
             participants,
             settings,
-            gvh.plat.entropy.fork(source),
+            gvh.plat.entropy.fork(source.name()),
             wire,
             new Port(),
             gvh.plat.clock.nowNs());
-    gvh.trace.action(source, ElectionTrace.ELECTION, participants.size(), me);
+    gvh.trace.action(
+        source, ElectionFact.CREATED, new ElectionFact.Created(participants.size(), me));
     endpoint =
         wire.open(
-            new Channel<>(ElectionTrace.PRIMITIVE, xid, new ElectionCodec()),
+            new Channel<>(ElectionFact.PRIMITIVE, xid, ElectionMessage.SHAPE),
             ElectionMessage::from,
             protocol::received);
     wire.start(protocol, this::show);
@@ -67,18 +71,18 @@ public final class Election extends SynodPrimitive implements ElectionPrim {
 
   @Override
   public void do_election() {
-    gvh.trace.action(source, ElectionTrace.DO_ELECTION, me);
+    gvh.trace.action(source, ElectionFact.DO_ELECTION, new ElectionAction.do_election(me));
     wire.call(protocol::do_election);
   }
 
   @Override
   public GvhVariable<Leader> Leader() {
-    return leader;
+    return leader.variable();
   }
 
   @Override
   public GvhVariable<Boolean> failed() {
-    return failed;
+    return failed.variable();
   }
 
   /** This robot's participant: the id that {@link #Leader} shows if this robot is elected. */
@@ -109,7 +113,7 @@ public final class Election extends SynodPrimitive implements ElectionPrim {
 
     @Override
     public void candidate(long term) {
-      gvh.trace.action(source, ElectionTrace.CANDIDATE, term, me);
+      gvh.trace.action(source, ElectionFact.CANDIDATE, new ElectionAction.candidate(me, term));
     }
   }
 }

@@ -1,6 +1,5 @@
 package org.starl.primitives.election;
 
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -16,14 +15,14 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run of every election is a run of the theory {@code Election_decls}. The map from events to
- * actions, where {@code i} is the id that the event's robot announced last:
+ * Every run of every election is a run of the theory {@code Election_decls}. The facts {@code
+ * do_election} and {@code candidate} are actions of the theory, if their id is one of the event's
+ * robot. The map of other events to actions, where {@code i} is the id that the event's robot announced
+ * last:
  *
  * <pre>
  * event                            action
  * Election size i                  none: the robot announces its id i
- * do_election i                    do_election(i), if i is an id of the event's robot
- * candidate n i                    candidate(i, n), if i is an id of the event's robot
  * Leader n:j, for the first time   elect(n, j): the decision itself is not in the trace
  * Leader n:j                       learn(i, n); Leader(i) is j in term n
  * Leader fail                      fail(i); Leader(i) is none
@@ -51,44 +50,29 @@ public final class ElectionConformance extends Conformance<ElectionConformance.R
     super(
         ElectionAutomaton.ELECTION_DECLS,
         "every election",
-        ElectionTrace::isElection,
+        ElectionFact::isElection,
         source -> new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>()));
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    List<String> args = action.args();
     Run run = instance(action.source());
-    switch (action.name()) {
-      case ElectionTrace.ELECTION -> run.ids.put(action.robot(), ProcessId.parse(args.get(1)));
-      case ElectionTrace.DO_ELECTION -> {
-        ProcessId i = ProcessId.parse(args.get(0));
-        step(run, action, i, new ElectionAction.do_election(i), report);
-      }
-      case ElectionTrace.CANDIDATE -> {
-        ProcessId i = ProcessId.parse(args.get(1));
-        long term = Long.parseLong(args.get(0));
-        step(run, action, i, new ElectionAction.candidate(i, term), report);
-      }
+    switch (action.fact()) {
+      case ElectionFact.Created created -> run.ids.put(action.robot(), created.i());
+      case ElectionAction step when action.process() != null ->
+          run.replay.step(action, step, report);
       default -> {}
-    }
-  }
-
-  private static void step(
-      Run run, Action event, ProcessId i, ElectionAction action, Report report) {
-    if (i.robot().equals(event.robot())) {
-      run.replay.step(event, action, report);
     }
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (!variable.name().equals(ElectionTrace.LEADER)) {
+    Leader leader = variable.of(ElectionFact.LEADER);
+    if (leader == null) {
       return;
     }
     Run run = instance(variable.source());
     ProcessId i = run.ids.get(variable.robot());
-    Leader leader = Leader.parse(variable.value());
     if (leader instanceof Leader.Name name) {
       learn(variable, i, name, run.replay, report);
     } else if (i != null

@@ -17,6 +17,8 @@ import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
 import org.starl.primitives.suspicion.Suspicion;
 import org.starl.random.Rng;
+import org.starl.shape.Shapes;
+import org.starl.trace.Instance;
 
 /**
  * One robot's part in one election: terms 1, 2, 3, ... each decided by the Synod. The strategy only
@@ -70,7 +72,7 @@ class ElectionProtocol extends SynodProtocol {
     this.newest.put(me.robot(), me.inc());
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
-      decided(known.number(), ElectionCodec.leader(known.value()));
+      decided(known.number(), fromValue(known.value()));
     }
   }
 
@@ -111,7 +113,7 @@ class ElectionProtocol extends SynodProtocol {
   }
 
   @Override
-  public @Nullable Wait waitsFor(String source) {
+  public @Nullable Wait waitsFor(Instance source) {
     if (leader instanceof Leader.Fail) {
       return new Wait(source, "failed in term " + term + ": no majority answered", List.of());
     }
@@ -200,7 +202,7 @@ class ElectionProtocol extends SynodProtocol {
     if (m.term() < term) {
       answer(m);
     } else {
-      synod.learn(m.term(), ElectionCodec.value(m.leader()));
+      synod.learn(m.term(), toValue(m.leader()));
     }
   }
 
@@ -229,7 +231,7 @@ class ElectionProtocol extends SynodProtocol {
 
   /** {@code Election_agreement.propose}. */
   void propose(ProcessId candidate) {
-    Value value = ElectionCodec.value(candidate);
+    Value value = toValue(candidate);
     synod.propose(term, Value.EMPTY, wishes -> value, nowNs);
   }
 
@@ -305,13 +307,22 @@ class ElectionProtocol extends SynodProtocol {
     return new Candidacy(me, term, draw);
   }
 
+  /** A leader as the Synod's value. */
+  static Value toValue(ProcessId leader) {
+    return Value.write(out -> Shapes.PROCESS.write(leader, out));
+  }
+
+  private static ProcessId fromValue(Value value) {
+    return value.read("a leader", Shapes.PROCESS::read);
+  }
+
   @Override
   public void chosen(long number, Value value) {
-    port.broadcast(new Elected(me, number, ElectionCodec.leader(value)));
+    port.broadcast(new Elected(me, number, fromValue(value)));
   }
 
   @Override
   public void learned(long number, Value value) {
-    decided(number, ElectionCodec.leader(value));
+    decided(number, fromValue(value));
   }
 }

@@ -9,6 +9,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -29,7 +30,7 @@ final class ElectionRecord {
     WAITING
   }
 
-  private final String source;
+  private final Instance source;
   private final FaultState faults;
   private int size;
   private long latestTerm;
@@ -38,7 +39,7 @@ final class ElectionRecord {
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final Set<RobotId> seen = new TreeSet<>();
   private final Set<RobotId> callers = new TreeSet<>();
-  private final Map<RobotId, String> shown = new TreeMap<>();
+  private final Map<RobotId, Leader> shown = new TreeMap<>();
   private final Map<RobotId, Long> terms = new TreeMap<>();
   private final Map<Long, Set<ProcessId>> candidates = new TreeMap<>();
   private final Map<Long, First> leaders = new TreeMap<>();
@@ -46,7 +47,7 @@ final class ElectionRecord {
   /** The first robot to know the leader of a term, and the leader. */
   private record First(RobotId robot, ProcessId leader) {}
 
-  ElectionRecord(String source, FaultState faults) {
+  ElectionRecord(Instance source, FaultState faults) {
     this.source = source;
     this.faults = faults;
   }
@@ -68,7 +69,7 @@ final class ElectionRecord {
     First latest = leaders.get(latestTerm);
     if (latest != null
         && term > latestTerm
-        && isLatestAndLive(latestTerm + ":" + latest.leader())) {
+        && isLatestAndLive(new Leader.Name(latest.leader(), latestTerm))) {
       report.violated(
           ElectionSpec.ELECTED,
           action.timeNs(),
@@ -92,9 +93,9 @@ final class ElectionRecord {
     terms.remove(robot);
   }
 
-  void shown(Variable variable, Report report) {
-    shown.put(variable.robot(), variable.value());
-    if (!(Leader.parse(variable.value()) instanceof Leader.Name name)) {
+  void shown(Variable variable, Leader value, Report report) {
+    shown.put(variable.robot(), value);
+    if (!(value instanceof Leader.Name name)) {
       return;
     }
     long term = name.term();
@@ -142,20 +143,18 @@ final class ElectionRecord {
     if (!callers.contains(robot) || !faults.isUp(robot)) {
       return Standing.NO_CANDIDATE;
     }
-    String value = shown.getOrDefault(robot, Leader.NONE.toString());
-    if (value.equals(Leader.NONE.toString())) {
-      return Standing.WAITING;
-    }
-    if (value.equals(Leader.FAIL.toString())) {
-      return Standing.FAILED;
-    }
-    return isLatestAndLive(value) ? Standing.KNOWS_LEADER : Standing.KNOWS_OLD_LEADER;
+    return switch (shown.getOrDefault(robot, Leader.NONE)) {
+      case Leader.None none -> Standing.WAITING;
+      case Leader.Fail fail -> Standing.FAILED;
+      case Leader.Name name ->
+          isLatestAndLive(name) ? Standing.KNOWS_LEADER : Standing.KNOWS_OLD_LEADER;
+    };
   }
 
-  private boolean isLatestAndLive(String value) {
+  private boolean isLatestAndLive(Leader.Name name) {
     First latest = leaders.get(latestTerm);
     return latest != null
-        && value.equals(latestTerm + ":" + latest.leader())
+        && name.equals(new Leader.Name(latest.leader(), latestTerm))
         && faults.isUp(latest.leader().robot())
         && latest.leader().equals(ids.get(latest.leader().robot()));
   }

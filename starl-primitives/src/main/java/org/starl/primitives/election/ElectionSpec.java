@@ -1,7 +1,6 @@
 package org.starl.primitives.election;
 
 import java.util.List;
-import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
@@ -9,6 +8,7 @@ import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -43,7 +43,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
    *     happens, in ns: the elections' deadline
    */
   public ElectionSpec(long electedWithinNs, long toldWithinNs) {
-    super(ElectionTrace::isElection);
+    super(ElectionFact::isElection);
     lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
     lemma(SOUNDNESS, "A leader stood for election in its term.");
     lemma(TERMS, "The term of a robot's program never goes back.");
@@ -71,7 +71,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   }
 
   @Override
-  protected ElectionRecord begin(String source) {
+  protected ElectionRecord begin(Instance source) {
     return new ElectionRecord(source, faults);
   }
 
@@ -82,23 +82,20 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new ElectionConformance(), new SynodSpec(ElectionTrace.SYNOD));
+    return List.of(new ElectionConformance(), new SynodSpec(ElectionFact.SYNOD));
   }
 
   @Override
   protected void acted(Action action, Report report) {
     ElectionRecord ballots = instance(action.source());
-    List<String> args = action.args();
-    switch (action.name()) {
-      case ElectionTrace.ELECTION ->
-          ballots.created(Integer.parseInt(args.get(0)), ProcessId.parse(args.get(1)));
-      case ElectionTrace.DO_ELECTION -> ballots.called(action.robot());
-      case ElectionTrace.CANDIDATE -> {
-        long term = Long.parseLong(args.get(0));
+    switch (action.fact()) {
+      case ElectionFact.Created created -> ballots.created(created.size(), created.i());
+      case ElectionAction.do_election call -> ballots.called(action.robot());
+      case ElectionAction.candidate stands -> {
         if (leaderStays && faults.isCalm(action.timeNs(), FaultState.SETTLE_NS)) {
-          ballots.checkStays(term, action, report);
+          ballots.checkStays(stands.n(), action, report);
         }
-        ballots.stood(term, ProcessId.parse(args.get(1)));
+        ballots.stood(stands.n(), stands.i());
       }
       default -> {}
     }
@@ -106,8 +103,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (variable.name().equals(ElectionTrace.LEADER)) {
-      instance(variable.source()).shown(variable, report);
+    Leader leader = variable.of(ElectionFact.LEADER);
+    if (leader != null) {
+      instance(variable.source()).shown(variable, leader, report);
     }
   }
 

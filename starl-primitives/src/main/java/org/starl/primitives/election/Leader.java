@@ -1,6 +1,11 @@
 package org.starl.primitives.election;
 
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import org.starl.id.ProcessId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** The paper's {@code Leader} (section 4.4): an identity, null, or fail. */
 public sealed interface Leader {
@@ -11,25 +16,17 @@ public sealed interface Leader {
   /** The paper's fail: the election in progress has met its deadline. */
   Leader FAIL = new Fail();
 
-  /**
-   * Reads what {@code toString} wrote.
-   *
-   * @throws IllegalArgumentException if {@code text} is no leader
-   */
-  static Leader parse(String text) {
-    int colon = text.indexOf(':');
-    if (colon > 0) {
-      long term = Long.parseLong(text.substring(0, colon));
-      return new Name(ProcessId.parse(text.substring(colon + 1)), term);
-    }
-    return switch (text) {
-      case "null" -> NONE;
-      case "fail" -> FAIL;
-      default ->
-          throw new IllegalArgumentException(
-              "leader '" + text + "': expected null, fail or term:robot#incarnation");
-    };
-  }
+  /** Its shape. */
+  Shape<Leader> SHAPE =
+      Shapes.oneOf(
+          Leader.class,
+          Shapes.of(
+              Name.class,
+              part("id", PROCESS, Name::id),
+              part("term", Shapes.atLeast(1, "election term"), Name::term),
+              Name::new),
+          Shapes.of(None.class, None::new),
+          Shapes.of(Fail.class, Fail::new));
 
   /** Whether a leader is known. */
   boolean isElected();

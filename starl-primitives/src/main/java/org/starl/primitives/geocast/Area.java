@@ -13,6 +13,11 @@ public record Area(String id) {
   /** The area of a broadcast: it contains every place. */
   public static final Area EVERYWHERE = new Area("everywhere");
 
+  /** The area of a geocast. */
+  static Area of(GeocastId m) {
+    return new Area(m.toString());
+  }
+
   /** Whether the place lies in it. */
   public boolean contains(Place place) {
     return equals(EVERYWHERE) || place.areas().contains(id);

@@ -1,8 +1,8 @@
 package org.starl.primitives.geocast;
 
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
 import org.starl.geometry.Everywhere;
+import org.starl.shape.Shape;
 
 /**
  * Messages to all other robots (paper, section 4.2: {@code BCast}): a geocast to the whole network.
@@ -15,20 +15,20 @@ public final class Broadcast<T> extends GeocastWire<T> {
   /**
    * @param xid the instance: robots with equal ones receive each other's broadcasts, and no {@link
    *     Geocast}
-   * @param codec encodes messages; a copy with its tags must fit a datagram
+   * @param shape of the messages; a copy with its tags must fit a datagram
    * @param handler receives the messages of others
    */
-  public Broadcast(GlobalVarHolder gvh, String xid, Codec<T> codec, GeocastHandler<T> handler) {
-    this(gvh, xid, codec, handler, GeocastSettings.DEFAULT);
+  public Broadcast(GlobalVarHolder gvh, String xid, Shape<T> shape, GeocastHandler<T> handler) {
+    this(gvh, xid, shape, handler, GeocastSettings.DEFAULT);
   }
 
   public Broadcast(
       GlobalVarHolder gvh,
       String xid,
-      Codec<T> codec,
+      Shape<T> shape,
       GeocastHandler<T> handler,
       GeocastSettings settings) {
-    super(gvh, GeocastTrace.BROADCAST, xid, codec, handler, settings);
+    super(gvh, GeocastFact.BROADCAST, xid, shape, handler, settings);
   }
 
   /**
@@ -38,6 +38,6 @@ public final class Broadcast<T> extends GeocastWire<T> {
    * @throws IllegalArgumentException if a copy does not fit a datagram
    */
   public GeocastReceipt BCast(T message, long dMs) {
-    return start(GeocastTrace.B_CAST, message, new Everywhere(), dMs);
+    return start(GeocastFact.BCast::new, message, new Everywhere(), dMs);
   }
 }

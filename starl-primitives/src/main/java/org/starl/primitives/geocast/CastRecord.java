@@ -1,6 +1,5 @@
 package org.starl.primitives.geocast;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
@@ -11,16 +10,14 @@ import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Fun;
+import org.starl.trace.Instance;
 
 /** One geocast whose interval is not over, as {@link Casts} and {@link GeocastSpec} follow it. */
 final class CastRecord {
 
-  /** A datagram, identified by its channel, sender and number. */
-  record Copy(String source, RobotId origin, long seq) {}
-
-  final String source;
+  final Instance source;
   final RobotId origin;
-  final String id;
+  final GeocastId id;
   final Region area;
   final long startNs;
   final long deadlineNs;
@@ -28,11 +25,11 @@ final class CastRecord {
   /** Robots that took part at t0 and have not restarted since: inclusion is owed to them. */
   private Fun<RobotId, Boolean> owed;
 
-  /** Whether the origin has restarted: its datagram numbers begin again, so copies are unknown. */
+  /** Whether the origin has restarted: it repeats no copies any more. */
   boolean originRestarted;
 
-  /** The copies that the origin has sent. */
-  final List<Copy> copies = new ArrayList<>();
+  /** Whether the origin has sent a copy. */
+  boolean hasCopies;
 
   private final RobotNumbers numbers;
 
@@ -54,9 +51,9 @@ final class CastRecord {
    * @param members the robots that take part in the instance
    */
   CastRecord(
-      String source,
+      Instance source,
       RobotId origin,
-      String id,
+      GeocastId id,
       Region area,
       long startNs,
       long deadlineNs,
@@ -132,7 +129,7 @@ final class CastRecord {
    * @param reachesAll whether repeated copies reach all robots that take part
    */
   List<RobotId> required(boolean reachesAll) {
-    boolean isCertain = copies.isEmpty() || (reachesAll && !originRestarted);
+    boolean isCertain = !hasCopies || (reachesAll && !originRestarted);
     // If the origin sent no copy, the network is not the cause.
     return owed.arguments().stream()
         .filter(bodies::wasDeep)

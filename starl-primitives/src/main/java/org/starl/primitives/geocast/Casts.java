@@ -9,11 +9,11 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor.Report;
 import org.starl.spec.automaton.Fun;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -36,7 +36,7 @@ final class Casts {
     void over(CastRecord cast, Report report);
   }
 
-  private record Key(String source, String id) {}
+  private record Key(Instance source, GeocastId id) {}
 
   private final double deepMm;
   private final Listener listener;
@@ -45,7 +45,7 @@ final class Casts {
   private final Map<RobotId, Double> speeds = new TreeMap<>();
 
   /** The robots that take part in each instance. */
-  private final Map<String, Fun<RobotId, Boolean>> members = new TreeMap<>();
+  private final Map<Instance, Fun<RobotId, Boolean>> members = new TreeMap<>();
 
   /** The robots whose bodies are on the floor. */
   private Fun<RobotId, Boolean> onFloor = Fun.always(false);
@@ -66,13 +66,8 @@ final class Casts {
     this.listener = listener;
   }
 
-  /** The geocast of an action; null if its interval is over, or has not begun. */
-  @Nullable CastRecord of(Action action) {
-    return action.args().isEmpty() ? null : of(action.source(), action.args().get(0));
-  }
-
   /** The geocast of an instance; null if its interval is over, or has not begun. */
-  @Nullable CastRecord of(String source, String id) {
+  @Nullable CastRecord of(Instance source, GeocastId id) {
     return active.get(new Key(source, id));
   }
 
@@ -80,7 +75,7 @@ final class Casts {
   void observe(TraceEvent event, Report report) {
     forgetFinished(event.timeNs(), report);
     switch (event) {
-      case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
+      case Action action -> acted(action, report);
       case Moved moved -> {
         followAll(moved, report);
         speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
@@ -108,11 +103,12 @@ final class Casts {
   }
 
   private void acted(Action action, Report report) {
-    switch (action.name()) {
-      case GeocastTrace.OPEN -> opened(action);
-      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> started(action, report);
-      case GeocastTrace.DELIVER -> {
-        CastRecord cast = of(action);
+    switch (action.fact()) {
+      case GeocastFact.Opened f -> opened(action);
+      case GeocastFact.do_geocast f -> started(action, f.m(), f.area(), f.bound(), report);
+      case GeocastFact.BCast f -> started(action, f.m(), f.area(), f.bound(), report);
+      case GeocastFact.deliver f -> {
+        CastRecord cast = of(action.source(), f.m());
         if (cast != null) {
           follow(cast, action.robot(), action, report);
         }
@@ -135,16 +131,15 @@ final class Casts {
     }
   }
 
-  private void started(Action action, Report report) {
+  private void started(Action action, GeocastId id, Region area, long dNs, Report report) {
     long startNs = action.timeNs();
-    long deadlineNs = startNs + Long.parseLong(action.args().get(2));
-    Region area = RegionText.parse(action.args().get(1));
+    long deadlineNs = startNs + dNs;
     boolean isEverywhere = area instanceof Everywhere;
     CastRecord cast =
         new CastRecord(
             action.source(),
             action.robot(),
-            action.args().get(0),
+            id,
             area,
             startNs,
             deadlineNs,
@@ -204,7 +199,7 @@ final class Casts {
     }
   }
 
-  private Fun<RobotId, Boolean> membersOf(String source) {
+  private Fun<RobotId, Boolean> membersOf(Instance source) {
     return members.getOrDefault(source, Fun.always(false));
   }
 }

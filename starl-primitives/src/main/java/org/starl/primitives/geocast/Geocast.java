@@ -1,9 +1,9 @@
 package org.starl.primitives.geocast;
 
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Region;
+import org.starl.shape.Shape;
 
 /**
  * Messages to all other robots in an area (paper, section 4.2). The package's documentation is the
@@ -17,20 +17,20 @@ public final class Geocast<T> extends GeocastWire<T> {
 
   /**
    * @param xid the instance: robots with equal ones receive each other's geocasts
-   * @param codec encodes messages; a copy with its tags and area must fit a datagram
+   * @param shape of the messages; a copy with its tags and area must fit a datagram
    * @param handler receives the messages of others to this robot's place
    */
-  public Geocast(GlobalVarHolder gvh, String xid, Codec<T> codec, GeocastHandler<T> handler) {
-    this(gvh, xid, codec, handler, GeocastSettings.DEFAULT);
+  public Geocast(GlobalVarHolder gvh, String xid, Shape<T> shape, GeocastHandler<T> handler) {
+    this(gvh, xid, shape, handler, GeocastSettings.DEFAULT);
   }
 
   public Geocast(
       GlobalVarHolder gvh,
       String xid,
-      Codec<T> codec,
+      Shape<T> shape,
       GeocastHandler<T> handler,
       GeocastSettings settings) {
-    super(gvh, GeocastTrace.GEOCAST, xid, codec, handler, settings);
+    super(gvh, GeocastFact.GEOCAST, xid, shape, handler, settings);
     this.gvh = gvh;
   }
 
@@ -42,7 +42,7 @@ public final class Geocast<T> extends GeocastWire<T> {
    * @throws IllegalArgumentException if a copy does not fit a datagram
    */
   public GeocastReceipt do_geocast(T message, Region area, long dMs) {
-    return start(GeocastTrace.DO_GEOCAST, message, area, dMs);
+    return start(GeocastFact.do_geocast::new, message, area, dMs);
   }
 
   /**

@@ -50,7 +50,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
             @Override
             public void over(CastRecord cast, Report report) {
-              instance(cast.source).reduce(s -> without(cast.id, s));
+              instance(cast.source).reduce(s -> without(cast.id.toString(), s));
             }
           });
 
@@ -65,7 +65,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
     super(
         GeocastAutomaton.GEOCAST_DECLS,
         "every geocast",
-        GeocastTrace::isGeocast,
+        GeocastFact::isGeocast,
         source -> new Replay<>(new GeocastAutomaton(), source, steps));
   }
 
@@ -77,31 +77,25 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
   private void enter(TraceEvent event, CastRecord cast, RobotId robot, Report report) {
     Replay<States, GeocastAction> replay = instance(cast.source);
-    Place place = replay.state().pos().at(robot).in(new Area(cast.id));
+    Place place = replay.state().pos().at(robot).in(Area.of(cast.id));
     step(event, new GeocastAction.move(robot, place), replay, report);
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    Replay<States, GeocastAction> replay = instance(action.source());
+    if (!(action.fact() instanceof GeocastFact fact)) {
+      return;
+    }
     RobotId i = action.robot();
-    switch (action.name()) {
-      case GeocastTrace.OPEN -> step(action, new GeocastAction.restart(i), replay, report);
-      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> {
-        String m = action.args().get(0);
-        long bound = Long.parseLong(action.args().get(2));
-        CastRecord cast = casts.of(action);
-        Area area = cast == null || !cast.isEverywhere() ? new Area(m) : Area.EVERYWHERE;
-        step(action, new GeocastAction.do_geocast(m, area, bound), replay, report);
+    if (fact instanceof GeocastFact.deliver delivery) {
+      CastRecord cast = casts.of(action.source(), delivery.m());
+      if (cast != null && !cast.isEverywhere() && !cast.bodies.hasSeen(i)) {
+        enter(action, cast, i, report);
       }
-      case GeocastTrace.DELIVER -> {
-        CastRecord cast = casts.of(action);
-        if (cast != null && !cast.isEverywhere() && !cast.bodies.hasSeen(i)) {
-          enter(action, cast, i, report);
-        }
-        step(action, new GeocastAction.deliver(action.args().get(0), i), replay, report);
-      }
-      default -> {}
+    }
+    GeocastAction taken = GeocastFact.action(fact, i);
+    if (taken != null) {
+      step(action, taken, instance(action.source()), report);
     }
   }
 

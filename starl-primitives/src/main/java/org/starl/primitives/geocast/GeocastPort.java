@@ -23,14 +23,4 @@ interface GeocastPort<T> {
 
   /** A copy was neither delivered nor acknowledged. */
   void dismissed(GeocastId id, Dismissal why);
-
-  /** Why a copy is not delivered. */
-  enum Dismissal {
-    /** This robot may be outside the area. */
-    OUTSIDE,
-    /** The interval may be over. */
-    LATE,
-    /** The copy is from the future: the clocks differ by more than the allowed skew. */
-    EARLY
-  }
 }

@@ -8,7 +8,6 @@ import org.starl.geometry.Region;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.geocast.GeocastPort.Dismissal;
 
 /**
  * One robot's part in geocasts: pure, driven by messages and the clock. Times are in ns on this

@@ -1,17 +1,11 @@
 package org.starl.primitives.geocast;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
-import org.starl.primitives.geocast.CastRecord.Copy;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
-import org.starl.trace.MessageText;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -40,19 +34,11 @@ public final class GeocastSpec extends LemmaMonitor {
   /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;
 
-  private static final String EVERYONE = "*";
-
   private final double positionErrorMm;
   private final GeocastSettings settings;
   private final long delayNs;
   private final Casts casts;
   private final FaultState faults = new FaultState();
-
-  /** The geocast of which each robot's next broadcast datagram is a copy. */
-  private final Map<RobotId, CastRecord> announced = new TreeMap<>();
-
-  /** The geocast of each datagram that is a copy, until its interval is over. */
-  private final Map<Copy, CastRecord> copies = new LinkedHashMap<>();
 
   /** For a world without clock skew, and with position errors below 50 mm. */
   public GeocastSpec() {
@@ -98,10 +84,9 @@ public final class GeocastSpec extends LemmaMonitor {
     casts.observe(event, report);
     faults.observe(event);
     switch (event) {
-      case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
-      case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent, report);
-      case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
-          reached(delivered);
+      case Action action -> acted(action, report);
+      case Sent sent -> sent(sent, report);
+      case Delivered delivered -> reached(delivered);
       default -> {}
     }
   }
@@ -112,19 +97,12 @@ public final class GeocastSpec extends LemmaMonitor {
   }
 
   private void acted(Action action, Report report) {
-    CastRecord cast = casts.of(action);
-    switch (action.name()) {
-      case GeocastTrace.DELIVER -> delivered(action, cast, report);
-      case GeocastTrace.COPY -> {
-        if (cast == null) {
-          announced.remove(action.robot());
-        } else {
-          announced.put(action.robot(), cast);
-        }
-      }
-      case GeocastTrace.DISMISS -> {
+    switch (action.fact()) {
+      case GeocastFact.deliver f -> delivered(action, f.m(), report);
+      case GeocastFact.dismiss f -> {
+        CastRecord cast = casts.of(action.source(), f.m());
         // A dismissal as early is no excuse: clocks within the skew never give a reason for it.
-        if (cast != null && Double.parseDouble(action.args().get(2)) > positionErrorMm) {
+        if (cast != null && f.errorMm() > positionErrorMm) {
           cast.excuse(action.robot());
         }
       }
@@ -132,11 +110,12 @@ public final class GeocastSpec extends LemmaMonitor {
     }
   }
 
-  private void delivered(Action action, @Nullable CastRecord cast, Report report) {
+  private void delivered(Action action, GeocastId id, Report report) {
     RobotId robot = action.robot();
+    CastRecord cast = casts.of(action.source(), id);
     report.checked(DEADLINE);
     if (cast == null) {
-      String detail = "delivers " + action.args().get(0) + ", whose interval is over";
+      String detail = "delivers " + id + ", whose interval is over";
       report.violated(DEADLINE, action.timeNs(), List.of(robot), detail);
       return;
     }
@@ -148,21 +127,20 @@ public final class GeocastSpec extends LemmaMonitor {
   }
 
   private void sent(Sent sent, Report report) {
-    if (MessageText.isA("Ack", sent.message())) {
-      acknowledged(sent, report);
-      return;
-    }
-    CastRecord cast = announced.get(sent.robot());
-    if (cast != null && sent.to().equals(EVERYONE) && sent.channel().equals(cast.source)) {
-      announced.remove(sent.robot());
-      Copy copy = new Copy(sent.channel(), sent.robot(), sent.seq());
-      cast.copies.add(copy);
-      copies.put(copy, cast);
+    switch (sent.message()) {
+      case GeocastMessage.Copy<?> copy -> {
+        CastRecord cast = casts.of(sent.channel(), copy.id());
+        if (cast != null && sent.robot().equals(cast.origin) && sent.to().equals(Sent.ALL)) {
+          cast.hasCopies = true;
+        }
+      }
+      case GeocastMessage.Ack<?> ack -> acknowledged(sent, ack.id(), report);
+      default -> {}
     }
   }
 
-  private void acknowledged(Sent sent, Report report) {
-    CastRecord cast = casts.of(sent.channel(), MessageText.field(sent.message(), "id"));
+  private void acknowledged(Sent sent, GeocastId id, Report report) {
+    CastRecord cast = casts.of(sent.channel(), id);
     if (cast != null) {
       report.checked(ACKNOWLEDGED);
       if (!cast.hasDelivered(sent.robot())) {
@@ -173,15 +151,19 @@ public final class GeocastSpec extends LemmaMonitor {
   }
 
   private void reached(Delivered delivered) {
-    CastRecord cast = copies.get(new Copy(delivered.channel(), delivered.from(), delivered.seq()));
-    // The numbers of an origin that has restarted begin again.
-    if (cast != null && !cast.originRestarted && delivered.timeNs() <= surelyOpenUntilNs(cast)) {
+    if (!(delivered.message() instanceof GeocastMessage.Copy<?> copy)) {
+      return;
+    }
+    CastRecord cast = casts.of(delivered.channel(), copy.id());
+    if (cast != null
+        && delivered.from().equals(cast.origin)
+        && !cast.originRestarted
+        && delivered.timeNs() <= surelyOpenUntilNs(cast)) {
       cast.reached(delivered.robot());
     }
   }
 
   private void judge(CastRecord cast, Report report) {
-    cast.copies.forEach(copy -> copies.remove(copy, cast));
     for (int n = cast.deliveries(); n > 0; n--) {
       report.checked(EXCLUSION);
     }

@@ -2,14 +2,11 @@ package org.starl.primitives.geocast;
 
 import static org.starl.time.Time.NS_PER_MS;
 
-import java.util.Locale;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
-import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.ProcessId;
@@ -17,6 +14,8 @@ import org.starl.id.RobotId;
 import org.starl.motion.Location;
 import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
+import org.starl.shape.Shape;
+import org.starl.trace.Instance;
 
 /**
  * Connects a {@link GeocastProtocol} to its robot: channel, timer, position, trace. Strand only.
@@ -24,7 +23,7 @@ import org.starl.primitives.StarLPrimitive;
 abstract class GeocastWire<T> implements StarLPrimitive {
 
   private final GlobalVarHolder gvh;
-  private final String source;
+  private final Instance source;
   private final GeocastHandler<T> handler;
   private final GeocastProtocol<T> protocol;
   private final Endpoint<GeocastMessage<T>> endpoint;
@@ -36,25 +35,28 @@ abstract class GeocastWire<T> implements StarLPrimitive {
       GlobalVarHolder gvh,
       String primitive,
       String xid,
-      Codec<T> codec,
+      Shape<T> shape,
       GeocastHandler<T> handler,
       GeocastSettings settings) {
     this.gvh = gvh;
     this.handler = handler;
     ProcessId me = gvh.id.freshProcess();
-    Channel<GeocastMessage<T>> channel = new Channel<>(primitive, xid, new GeocastCodec<>(codec));
-    source = channel.name();
+    Channel<GeocastMessage<T>> channel = new Channel<>(primitive, xid, GeocastMessage.shape(shape));
+    source = channel.instance();
     protocol = new GeocastProtocol<>(me, gvh.id.participants(), settings, new Port());
-    gcastflag = gvh.variable(source, GeocastTrace.GCASTFLAG, false);
+    gcastflag = gvh.variable(source, GeocastFact.GCASTFLAG, false);
     timer = gvh.plat.timers.timer(this::expired);
     endpoint = gvh.comms.open(channel, this::received);
-    gvh.trace.action(source, GeocastTrace.OPEN, me);
+    record(new GeocastFact.Opened(me));
   }
 
-  /**
-   * @param action the action's name in the trace
-   */
-  final GeocastReceipt start(String action, T message, Region area, long dMs) {
+  /** The fact that a message starts: {@code do_geocast} or {@code BCast}. */
+  @FunctionalInterface
+  interface Start {
+    GeocastFact of(GeocastId m, Region area, long bound);
+  }
+
+  final GeocastReceipt start(Start fact, T message, Region area, long dMs) {
     if (closed) {
       throw new IllegalStateException(source + " is closed");
     }
@@ -62,9 +64,7 @@ abstract class GeocastWire<T> implements StarLPrimitive {
       throw new IllegalArgumentException("d of " + dMs + " ms: expected above 0");
     }
     long dNs = Math.multiplyExact(dMs, NS_PER_MS);
-    if (gvh.trace.isOn()) {
-      gvh.trace.action(source, action, protocol.nextId(), RegionText.format(area), dNs);
-    }
+    record(fact.of(protocol.nextId(), area, dNs));
     GeocastReceipt receipt = protocol.do_geocast(message, area, dNs, gvh.plat.clock.nowNs());
     settled();
     return receipt;
@@ -72,11 +72,11 @@ abstract class GeocastWire<T> implements StarLPrimitive {
 
   /** Whether this robot has sent a message in this instance, and the sending of all is complete. */
   public final GvhVariable<Boolean> Gcastflag() {
-    return gcastflag;
+    return gcastflag.variable();
   }
 
   @Override
-  public final String source() {
+  public final Instance source() {
     return source;
   }
 
@@ -104,10 +104,14 @@ abstract class GeocastWire<T> implements StarLPrimitive {
     }
   }
 
+  private void record(GeocastFact fact) {
+    gvh.trace.action(source, GeocastFact.SHAPE, fact);
+  }
+
   private final class Port implements GeocastPort<T> {
     @Override
     public void broadcast(GeocastMessage.Copy<T> copy) {
-      gvh.trace.action(source, GeocastTrace.COPY, copy.id());
+      record(new GeocastFact.copy(copy.id()));
       endpoint.broadcast(copy);
     }
 
@@ -131,15 +135,14 @@ abstract class GeocastWire<T> implements StarLPrimitive {
 
     @Override
     public void deliver(GeocastId id, T message) {
-      gvh.trace.action(source, GeocastTrace.DELIVER, id);
+      record(new GeocastFact.deliver(id));
       handler.delivered(id.origin().robot(), message);
     }
 
     @Override
     public void dismissed(GeocastId id, Dismissal why) {
       if (gvh.trace.isOn()) {
-        String reason = why.name().toLowerCase(Locale.ROOT);
-        gvh.trace.action(source, GeocastTrace.DISMISS, id, reason, gvh.gps.errorMm());
+        record(new GeocastFact.dismiss(id, why, gvh.gps.errorMm()));
       }
     }
   }

@@ -1,15 +1,15 @@
 package org.starl.primitives.membership;
 
-import java.util.ArrayList;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import java.util.Collections;
-import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 
 /**
  * A change of the view that gives up {@code who}: it holds at most {@code sections}, now and later. The
@@ -53,53 +53,12 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     return view.confined(who, sections);
   }
 
-  /** Writes who (process), sections, number of fencers (u8) and the fencers (process). */
-  public void write(WireWriter out) {
-    out.process(who);
-    Sections.write(sections, out);
-    out.u8(fencers.size());
-    for (ProcessId fencer : fencers) {
-      out.process(fencer);
-    }
-  }
-
-  /** Reads what {@link #write} wrote; fencers must be in ascending order. */
-  public static Confinement read(WireReader in) {
-    ProcessId who = in.process();
-    SortedSet<String> sections = Sections.read(in);
-    int count = in.u8();
-    TreeSet<ProcessId> fencers = new TreeSet<>();
-    for (int i = 0; i < count; i++) {
-      ProcessId fencer = in.process();
-      boolean isNext = fencers.isEmpty() || fencers.last().compareTo(fencer) < 0;
-      if (fencer.equals(who) || !isNext) {
-        throw new WireFormatException("fencer " + fencer + " of " + who);
-      }
-      fencers.add(fencer);
-    }
-    return new Confinement(who, sections, fencers);
-  }
-
-  /** As arguments of a trace's action: who, sections, fencers. */
-  public List<String> args() {
-    List<String> names = new ArrayList<>();
-    fencers.forEach(fencer -> names.add(fencer.toString()));
-    return List.of(who.toString(), Sections.text(sections), String.join(" ", names));
-  }
-
-  /**
-   * Reads {@link #args}.
-   *
-   * @throws IllegalArgumentException if {@code args} are malformed
-   */
-  public static Confinement parse(List<String> args) {
-    if (args.size() != 3) {
-      throw new IllegalArgumentException(args + ": expected who, sections and fencers");
-    }
-    TreeSet<ProcessId> fencers = new TreeSet<>();
-    for (String fencer : Sections.split(args.get(2), ' ')) {
-      fencers.add(ProcessId.parse(fencer));
-    }
-    return new Confinement(ProcessId.parse(args.get(0)), Sections.parse(args.get(1)), fencers);
-  }
+  /** The process, its sections, and the fencers in ascending order. */
+  public static final RecordShape<Confinement> SHAPE =
+      Shapes.of(
+          Confinement.class,
+          part("who", PROCESS, Confinement::who),
+          part("sections", Sections.SHAPE, Confinement::sections),
+          part("fencers", Shapes.set(PROCESS, 0xFF), Confinement::fencers),
+          Confinement::new);
 }

@@ -23,7 +23,7 @@ public final class Liveness {
   private final Map<RobotId, Long> latest = new TreeMap<>();
   private final Map<RobotId, Long> ended = new TreeMap<>();
   // Each robot's id in its latest action, while it changes nothing: most actions repeat it.
-  private final Map<RobotId, String> known = new TreeMap<>();
+  private final Map<RobotId, ProcessId> known = new TreeMap<>();
 
   /**
    * Sees the next event.
@@ -33,8 +33,9 @@ public final class Liveness {
   public boolean observe(TraceEvent event) {
     RobotId robot = event.robot();
     if (event instanceof Action action) {
-      if (isOwnId(action)) {
-        acted(robot, action.args().get(0));
+      ProcessId id = action.process();
+      if (id != null) {
+        acted(robot, id);
       }
     } else if (event instanceof Left
         || (event instanceof Fault fault && fault.name().equals(Fault.CRASH))) {
@@ -44,9 +45,9 @@ public final class Liveness {
     return faults.observe(event);
   }
 
-  private void acted(RobotId robot, String id) {
+  private void acted(RobotId robot, ProcessId id) {
     if (!id.equals(known.put(robot, id))) {
-      long start = start(ProcessId.parse(id));
+      long start = start(id);
       latest.put(robot, start);
       ended.computeIfPresent(robot, (same, before) -> Math.min(before, start - 1));
     }
@@ -54,12 +55,6 @@ public final class Liveness {
 
   public boolean isDead(ProcessId id) {
     return start(id) <= ended.getOrDefault(id.robot(), 0L);
-  }
-
-  private static boolean isOwnId(Action action) {
-    String name = action.robot().name();
-    String id = action.args().isEmpty() ? "" : action.args().get(0);
-    return id.startsWith(name) && id.startsWith("#", name.length());
   }
 
   private static long start(ProcessId id) {

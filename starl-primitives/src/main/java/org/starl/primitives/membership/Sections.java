@@ -1,14 +1,11 @@
 package org.starl.primitives.membership;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** Sets of section names: checked, sorted, immutable. */
 public final class Sections {
@@ -19,6 +16,10 @@ public final class Sections {
   public static final int MAX_LENGTH = 32;
 
   public static final SortedSet<String> NONE = Collections.unmodifiableSortedSet(new TreeSet<>());
+
+  /** Their number (u8), and the names in ascending order, so that equal sets have equal bytes. */
+  public static final Shape<SortedSet<String>> SHAPE =
+      Shapes.set(Shapes.TEXT.where(Sections::check), MAX_COUNT);
 
   private Sections() {}
 
@@ -33,13 +34,15 @@ public final class Sections {
       throw new IllegalArgumentException(
           copy.size() + " sections: expected at most " + MAX_COUNT + " in one request");
     }
-    for (String name : copy) {
-      if (!isValid(name)) {
-        throw new IllegalArgumentException(
-            "section '" + name + "': expected 1 to 32 of A-Z a-z 0-9 _ - . :");
-      }
-    }
+    copy.forEach(Sections::check);
     return Collections.unmodifiableSortedSet(copy);
+  }
+
+  private static void check(String name) {
+    if (!isValid(name)) {
+      throw new IllegalArgumentException(
+          "section '" + name + "': expected 1 to 32 of A-Z a-z 0-9 _ - . :");
+    }
   }
 
   /** Whether the sets have a name in common. */
@@ -62,57 +65,6 @@ public final class Sections {
   /** The names with single spaces between them; empty for none. */
   public static String text(SortedSet<String> names) {
     return String.join(" ", names);
-  }
-
-  /**
-   * Reads what {@link #text} wrote.
-   *
-   * @throws IllegalArgumentException if {@code text} is malformed
-   */
-  public static SortedSet<String> parse(String text) {
-    return copyOf(split(text, ' '));
-  }
-
-  /**
-   * The parts between separators; none of an empty text. Monitors read many texts: this is less code
-   * than {@link String#split}.
-   */
-  static List<String> split(String text, char separator) {
-    List<String> parts = new ArrayList<>();
-    int from = 0;
-    for (int end = text.indexOf(separator); end >= 0; end = text.indexOf(separator, from)) {
-      parts.add(text.substring(from, end));
-      from = end + 1;
-    }
-    if (!text.isEmpty()) {
-      parts.add(text.substring(from));
-    }
-    return parts;
-  }
-
-  /** Writes their number (u8) and the names in ascending order. */
-  public static void write(SortedSet<String> names, WireWriter out) {
-    out.u8(names.size());
-    for (String name : names) {
-      out.string(name);
-    }
-  }
-
-  /** Reads what {@link #write} wrote; names must be in ascending order, so that equal sets have equal bytes. */
-  public static SortedSet<String> read(WireReader in) {
-    int count = in.u8();
-    if (count > MAX_COUNT) {
-      throw new WireFormatException(count + " sections");
-    }
-    TreeSet<String> names = new TreeSet<>();
-    for (int i = 0; i < count; i++) {
-      String name = in.string();
-      if (!isValid(name) || (!names.isEmpty() && names.last().compareTo(name) >= 0)) {
-        throw new WireFormatException("section name");
-      }
-      names.add(name);
-    }
-    return Collections.unmodifiableSortedSet(names);
   }
 
   private static boolean isValid(String name) {

@@ -1,5 +1,9 @@
 package org.starl.primitives.membership;
 
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -13,6 +17,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * A numbered list of participants. For one instance, equal numbers mean equal lists (agreement), and
@@ -29,6 +35,9 @@ public record View(
 
   public static final View NONE = new View(0, new TreeMap<>());
 
+  /** The shape of sets of participants. */
+  public static final Shape<SortedSet<ProcessId>> PROCESSES = Shapes.set(PROCESS, 0xFFFF);
+
   /**
    * A fenced participant: it holds at most {@code sections}, now and later.
    *
@@ -43,7 +52,31 @@ public record View(
         throw new IllegalArgumentException("a ghost without sections: expected none");
       }
     }
+
+    static final Shape<Ghost> SHAPE =
+        Shapes.of(
+            Ghost.class,
+            part("admittedBy", LONG, Ghost::admittedBy),
+            part("sections", Sections.SHAPE, Ghost::sections),
+            Ghost::new);
   }
+
+  /** The shape of {@link #admitted}. */
+  public static final Shape<SortedMap<ProcessId, Long>> ADMITTED =
+      Shapes.map(PROCESS, LONG, 0xFFFF);
+
+  /** The shape of {@link #ghosts}. */
+  public static final Shape<SortedMap<ProcessId, Ghost>> GHOSTS =
+      Shapes.map(PROCESS, Ghost.SHAPE, 0xFFFF);
+
+  /** The shape of views. */
+  public static final Shape<View> SHAPE =
+      Shapes.of(
+          View.class,
+          part("number", LONG, View::number),
+          part("admitted", ADMITTED, View::admitted),
+          part("ghosts", GHOSTS, View::ghosts),
+          View::new);
 
   public View {
     if (number < 0) {
@@ -199,48 +232,6 @@ public record View(
       separator = ",";
     }
     return text.toString();
-  }
-
-  /**
-   * Reads what {@link #toString} wrote, as a trace has it.
-   *
-   * @throws IllegalArgumentException if {@code text} is malformed
-   */
-  public static View parse(String text) {
-    int colon = text.indexOf(':');
-    if (colon < 0) {
-      throw new IllegalArgumentException("view '" + text + "': expected number:id@number,...");
-    }
-    int bar = text.indexOf('|');
-    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-    for (String entry :
-        Sections.split(text.substring(colon + 1, bar < 0 ? text.length() : bar), ',')) {
-      int at = at(entry);
-      admitted.put(
-          ProcessId.parse(entry.substring(0, at)), Long.parseLong(entry.substring(at + 1)));
-    }
-    SortedMap<ProcessId, Ghost> ghosts = new TreeMap<>();
-    for (String entry : Sections.split(bar < 0 ? "" : text.substring(bar + 1), ',')) {
-      int at = at(entry);
-      int bracket = entry.indexOf('[');
-      if (bracket < at || !entry.endsWith("]")) {
-        throw new IllegalArgumentException("ghost '" + entry + "': expected id@number[sections]");
-      }
-      Ghost ghost =
-          new Ghost(
-              Long.parseLong(entry.substring(at + 1, bracket)),
-              Sections.parse(entry.substring(bracket + 1, entry.length() - 1)));
-      ghosts.put(ProcessId.parse(entry.substring(0, at)), ghost);
-    }
-    return new View(Long.parseLong(text.substring(0, colon)), admitted, ghosts);
-  }
-
-  private static int at(String entry) {
-    int at = entry.indexOf('@');
-    if (at < 0) {
-      throw new IllegalArgumentException("view entry '" + entry + "': expected id@number");
-    }
-    return at;
   }
 
   private static void requireBefore(long number, ProcessId id, long by) {

@@ -1,22 +1,24 @@
 package org.starl.primitives.monitor;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
-import org.starl.primitives.agreement.SetAgreement;
+import org.starl.primitives.agreement.AgreementFact;
+import org.starl.primitives.barrier.BarrierFact;
 import org.starl.primitives.barrier.BarrierOutcome;
-import org.starl.primitives.barrier.BarrierTrace;
-import org.starl.primitives.election.ElectionTrace;
+import org.starl.primitives.election.ElectionFact;
 import org.starl.primitives.election.Leader;
 import org.starl.primitives.membership.View;
-import org.starl.primitives.motion.MotionTrace;
-import org.starl.primitives.mutex.MutexEvent;
-import org.starl.primitives.mutex.MutexTrace;
-import org.starl.primitives.registration.RegistrationTrace;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.registration.RegistrationFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
@@ -25,6 +27,7 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 /**
  * A monitor for an app's own specification. Name lemmas in the constructor with {@link #lemma},
@@ -55,14 +58,36 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public abstract class AppMonitor extends LemmaMonitor {
 
-  private static final String APP = "app";
-
+  private final List<Consumer<Variable>> listeners = new ArrayList<>();
+  private final List<Consumer<Action>> facts = new ArrayList<>();
   private final Bodies bodies = new Bodies();
   private long nowNs;
   private @Nullable Report report;
 
-  /** An app's variable has a new value. */
-  protected void onVariable(RobotId robot, String name, String value) {}
+  /**
+   * Calls {@code listener} for each new value of an app's variable, the first one included. For
+   * constructors: {@code on(ROUNDS, (robot, rounds) -> ...)}.
+   */
+  protected final <T> void on(Var<T> variable, BiConsumer<RobotId, T> listener) {
+    listeners.add(changed -> {
+      T value = changed.of(variable);
+      if (value != null) {
+        listener.accept(changed.robot(), value);
+      }
+    });
+  }
+
+  /**
+   * Calls {@code listener} for each fact of this type. For constructors: {@code on(Crate.class, (robot,
+   * crate) -> ...)}.
+   */
+  protected final <F> void on(Class<F> fact, BiConsumer<RobotId, F> listener) {
+    facts.add(action -> {
+      if (fact.isInstance(action.fact())) {
+        listener.accept(action.robot(), fact.cast(action.fact()));
+      }
+    });
+  }
 
   /** A robot requests sections of a mutex. */
   protected void onRequested(RobotId robot, String mutex, SortedSet<String> sections) {}
@@ -150,7 +175,7 @@ public abstract class AppMonitor extends LemmaMonitor {
     bodies.observe(event);
     RobotId robot = event.robot();
     switch (event) {
-      case Action action -> MutexTrace.read(action).ifPresent(e -> mutex(robot, action, e));
+      case Action action -> acted(robot, action);
       case Variable variable -> changed(robot, variable);
       case Joined joined -> onJoined(robot);
       case Left left -> onLeft(robot);
@@ -167,39 +192,32 @@ public abstract class AppMonitor extends LemmaMonitor {
     onEnd();
   }
 
-  private void mutex(RobotId robot, Action action, MutexEvent event) {
-    String mutex = instance(action.source());
-    switch (event) {
-      case MutexEvent.DoMutex request -> onRequested(robot, mutex, request.want());
-      case MutexEvent.OdMutex access -> onGranted(robot, mutex, access.held());
-      case MutexEvent.Release release -> onReleased(robot, mutex, release.left());
+  private void acted(RobotId robot, Action action) {
+    String mutex = action.source().xid();
+    switch (action.fact()) {
+      case MutexFact.DoMutex request -> onRequested(robot, mutex, request.want());
+      case MutexFact.OdMutex access -> onGranted(robot, mutex, access.held());
+      case MutexFact.Release release -> onReleased(robot, mutex, release.left());
       default -> {}
     }
+    facts.forEach(listener -> listener.accept(action));
   }
 
   private void changed(RobotId robot, Variable variable) {
-    String value = variable.value();
-    String instance = instance(variable.source());
-    if (variable.source().equals(APP)) {
-      onVariable(robot, variable.name(), value);
-    } else if (MotionTrace.isFlag(variable)) {
-      onMotion(robot, MotionFlag.valueOf(value));
-    } else if (is(variable, ElectionTrace.PRIMITIVE, ElectionTrace.LEADER)) {
-      onLeader(robot, instance, Leader.parse(value));
-    } else if (is(variable, BarrierTrace.PRIMITIVE, BarrierTrace.OUTCOME)) {
-      onOutcome(robot, instance, BarrierOutcome.parse(value));
-    } else if (is(variable, RegistrationTrace.PRIMITIVE, RegistrationTrace.VIEW)) {
-      onView(robot, instance, View.parse(value));
-    } else if (is(variable, SetAgreement.PRIMITIVE, SetAgreement.DECIDED)) {
-      onDecided(robot, instance, value);
+    listeners.forEach(listener -> listener.accept(variable));
+    String instance = variable.source().xid();
+    tell(variable.of(MotionFact.FLAG), flag -> onMotion(robot, flag));
+    tell(variable.of(ElectionFact.LEADER), leader -> onLeader(robot, instance, leader));
+    tell(variable.of(BarrierFact.OUTCOME), outcome -> onOutcome(robot, instance, outcome));
+    tell(variable.of(RegistrationFact.VIEW), view -> onView(robot, instance, view));
+    tell(
+        variable.of(AgreementFact.DECIDED),
+        decision -> onDecided(robot, instance, decision.toString()));
+  }
+
+  private static <T> void tell(@Nullable T value, Consumer<T> listener) {
+    if (value != null) {
+      listener.accept(value);
     }
-  }
-
-  private static boolean is(Variable variable, String primitive, String name) {
-    return variable.name().equals(name) && variable.source().startsWith(primitive + "/");
-  }
-
-  private static String instance(String source) {
-    return source.substring(source.indexOf('/') + 1);
   }
 }

@@ -1,17 +1,17 @@
 package org.starl.primitives.motion;
 
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
@@ -126,10 +126,9 @@ final class MotionBodies {
    */
   void observe(TraceEvent event, Path path) {
     switch (event) {
-      case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, path);
+      case Action action when action.fact() instanceof MotionFact fact -> acted(action, fact, path);
       // A restarted program first sets its motionflag to IDLE.
-      case Variable variable
-          when MotionTrace.isFlag(variable) && variable.value().equals(MotionFlag.IDLE.name()) ->
+      case Variable variable when variable.of(MotionFact.FLAG) == MotionFlag.IDLE ->
           end(variable.robot(), variable.timeNs(), path);
       case Moved moved -> {
         follow(moved.robot(), moved.timeNs(), path);
@@ -163,31 +162,29 @@ final class MotionBodies {
     motions.keySet().forEach(robot -> follow(robot, endNs, path));
   }
 
-  private void acted(Action action, Path path) {
-    List<String> args = action.args();
-    switch (action.name()) {
-      case MotionTrace.MOAT_MOVE -> begin(action, RegionText.parse(args.get(1)), false, path);
-      case MotionTrace.TURN_TO -> begin(action, new Nowhere(), true, path);
-      case MotionTrace.MOTION_STOP -> end(action.robot(), action.timeNs(), path);
-      case MotionTrace.ARRIVED -> {
+  private void acted(Action action, MotionFact fact, Path path) {
+    switch (fact) {
+      case MotionFact.doMove f -> begin(action, f.target(), f.avoid(), false, path);
+      case MotionFact.turnTo f -> begin(action, f.target(), new Nowhere(), true, path);
+      case MotionFact.motion_stop f -> end(action.robot(), action.timeNs(), path);
+      case MotionFact.arrived f -> {
         MotionRecord motion = motions.get(action.robot());
         if (motion != null) {
-          motion.saidAt =
-              new Point(Double.parseDouble(args.get(0)), Double.parseDouble(args.get(1)));
-          motion.saidErrorMm = Double.parseDouble(args.get(2));
+          motion.saidAt = new Point(f.xMm(), f.yMm());
+          motion.saidErrorMm = f.errorMm();
         }
       }
       default -> {}
     }
   }
 
-  private void begin(Action action, Region avoid, boolean turnsOnly, Path path) {
+  private void begin(
+      Action action, ItemPosition target, Region avoid, boolean turnsOnly, Path path) {
     RobotId robot = action.robot();
     end(robot, action.timeNs(), path);
-    Point target = MotionTrace.place(action.args().get(0));
     commands++;
     MotionRecord motion =
-        new MotionRecord(commands, robot, target, avoid, turnsOnly, action.timeNs());
+        new MotionRecord(commands, robot, target.at(), avoid, turnsOnly, action.timeNs());
     motions.put(robot, motion);
     startOf(motion, action.timeNs());
   }

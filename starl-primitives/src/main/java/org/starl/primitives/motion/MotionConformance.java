@@ -3,6 +3,7 @@ package org.starl.primitives.motion;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
@@ -63,10 +64,10 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
     super(
         MotionControlAutomaton.MOTION_CONTROL_DECLS,
         "all motions",
-        MotionTrace.SOURCE::equals,
+        MotionFact.SOURCE::equals,
         source -> new Replay<>(new MotionControlAutomaton(Place::isNear), source, steps));
     bodies = new MotionBodies(parameters);
-    replay = instance(MotionTrace.SOURCE);
+    replay = instance(MotionFact.SOURCE);
   }
 
   @Override
@@ -98,30 +99,33 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
 
   @Override
   protected void acted(Action action, Report report) {
+    switch (action.fact()) {
+      case MotionFact.doMove f -> commanded(action, report);
+      case MotionFact.turnTo f -> commanded(action, report);
+      case MotionFact.motion_stop f ->
+          replay.step(action, new MotionControlAction.motion_stop(action.robot()), report);
+      default -> {}
+    }
+  }
+
+  private void commanded(Action action, Report report) {
     RobotId i = action.robot();
     MotionRecord motion = bodies.of(i);
-    switch (action.name()) {
-      case MotionTrace.MOAT_MOVE, MotionTrace.TURN_TO -> {
-        if (motion != null) {
-          boolean isFree = bodies.isOnFloor(i) && !motion.owesAvoids;
-          Area avoid = isFree ? Area.NONE : new Area(motion.number);
-          Place target = Place.target(motion.number);
-          replay.step(action, new MotionControlAction.do_move(i, target, avoid), report);
-        }
-      }
-      case MotionTrace.MOTION_STOP ->
-          replay.step(action, new MotionControlAction.motion_stop(i), report);
-      default -> {}
+    if (motion != null) {
+      boolean isFree = bodies.isOnFloor(i) && !motion.owesAvoids;
+      Area avoid = isFree ? Area.NONE : new Area(motion.number);
+      Place target = Place.target(motion.number);
+      replay.step(action, new MotionControlAction.do_move(i, target, avoid), report);
     }
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (!MotionTrace.isFlag(variable)) {
+    MotionFlag flag = variable.of(MotionFact.FLAG);
+    if (flag == null) {
       return;
     }
     RobotId i = variable.robot();
-    MotionFlag flag = MotionFlag.valueOf(variable.value());
     switch (flag) {
       case DONE -> {
         MotionRecord motion = bodies.of(i);

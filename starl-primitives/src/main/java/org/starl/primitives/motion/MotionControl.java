@@ -4,11 +4,12 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.gvh.GvhVariable;
 import org.starl.motion.MotionController;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionTask;
+import org.starl.trace.Instance;
 
 /**
  * The paper's <i>Motioncontrol</i>, under the names of its section 4.1, over the motion automaton
@@ -27,19 +28,13 @@ public final class MotionControl implements MotionPrim {
 
   @Override
   public void gotopoint(ItemPosition target) {
-    gvh.trace.action(MotionTrace.SOURCE, MotionTrace.GOTOPOINT, MotionTask.text(target));
+    record(new MotionFact.gotopoint(target));
     moat.doMove(target, new Nowhere());
   }
 
   @Override
   public void do_move(ItemPosition target, Region avoid) {
-    if (gvh.trace.isOn()) {
-      gvh.trace.action(
-          MotionTrace.SOURCE,
-          MotionTrace.DO_MOVE,
-          MotionTask.text(target),
-          RegionText.format(avoid));
-    }
+    record(new MotionFact.do_move(target, avoid));
     moat.doMove(target, avoid);
   }
 
@@ -69,12 +64,16 @@ public final class MotionControl implements MotionPrim {
   }
 
   @Override
-  public String source() {
-    return MotionTrace.SOURCE;
+  public Instance source() {
+    return MotionFact.SOURCE;
   }
 
   @Override
   public void close() {
     motion_stop();
+  }
+
+  private void record(MotionFact fact) {
+    gvh.trace.action(MotionFact.SOURCE, MotionFact.SHAPE, fact);
   }
 }

@@ -13,6 +13,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFailure;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
@@ -33,12 +35,6 @@ public final class MotionSpec extends LemmaMonitor {
   static final String AVOIDS = "avoids";
   static final String ARRIVES = "arrives";
   static final String TOLD = "told";
-
-  private static final String IN_THE_WAY = "the region to avoid is in the way";
-  private static final String BUMPED = "bumped into something";
-  private static final String NO_FIX = "no position fix";
-  private static final String CONTRADICTED = "fixes contradict the commands";
-  private static final String UNCERTAIN = "the position is too uncertain";
 
   private static final long NEVER = Long.MAX_VALUE;
 
@@ -138,8 +134,8 @@ public final class MotionSpec extends LemmaMonitor {
     }
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
-      case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
-      case Variable variable when MotionTrace.isFlag(variable) -> flagged(variable, report);
+      case Action action -> acted(action, report);
+      case Variable variable -> flagged(variable, report);
       case Moved moved when standsFromNs.getOrDefault(moved.robot(), NEVER) < moved.timeNs() ->
           checkStands(moved.robot(), moved.timeNs(), report);
       case Joined joined -> startOf(joined.robot(), joined.timeNs());
@@ -164,12 +160,13 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void acted(Action action, Report report) {
-    switch (action.name()) {
-      case MotionTrace.MOAT_MOVE, MotionTrace.TURN_TO -> startOf(action.robot(), action.timeNs());
-      case MotionTrace.FAILED -> {
+    switch (action.fact()) {
+      case MotionFact.doMove f -> startOf(action.robot(), action.timeNs());
+      case MotionFact.turnTo f -> startOf(action.robot(), action.timeNs());
+      case MotionFact.failed f -> {
         MotionRecord motion = bodies.of(action.robot());
         if (motion != null) {
-          failed(motion, action.args().get(0), action.timeNs(), report);
+          failed(motion, f.reason(), action.timeNs(), report);
         }
       }
       default -> {}
@@ -241,7 +238,10 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void flagged(Variable variable, Report report) {
-    MotionFlag flag = MotionFlag.valueOf(variable.value());
+    MotionFlag flag = variable.of(MotionFact.FLAG);
+    if (flag == null) {
+      return;
+    }
     if (flag == MotionFlag.FAIL || flag == MotionFlag.IDLE) {
       long fromNs = variable.timeNs() + p.reactionMs() * NS_PER_MS;
       standsFromNs.put(variable.robot(), fromNs);
@@ -288,7 +288,7 @@ public final class MotionSpec extends LemmaMonitor {
     }
   }
 
-  private void failed(MotionRecord motion, String why, long nowNs, Report report) {
+  private void failed(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
     checkPatience(motion, why, nowNs, report);
     checkHeldUp(motion, nowNs, report);
     checkBump(motion, why, nowNs, report);
@@ -301,9 +301,9 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   /** A motion that is held back must wait, and one that does not move must try, before it fails. */
-  private void checkPatience(MotionRecord motion, String why, long nowNs, Report report) {
+  private void checkPatience(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
     long sinceNs = motion.startNs;
-    if (why.equals(IN_THE_WAY)) {
+    if (why == MotionFailure.IN_THE_WAY) {
       sinceNs = Math.max(sinceNs, bodies.standsFromNs(motion.robot, nowNs));
     }
     long leastMs = patienceMs(why) - p.reactionMs() - CLOCK_MS;
@@ -324,8 +324,8 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   /** After a bump a motion fails by the policy, and only then; it may have to back off first. */
-  private void checkBump(MotionRecord motion, String why, long nowNs, Report report) {
-    if (!why.equals(BUMPED)) {
+  private void checkBump(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
+    if (why != MotionFailure.BUMPED) {
       return;
     }
     boolean owesRetreat = isBackingOff && motion.isCalm && !motion.hasBackedOff;
@@ -338,12 +338,12 @@ public final class MotionSpec extends LemmaMonitor {
     }
   }
 
-  private long patienceMs(String why) {
+  private long patienceMs(MotionFailure why) {
     return switch (why) {
       case IN_THE_WAY -> p.avoidPatienceMs();
-      case "no progress" -> p.stuckAfterMs();
+      case NO_PROGRESS -> p.stuckAfterMs();
       case NO_FIX, CONTRADICTED, UNCERTAIN -> p.failFixAgeMs();
-      default -> 0;
+      case TARGET_FORBIDDEN, BUMPED, TOO_SLOW -> 0;
     };
   }
 
@@ -351,15 +351,12 @@ public final class MotionSpec extends LemmaMonitor {
    * Whether the cause is outside the motion: the body touched something, or its position is
    * unknown.
    */
-  private boolean isExternal(MotionRecord motion, String why) {
-    boolean isHeldUp =
-        why.equals("no progress") || why.equals("too slow") || why.equals(IN_THE_WAY);
-    boolean goesOnAfterBump = !p.collisionPolicy().fails() || motion.hasBackedOff;
-    return why.equals(BUMPED)
-        || why.equals(NO_FIX)
-        || why.equals(CONTRADICTED)
-        || why.equals(UNCERTAIN)
-        || (isHeldUp && goesOnAfterBump);
+  private boolean isExternal(MotionRecord motion, MotionFailure why) {
+    return switch (why) {
+      case BUMPED, NO_FIX, CONTRADICTED, UNCERTAIN -> true;
+      case NO_PROGRESS, TOO_SLOW, IN_THE_WAY -> !p.collisionPolicy().fails() || motion.hasBackedOff;
+      case TARGET_FORBIDDEN -> false;
+    };
   }
 
   private void failing(Fault fault) {

@@ -16,7 +16,7 @@ import org.starl.primitives.membership.View;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
-import org.starl.trace.MessageText;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
@@ -38,7 +38,7 @@ import org.starl.trace.TraceEvent.Sent;
  * a ghost only, or for a dead participant that is not confined. Consent is not checked of runs in real
  * time, since the end of a killed process's trace may be missing, nor of traces without messages.
  */
-final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
+final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
   static final String CONSENT = "Consent";
   static final String FENCED = "Fenced";
@@ -53,7 +53,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
    * @param deadNs within which a dead participant is confined that a request waits for
    */
   ConsentSpec(long ghostNs, long deadNs) {
-    super(MutexTrace::isMutex);
+    super(MutexFact::isMutex);
     behindGhosts = new Within<>(ghostNs);
     behindDead = new Within<>(deadNs);
     lemma(CONSENT, "A process enters only with the consent of all processes that it needs.");
@@ -61,7 +61,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   }
 
   /** One mutex. */
-  static final class Instance {
+  static final class Group {
     private final Map<ProcessId, Asker> askers = new TreeMap<>();
     private final Set<RobotId> robots = new TreeSet<>();
     private boolean hasMessages;
@@ -116,8 +116,8 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   }
 
   @Override
-  protected Instance begin(String source) {
-    return new Instance();
+  protected Group begin(Instance source) {
+    return new Group();
   }
 
   @Override
@@ -154,31 +154,33 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
 
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
-    Instance mutex = instance(action.source());
-    MutexTrace.read(action).ifPresent(event -> acted(mutex, event, action.timeNs(), report));
+    Group mutex = instance(action.source());
+    if (action.fact() instanceof MutexFact fact) {
+      acted(mutex, fact, action.timeNs(), report);
+    }
   }
 
-  private void acted(Instance mutex, MutexEvent event, long nowNs, Report report) {
+  private void acted(Group mutex, MutexFact event, long nowNs, Report report) {
     mutex.robots.add(event.who().robot());
     Asker asker = mutex.of(event.who());
     switch (event) {
-      case MutexEvent.DoMutex e -> {
+      case MutexFact.DoMutex e -> {
         asker.num = e.num();
         asker.want = e.want();
         asker.known = e.known();
         asker.answered.clear();
         asker.isTrying = true;
       }
-      case MutexEvent.Known e -> asker.known = e.known();
-      case MutexEvent.Learned e -> asker.view = e.view();
-      case MutexEvent.Fence e -> asker.fenced.add(e.suspect());
-      case MutexEvent.Grant e -> granted(asker, e.to(), e.num(), nowNs, report);
-      case MutexEvent.OdMutex e -> {
+      case MutexFact.Known e -> asker.known = e.known();
+      case MutexFact.Learned e -> asker.view = e.view();
+      case MutexFact.Fence e -> asker.fenced.add(e.suspect());
+      case MutexFact.Grant e -> granted(asker, e.to(), e.num(), nowNs, report);
+      case MutexFact.OdMutex e -> {
         asker.want = e.held();
         entered(mutex, asker, nowNs, report);
         asker.isTrying = false;
       }
-      case MutexEvent.Withdraw e -> asker.isTrying &= e.num() != asker.num;
+      case MutexFact.Withdraw e -> asker.isTrying &= e.num() != asker.num;
       default -> {}
     }
     await(mutex, asker, nowNs);
@@ -187,12 +189,12 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     switch (event) {
-      case Sent sent when MutexTrace.isMutex(sent.channel()) -> sent(sent, report);
-      case Delivered delivered when isRequest(delivered) -> {
-        Instance mutex = instance(delivered.channel());
-        Asker asker = mutex.of(process(delivered.message(), "to"));
-        long admittedBy = Long.parseLong(MessageText.field(delivered.message(), "admittedBy"));
-        asker.heard.put(process(delivered.message(), "from"), admittedBy);
+      case Sent sent when sent.message() instanceof MutexMessage message ->
+          sent(sent, message, report);
+      case Delivered delivered when delivered.message() instanceof MutexMessage.Req req -> {
+        Group mutex = instance(delivered.channel());
+        Asker asker = mutex.of(req.to());
+        asker.heard.put(req.from(), req.admittedBy());
         await(mutex, asker, delivered.timeNs());
       }
       case Fault fault -> isRealTime |= fault.isRealTime();
@@ -200,24 +202,14 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
     }
   }
 
-  private static boolean isRequest(Delivered delivered) {
-    return MutexTrace.isMutex(delivered.channel()) && MessageText.isA("Req", delivered.message());
-  }
-
-  private static ProcessId process(String message, String field) {
-    return ProcessId.parse(MessageText.field(message, field));
-  }
-
-  private void sent(Sent sent, Report report) {
-    Instance mutex = instance(sent.channel());
+  private void sent(Sent sent, MutexMessage message, Report report) {
+    Group mutex = instance(sent.channel());
     mutex.hasMessages = true;
-    if (MessageText.isA("Ok", sent.message())) {
-      Asker from = mutex.of(process(sent.message(), "from"));
-      ProcessId to = process(sent.message(), "to");
-      long num = Long.parseLong(MessageText.field(sent.message(), "num"));
-      granted(from, to, num, sent.timeNs(), report);
-      Asker asker = mutex.of(to);
-      if (asker.num == num && asker.answered.add(from.who)) {
+    if (message instanceof MutexMessage.Ok ok) {
+      Asker from = mutex.of(ok.from());
+      granted(from, ok.to(), ok.num(), sent.timeNs(), report);
+      Asker asker = mutex.of(ok.to());
+      if (asker.num == ok.num() && asker.answered.add(from.who)) {
         await(mutex, asker, sent.timeNs());
       }
     }
@@ -233,7 +225,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
     }
   }
 
-  private void entered(Instance mutex, Asker asker, long nowNs, Report report) {
+  private void entered(Group mutex, Asker asker, long nowNs, Report report) {
     if (isRealTime || !mutex.hasMessages) {
       return;
     }
@@ -247,7 +239,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   }
 
   /** Updates what a request waits for. */
-  private void await(Instance mutex, Asker asker, long nowNs) {
+  private void await(Group mutex, Asker asker, long nowNs) {
     Set<ProcessId> missing = asker.isTrying ? asker.missing() : Set.of();
     if (asker.isTrying && missing.isEmpty() && asker.hasGhostInTheWay()) {
       behindGhosts.start(asker, nowNs);
@@ -270,7 +262,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   }
 
   /** Whether a live participant that the dead one had to ask is listed, and views can be decided. */
-  private boolean isToBeConfined(Instance mutex, View view, ProcessId id) {
+  private boolean isToBeConfined(Group mutex, View view, ProcessId id) {
     if (!liveness.isDead(id) || !view.contains(id)) {
       return false;
     }
@@ -283,7 +275,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Instance> {
   }
 
   /** Ends the requests of dead participants, and looks at what others wait for. */
-  private void livenessChanged(Instance mutex, long nowNs) {
+  private void livenessChanged(Group mutex, long nowNs) {
     for (Asker asker : List.copyOf(mutex.askers.values())) {
       boolean isDead = liveness.isDead(asker.who);
       asker.isTrying &= !isDead;

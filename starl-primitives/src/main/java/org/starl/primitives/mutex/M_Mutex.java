@@ -30,6 +30,7 @@ import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.primitives.mutex.MutexProtocol.Self;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * The mutex of one robot: connects {@link MutexProtocol} to its gvh. Create it at the start of the
@@ -45,7 +46,7 @@ public final class M_Mutex implements MutexPrim {
   private final Membership membership;
   private final MutexTimes times;
   private final Rng rng;
-  private final String source;
+  private final Instance source;
   private final Endpoint<MutexMessage> endpoint;
   private final Timer timer;
   private final GvhCell<Boolean> crit;
@@ -94,14 +95,14 @@ public final class M_Mutex implements MutexPrim {
     this.gvh = gvh;
     this.membership = membership;
     this.times = times;
-    Channel<MutexMessage> channel = new Channel<>(MutexTrace.PRIMITIVE, xid, new MutexCodec());
-    source = channel.name();
+    Channel<MutexMessage> channel = new Channel<>(MutexFact.PRIMITIVE, xid, MutexMessage.SHAPE);
+    source = channel.instance();
     gvh.requireFirstInstance(source);
-    crit = gvh.variable(source, "crit", false);
-    failed = gvh.variable(source, "failed", false);
-    failure = gvh.variable(source, "failure", MutexFailure.NONE);
+    crit = gvh.variable(source, MutexFact.CRIT, false);
+    failed = gvh.variable(source, MutexFact.FAILED, false);
+    failure = gvh.variable(source, MutexFact.FAILURE, MutexFailure.NONE);
     timer = gvh.plat.timers.timer(this::timerExpired);
-    rng = gvh.plat.entropy.fork(source);
+    rng = gvh.plat.entropy.fork(source.name());
     membership.join(this::leave);
     current = participant(membership.me());
     follow();
@@ -114,7 +115,7 @@ public final class M_Mutex implements MutexPrim {
     Membership registration = gvh.published(Membership.class, xid);
     if (registration == null) {
       throw new IllegalStateException(
-          MutexTrace.source(xid)
+          MutexFact.source(xid)
               + ": this robot has no registration/"
               + xid
               + ": expected one, created before, or a list of participants");
@@ -171,17 +172,17 @@ public final class M_Mutex implements MutexPrim {
 
   @Override
   public GvhVariable<Boolean> crit() {
-    return crit;
+    return crit.variable();
   }
 
   @Override
   public GvhVariable<Boolean> failed() {
-    return failed;
+    return failed.variable();
   }
 
   @Override
   public GvhVariable<MutexFailure> failure() {
-    return failure;
+    return failure.variable();
   }
 
   @Override
@@ -211,7 +212,7 @@ public final class M_Mutex implements MutexPrim {
   public void standsIn(Collection<String> sections) {
     requireOpen();
     SortedSet<String> checked = Sections.copyOf(sections);
-    MutexTrace.write(gvh.trace, source, new MutexEvent.StandsIn(membership.me(), checked));
+    gvh.trace.action(source, MutexFact.SHAPE, new MutexFact.StandsIn(membership.me(), checked));
     membership.standsIn(checked);
   }
 
@@ -221,7 +222,7 @@ public final class M_Mutex implements MutexPrim {
   }
 
   @Override
-  public String source() {
+  public Instance source() {
     return source;
   }
 
@@ -361,47 +362,47 @@ public final class M_Mutex implements MutexPrim {
 
     @Override
     public void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
-      trace(() -> new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
+      trace(() -> new MutexFact.DoMutex(me, num, ts, want, copy(known)));
     }
 
     @Override
     public void known(long num, SortedSet<ProcessId> known) {
-      trace(() -> new MutexEvent.Known(me, num, copy(known)));
+      trace(() -> new MutexFact.Known(me, num, copy(known)));
     }
 
     @Override
     public void granted(ProcessId to, long num) {
-      trace(() -> new MutexEvent.Grant(me, to, num));
+      trace(() -> new MutexFact.Grant(me, to, num));
     }
 
     @Override
     public void entered(long num, SortedSet<String> held) {
-      trace(() -> new MutexEvent.OdMutex(me, num, held));
+      trace(() -> new MutexFact.OdMutex(me, num, held));
       crit.set(true);
     }
 
     @Override
     public void released(long num, SortedSet<String> given, SortedSet<String> left) {
-      trace(() -> new MutexEvent.Release(me, num, given, left));
+      trace(() -> new MutexFact.Release(me, num, given, left));
       crit.set(!left.isEmpty());
     }
 
     @Override
     public void failed(long num, MutexFailure why) {
-      trace(() -> new MutexEvent.Withdraw(me, num, why));
+      trace(() -> new MutexFact.Withdraw(me, num, why));
       failed.set(true);
       failure.set(why);
     }
 
     @Override
     public void learned(View view) {
-      trace(() -> new MutexEvent.Learned(me, view));
+      trace(() -> new MutexFact.Learned(me, view));
     }
 
     @Override
     public void fenced(ProcessId suspect, SortedSet<String> open) {
-      gvh.log.w(source, "fences " + suspect + ", which seems to have crashed");
-      trace(() -> new MutexEvent.Fence(me, suspect, open));
+      gvh.log.w(source.name(), "fences " + suspect + ", which seems to have crashed");
+      trace(() -> new MutexFact.Fence(me, suspect, open));
     }
 
     @Override
@@ -419,9 +420,9 @@ public final class M_Mutex implements MutexPrim {
       membershipCalls.add(() -> membership.markIdle(me));
     }
 
-    private void trace(Supplier<MutexEvent> event) {
+    private void trace(Supplier<MutexFact> event) {
       if (gvh.trace.isOn()) {
-        MutexTrace.write(gvh.trace, source, event.get());
+        gvh.trace.action(source, MutexFact.SHAPE, event.get());
       }
     }
 

@@ -1,7 +1,9 @@
 package org.starl.primitives.mutex;
 
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
@@ -11,21 +13,16 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
 /**
- * Every run of every mutex is a run of the theory {@code Mutex_decls}. The map from events to
- * actions, where {@code i} is the robot of {@code who}:
+ * Every run of every mutex is a run of the theory {@code Mutex_decls}. A fact that has an {@link
+ * MutexFact#action} is that action; after an access or a release, {@code crit_set(i)} and the
+ * variable {@code crit} say what the fact says. The other events:
  *
  * <pre>
- * event                         action
- * do_mutex who num ts want ...  do_mutex(i, want)
- * od_mutex who num held         od_mutex(i, held); crit_set(i) is held
- * release who num given left    release(i, given); crit_set(i) is left
- * withdraw who num why          withdraw(i); none if num is 0: the request never began
- * stands_in who sections        stands_in(i, sections)
- * fault restart                 restart(i) in every instance
- * joined                        restart(i) in every instance, if the robot had left before
- * fault crash, left             none: the robot still holds what it held
- * grant, known, view, fence     none: the theory has no agreement protocol
- * all other events              none
+ * event                action, where i is the event's robot
+ * fault restart        restart(i) in every instance
+ * joined               restart(i) in every instance, if the robot had left before
+ * fault crash, left    none: the robot still holds what it held
+ * all others           none
  * </pre>
  *
  * <p>All participants of one start of a robot's program are one process of the theory. An older
@@ -48,7 +45,7 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
     super(
         MutexAutomaton.MUTEX_DECLS,
         "every mutex",
-        MutexTrace::isMutex,
+        MutexFact::isMutex,
         source -> new Replay<>(new MutexAutomaton(), source, steps));
   }
 
@@ -71,34 +68,21 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
 
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
-    if (MutexTrace.isOfAccess(action)) {
-      MutexTrace.read(action)
-          .ifPresent(read -> step(action, read, instance(action.source()), report));
+    if (action.fact() instanceof MutexFact fact) {
+      Replay<States, MutexAction> replay = instance(action.source());
+      fact.action().ifPresent(taken -> replay.step(action, taken, report));
+      switch (fact) {
+        case MutexFact.OdMutex access -> holds(action, access.who(), access.held(), report);
+        case MutexFact.Release release -> holds(action, release.who(), release.left(), report);
+        default -> {}
+      }
     }
   }
 
-  private static void step(
-      TraceEvent event, MutexEvent read, Replay<States, MutexAction> replay, Report report) {
-    RobotId i = read.who().robot();
-    switch (read) {
-      case MutexEvent.DoMutex e ->
-          replay.step(event, new MutexAction.do_mutex(i, e.want()), report);
-      case MutexEvent.OdMutex e -> {
-        replay.step(event, new MutexAction.od_mutex(i, e.held()), report);
-        replay.result(event, "crit_set", i, e.held(), replay.state().crit_set().at(i), report);
-      }
-      case MutexEvent.Release e -> {
-        replay.step(event, new MutexAction.release(i, e.given()), report);
-        replay.result(event, "crit_set", i, e.left(), replay.state().crit_set().at(i), report);
-      }
-      case MutexEvent.Withdraw e -> {
-        if (e.num() != 0) {
-          replay.step(event, new MutexAction.withdraw(i), report);
-        }
-      }
-      case MutexEvent.StandsIn e ->
-          replay.step(event, new MutexAction.stands_in(i, e.sections()), report);
-      default -> {}
-    }
+  private void holds(
+      TraceEvent.Action action, ProcessId who, SortedSet<String> held, Report report) {
+    Replay<States, MutexAction> replay = instance(action.source());
+    RobotId i = who.robot();
+    replay.result(action, "crit_set", i, held, replay.state().crit_set().at(i), report);
   }
 }

@@ -27,7 +27,7 @@ final class MutexNode implements MutexEffects {
   final ProcessId id;
   final MutexProtocol protocol;
   final Consumer<MutexMessage> net;
-  final Consumer<MutexEvent> trace;
+  final Consumer<MutexFact> trace;
   // The newest request, and for each participant its newest request that this one has granted.
   long num;
   long ts;
@@ -40,7 +40,7 @@ final class MutexNode implements MutexEffects {
   boolean dead;
   SortedSet<String> bodyIn = Sections.NONE;
 
-  MutexNode(ProcessId id, Kind kind, Consumer<MutexMessage> net, Consumer<MutexEvent> trace) {
+  MutexNode(ProcessId id, Kind kind, Consumer<MutexMessage> net, Consumer<MutexFact> trace) {
     this.id = id;
     this.net = net;
     this.trace = trace;
@@ -78,45 +78,45 @@ final class MutexNode implements MutexEffects {
     num = newNum;
     ts = newTs;
     want = newWant;
-    trace.accept(new MutexEvent.DoMutex(id, num, ts, want, new TreeSet<>(known)));
+    trace.accept(new MutexFact.DoMutex(id, num, ts, want, new TreeSet<>(known)));
   }
 
   @Override
   public void known(long ofNum, SortedSet<ProcessId> known) {
-    trace.accept(new MutexEvent.Known(id, ofNum, new TreeSet<>(known)));
+    trace.accept(new MutexFact.Known(id, ofNum, new TreeSet<>(known)));
   }
 
   @Override
   public void granted(ProcessId to, long ofNum) {
     consentedTo.put(to, ofNum);
-    trace.accept(new MutexEvent.Grant(id, to, ofNum));
+    trace.accept(new MutexFact.Grant(id, to, ofNum));
   }
 
   @Override
   public void entered(long ofNum, SortedSet<String> held) {
-    trace.accept(new MutexEvent.OdMutex(id, ofNum, held));
+    trace.accept(new MutexFact.OdMutex(id, ofNum, held));
   }
 
   @Override
   public void released(long ofNum, SortedSet<String> given, SortedSet<String> left) {
     want = left;
-    trace.accept(new MutexEvent.Release(id, ofNum, given, left));
+    trace.accept(new MutexFact.Release(id, ofNum, given, left));
   }
 
   @Override
   public void failed(long ofNum, MutexFailure why) {
     want = Sections.NONE;
-    trace.accept(new MutexEvent.Withdraw(id, ofNum, why));
+    trace.accept(new MutexFact.Withdraw(id, ofNum, why));
   }
 
   @Override
   public void learned(View view) {
-    trace.accept(new MutexEvent.Learned(id, view));
+    trace.accept(new MutexFact.Learned(id, view));
   }
 
   @Override
   public void fenced(ProcessId suspect, SortedSet<String> open) {
-    trace.accept(new MutexEvent.Fence(id, suspect, open));
+    trace.accept(new MutexFact.Fence(id, suspect, open));
   }
 
   @Override

@@ -77,34 +77,34 @@ final class MutexRecord {
   }
 
   /** Checks an event of this instance. */
-  void happened(MutexEvent event, long nowNs, Report report) {
+  void happened(MutexFact event, long nowNs, Report report) {
     Requests.Request request = requests.of(event.who());
     switch (event) {
-      case MutexEvent.DoMutex e -> {
+      case MutexFact.DoMutex e -> {
         requests.begin(request, e, nowNs);
         checkConnected(request, nowNs, report);
         checkPromises(request, nowNs, report);
         progress(p -> p.began(request, nowNs));
       }
-      case MutexEvent.OdMutex e -> {
+      case MutexFact.OdMutex e -> {
         requests.enter(request, e.held());
         checkExclusive(request, nowNs, report);
         checkListed(request, nowNs, report);
         progress(p -> p.entered(request, nowNs, report));
       }
-      case MutexEvent.Release e -> {
+      case MutexFact.Release e -> {
         requests.shrink(request, e.left());
         progress(p -> p.shrank(request, e.given(), nowNs));
       }
-      case MutexEvent.Withdraw e -> withdrew(request, e.why(), nowNs, report);
-      case MutexEvent.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
-      case MutexEvent.Learned e -> {
+      case MutexFact.Withdraw e -> withdrew(request, e.why(), nowNs, report);
+      case MutexFact.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
+      case MutexFact.Learned e -> {
         latest.put(e.who().robot(), e.view());
         learned(e.view(), nowNs, report);
       }
-      case MutexEvent.StandsIn e -> standsIn(e, nowNs);
-      case MutexEvent.Fence e -> checkSuspicion(e, nowNs, report);
-      case MutexEvent.Known e -> {
+      case MutexFact.StandsIn e -> standsIn(e, nowNs);
+      case MutexFact.Fence e -> checkSuspicion(e, nowNs, report);
+      case MutexFact.Known e -> {
         request.known = e.known();
         checkConnected(request, nowNs, report);
         progress(p -> p.needsOthers(request, nowNs));
@@ -126,7 +126,7 @@ final class MutexRecord {
   }
 
   /** Earlier starts of the robot's program wait for nothing, and hold at most these sections. */
-  private void standsIn(MutexEvent.StandsIn declared, long nowNs) {
+  private void standsIn(MutexFact.StandsIn declared, long nowNs) {
     for (Requests.Request request : new ArrayList<>(requests.active())) {
       if (request.who.robot().equals(declared.who().robot())
           && isOfEarlierStart(request, declared)) {
@@ -139,7 +139,7 @@ final class MutexRecord {
     }
   }
 
-  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn declared) {
+  private static boolean isOfEarlierStart(Requests.Request request, MutexFact.StandsIn declared) {
     return request.who.inc() >>> Integer.SIZE < declared.who().inc() >>> Integer.SIZE;
   }
 
@@ -195,7 +195,7 @@ final class MutexRecord {
   }
 
   /** In a calm world a process that answers is not suspected: the first fence is a suspicion. */
-  private void checkSuspicion(MutexEvent.Fence fence, long nowNs, Report report) {
+  private void checkSuspicion(MutexFact.Fence fence, long nowNs, Report report) {
     boolean isFirst = fenced.add(fence.suspect());
     if (hasCalmBounds && isFirst && isCalm && !liveness.isDead(fence.suspect())) {
       report.checked(MutexProgress.SERVED);
@@ -229,7 +229,7 @@ final class MutexRecord {
     }
   }
 
-  private void granted(Requests.Request to, MutexEvent.Grant grant, long nowNs, Report report) {
+  private void granted(Requests.Request to, MutexFact.Grant grant, long nowNs, Report report) {
     if (to.isActive() && to.num == grant.num()) {
       Requests.Request by = requests.of(grant.who());
       requests.consent(by, to);

@@ -9,6 +9,7 @@ import org.starl.spec.Deadlines;
 import org.starl.spec.FaultState;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -77,7 +78,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
    * @param calm those of a calm world, in which none is lost; may be null
    */
   public MutexSpec(@Nullable MutexBounds bounds, @Nullable MutexBounds calm) {
-    super(MutexTrace::isMutex);
+    super(MutexFact::isMutex);
     this.bounds = bounds;
     this.calm = calm;
     lemma(EXCLUSIVE, "No two robots hold a section in common.");
@@ -108,7 +109,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   }
 
   @Override
-  protected MutexRecord begin(String source) {
+  protected MutexRecord begin(Instance source) {
     return new MutexRecord(bounds, calm, liveness);
   }
 
@@ -139,11 +140,10 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
     MutexRecord mutex = instance(action.source());
-    MutexTrace.read(action)
-        .ifPresent(read -> {
-          mutex.expire(action.timeNs(), report);
-          mutex.happened(read, action.timeNs(), report);
-        });
+    if (action.fact() instanceof MutexFact fact) {
+      mutex.expire(action.timeNs(), report);
+      mutex.happened(fact, action.timeNs(), report);
+    }
   }
 
   @Override

@@ -75,7 +75,7 @@ final class Requests {
     return new ArrayList<>(contenders.getOrDefault(section, Set.of()));
   }
 
-  void begin(Request request, MutexEvent.DoMutex event, long nowNs) {
+  void begin(Request request, MutexFact.DoMutex event, long nowNs) {
     wants(request, event.want());
     request.begunNs = nowNs;
     request.num = event.num();

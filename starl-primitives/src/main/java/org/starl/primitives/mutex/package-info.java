@@ -70,7 +70,8 @@
  * can deadlock until the deadline: use one instance, or the same order of requests everywhere. One
  * mutex depends on one registration.
  *
- * <p>May import: core, {@code org.starl.primitives}, its {@code membership} and {@code suspicion}.
+ * <p>May import: core, {@code org.starl.primitives}, its {@code exhaustive}, {@code membership} and
+ * {@code suspicion}.
  */
 @NullMarked
 package org.starl.primitives.mutex;

@@ -18,6 +18,7 @@ import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * Drives robots to their goals inside reach tubes that do not overlap (paper, sections 4 and 5.4);
@@ -37,7 +38,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private final Rectangle bounds;
   private final TubeSettings settings;
   private final int radiusMm;
-  private final String source;
+  private final Instance source;
   private final TubeClaims claims;
   private final TubeDriver driver;
   private final Rng rng;
@@ -88,12 +89,12 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     this.bounds = bounds;
     this.settings = settings;
     radiusMm = Tracking.tubeRadiusMm(gvh.plat.moat.parameters(), settings);
-    Channel<TubeMessage> channel = new Channel<>(TubeTrace.PRIMITIVE, xid, new TubeCodec());
-    source = channel.name();
-    rng = gvh.plat.entropy.fork(source);
+    Channel<TubeMessage> channel = new Channel<>(TubeFact.PRIMITIVE, xid, TubeMessage.SHAPE);
+    source = channel.instance();
+    rng = gvh.plat.entropy.fork(source.name());
     timer = gvh.plat.timers.timer(this::expired);
-    flag = gvh.variable(source, TubeTrace.FLAG, TubeFlag.IDLE);
-    failure = gvh.variable(source, TubeTrace.FAILURE, TubeFailure.NONE);
+    flag = gvh.variable(source, TubeFact.FLAG, TubeFlag.IDLE);
+    failure = gvh.variable(source, TubeFact.FAILURE, TubeFailure.NONE);
     driver = new TubeDriver(gvh, new DriverWiring());
     claims = new TubeClaims(gvh, channel, participants, settings, radiusMm, new ClaimsWiring());
     gvh.gps.require(settings.needs(radiusMm));
@@ -109,7 +110,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
    * @throws IllegalStateException while an earlier call is under way
    */
   public void goTo(ItemPosition goal) {
-    gvh.trace.action(source, TubeTrace.GO_TO, goal);
+    record(new TubeGoal.Place(goal));
     target = goal.at();
     given = null;
     begin();
@@ -129,7 +130,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
       throw new IllegalArgumentException(
           "path from " + path.start() + ": expected to begin at the robot, within position error");
     }
-    gvh.trace.action(source, TubeTrace.GO_TO, path);
+    record(new TubeGoal.Along(path));
     given = path;
     begin();
   }
@@ -159,12 +160,12 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   public GvhVariable<TubeFlag> tubeflag() {
-    return flag;
+    return flag.variable();
   }
 
   /** Why the latest {@code goTo} failed. */
   public GvhVariable<TubeFailure> failure() {
-    return failure;
+    return failure.variable();
   }
 
   /** Whether the others know this robot's place; it does not move before. */
@@ -229,7 +230,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   @Override
-  public String source() {
+  public Instance source() {
     return source;
   }
 
@@ -240,6 +241,10 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     closed = true;
     timer.cancel();
     claims.close();
+  }
+
+  private void record(TubeGoal goal) {
+    gvh.trace.action(source, TubeFact.SHAPE, new TubeFact.goTo(goal));
   }
 
   private @Nullable Wait waitsFor() {
@@ -487,7 +492,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
 
     @Override
     public void stopped(String why) {
-      gvh.log.i(source, "stopped: " + why);
+      gvh.log.i(source.name(), "stopped: " + why);
       fail(TubeFailure.MOTION);
     }
   }

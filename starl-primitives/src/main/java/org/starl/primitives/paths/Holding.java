@@ -1,7 +1,11 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.part;
+
 import java.util.ArrayList;
 import java.util.List;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * The tubes of one robot.
@@ -16,6 +20,18 @@ record Holding(long version, List<Tube> held, List<Tube> wanted) {
 
   /** The largest number of held tubes. */
   static final int MAX_TUBES = 2;
+
+  /** The shape of versions. */
+  static final Shape<Long> VERSION = Shapes.atLeast(0, "version");
+
+  /** Its shape, in messages and on stable storage. */
+  static final Shape<Holding> SHAPE =
+      Shapes.of(
+          Holding.class,
+          part("version", VERSION, Holding::version),
+          part("held", Shapes.list(Tube.SHAPE, MAX_TUBES), Holding::held),
+          part("wanted", Shapes.list(Tube.SHAPE, 1), Holding::wanted),
+          Holding::new);
 
   Holding {
     held = List.copyOf(held);

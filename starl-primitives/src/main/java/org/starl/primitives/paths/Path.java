@@ -1,8 +1,13 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.part;
+
 import java.util.List;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
+import org.starl.shape.Geometry;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * A path of straight legs, in mm.
@@ -10,6 +15,15 @@ import org.starl.geometry.Segment;
  * @param points at least two, the start first; in whole mm if a planner made the path
  */
 public record Path(List<Point> points) {
+
+  private static final int MOST_POINTS = 0xFFFF;
+
+  /** Its shape. */
+  public static final Shape<Path> SHAPE =
+      Shapes.of(
+          Path.class,
+          part("points", Shapes.list(Geometry.POINT, MOST_POINTS), Path::points),
+          Path::new);
 
   public Path {
     points = List.copyOf(points);

@@ -1,12 +1,15 @@
 package org.starl.primitives.paths;
 
-import java.util.ArrayList;
+import static org.starl.shape.Shapes.INT;
+
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * A reach tube: all points within {@code radiusMm} of a path. It contains the body of a robot that
@@ -20,6 +23,22 @@ public record Tube(List<Point> points, int radiusMm) {
 
   /** With this limit, all tubes of a robot fit one datagram. */
   public static final int MAX_POINTS = 32;
+
+  /** A point in whole millimetres. */
+  private static final Shape<Point> POINT =
+      Shapes.of(
+          Point.class,
+          Shapes.part("xMm", INT, point -> (int) point.xMm()),
+          Shapes.part("yMm", INT, point -> (int) point.yMm()),
+          (xMm, yMm) -> new Point(xMm, yMm));
+
+  /** Its shape, in messages, on stable storage and in traces. */
+  public static final Shape<Tube> SHAPE =
+      Shapes.of(
+          Tube.class,
+          Shapes.part("radiusMm", INT, Tube::radiusMm),
+          Shapes.part("points", Shapes.list(POINT, MAX_POINTS), Tube::points),
+          (radiusMm, points) -> new Tube(points, radiusMm));
 
   /** Tubes closer than this touch; far above the rounding error of a distance. */
   private static final double TOUCH_MM = 1;
@@ -135,33 +154,5 @@ public record Tube(List<Point> points, int radiusMm) {
   /** The tubes, joined by {@code ;}. */
   static String text(List<Tube> tubes) {
     return tubes.stream().map(Tube::toString).collect(Collectors.joining(";"));
-  }
-
-  /**
-   * Parses the value of the variable {@code held} in a trace.
-   *
-   * @throws IllegalArgumentException if {@code text} is not a list of tubes
-   */
-  public static List<Tube> parse(String text) {
-    List<Tube> tubes = new ArrayList<>();
-    for (String tube : text.isEmpty() ? new String[0] : text.split(";", -1)) {
-      int at = tube.indexOf('@');
-      if (at < 0) {
-        throw new IllegalArgumentException("tube '" + tube + "': expected radius@x,y>x,y");
-      }
-      List<Point> points = new ArrayList<>();
-      for (String point : tube.substring(at + 1).split(">", -1)) {
-        int comma = point.indexOf(',');
-        if (comma < 0) {
-          throw new IllegalArgumentException("point '" + point + "' of a tube: expected x,y");
-        }
-        points.add(
-            new Point(
-                Integer.parseInt(point.substring(0, comma)),
-                Integer.parseInt(point.substring(comma + 1))));
-      }
-      tubes.add(new Tube(points, Integer.parseInt(tube.substring(0, at))));
-    }
-    return tubes;
   }
 }

@@ -87,7 +87,7 @@ final class TubeClaims {
             settings,
             start.inBoot(gvh.id.boot()),
             new ClaimantWiring());
-    held = gvh.variable(channel.name(), TubeTrace.HELD, new TubeList(start.held()));
+    held = gvh.variable(channel.instance(), TubeFact.HELD, new TubeList(start.held()));
     timer = gvh.plat.timers.timer(this::expired);
     endpoint = gvh.comms.open(channel, this::received);
     gvh.gps.onFix(this::place);

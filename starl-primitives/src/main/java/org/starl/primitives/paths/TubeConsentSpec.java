@@ -1,6 +1,5 @@
 package org.starl.primitives.paths;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,7 +9,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.spec.InstanceMonitor;
-import org.starl.trace.MessageText;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
@@ -32,7 +31,7 @@ import org.starl.trace.TraceEvent.Variable;
  * <p>{@code Claimed} is not checked of runs in real time, since the end of a killed process's trace
  * may be missing, nor of traces without messages.
  */
-final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
+final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
 
   static final String CONSENTS = "Consents";
   static final String CLAIMED = "Claimed";
@@ -45,13 +44,13 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
   private boolean isRealTime;
 
   TubeConsentSpec() {
-    super(TubeTrace::isTubes);
+    super(TubeFact::isTubes);
     lemma(CONSENTS, "A robot consents to no two tubes of different robots that meet.");
     lemma(CLAIMED, "A new tube is held after the consent of a majority.");
   }
 
   /** The claims of one instance. */
-  static final class Instance {
+  static final class Claims {
     private final Set<String> participants = new TreeSet<>();
     private final Map<RobotId, Claimant> claimants = new TreeMap<>();
     // By voter: the latest tubes of each robot that it has heard of and consented to.
@@ -83,16 +82,17 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
   }
 
   @Override
-  protected Instance begin(String source) {
-    return new Instance();
+  protected Claims begin(Instance source) {
+    return new Claims();
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
-    if (variable.name().equals(TubeTrace.HELD)) {
-      Instance all = instance(variable.source());
+    TubeList held = variable.of(TubeFact.HELD);
+    if (held != null) {
+      Claims all = instance(variable.source());
       Claimant claimant = all.claimant(variable.robot());
-      List<Tube> now = Tube.parse(variable.value());
+      List<Tube> now = held.tubes();
       if (!isRealTime && !all.participants.isEmpty()) {
         checkClaimed(variable, all, claimant, now, report);
         checkTold(claimant, variable.robot(), variable.timeNs(), report);
@@ -107,7 +107,7 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
   }
 
   private static void checkClaimed(
-      Variable variable, Instance all, Claimant claimant, List<Tube> now, Report report) {
+      Variable variable, Claims all, Claimant claimant, List<Tube> now, Report report) {
     report.checked(CLAIMED);
     for (Tube tube : now) {
       boolean isGranted =
@@ -147,8 +147,10 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     switch (event) {
-      case Sent sent when TubeTrace.isTubes(sent.channel()) -> sent(sent, report);
-      case Delivered delivered when TubeTrace.isTubes(delivered.channel()) -> delivered(delivered);
+      case Sent sent when sent.message() instanceof TubeMessage message ->
+          sent(sent, message, report);
+      case Delivered delivered when delivered.message() instanceof TubeMessage.Ask ask ->
+          delivered(delivered, ask.holding());
       case Fault fault -> {
         isRealTime |= fault.isRealTime();
         if (fault.name().equals(Fault.CRASH)) {
@@ -159,39 +161,37 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
     }
   }
 
-  private void sent(Sent sent, Report report) {
-    Instance all = instance(sent.channel());
-    if (MessageText.isA("Ask", sent.message())) {
-      all.participants.add(sent.to());
-      Claimant claimant = all.claimant(sent.robot());
-      checkTold(claimant, sent.robot(), sent.timeNs(), report);
-      Holding asked = holding(sent.message());
-      if (!asked.equals(claimant.asked) && !asked.wanted().isEmpty()) {
-        claimant.asked = asked;
-        claimant.votes.clear();
-      }
-    } else if (MessageText.isA("Vote", sent.message())) {
-      voted(sent, all, report);
-    } else if (MessageText.isA("Refuse", sent.message())) {
-      refused(sent, all, report);
+  private void sent(Sent sent, TubeMessage message, Report report) {
+    Claims all = instance(sent.channel());
+    switch (message) {
+      case TubeMessage.Ask ask -> asked(sent, ask.holding(), all, report);
+      case TubeMessage.Vote vote -> voted(sent, vote.version(), all, report);
+      case TubeMessage.Refuse refusal -> refused(sent, refusal, all, report);
     }
   }
 
-  private static void refused(Sent sent, Instance all, Report report) {
-    RobotId who = new RobotId(MessageText.field(sent.message(), "who"));
+  private static void asked(Sent sent, Holding asked, Claims all, Report report) {
+    all.participants.add(sent.to());
+    Claimant claimant = all.claimant(sent.robot());
+    checkTold(claimant, sent.robot(), sent.timeNs(), report);
+    if (!asked.equals(claimant.asked) && !asked.wanted().isEmpty()) {
+      claimant.asked = asked;
+      claimant.votes.clear();
+    }
+  }
+
+  private static void refused(Sent sent, TubeMessage.Refuse refusal, Claims all, Report report) {
+    RobotId who = refusal.who();
     Holding known = byVoter(all.consents, sent.robot()).get(who);
-    String theirs = MessageText.field(sent.message(), "theirs");
-    long version = Long.parseLong(MessageText.field(theirs, "version"));
     report.checked(CONSENTS);
-    if (known != null && version < known.version()) {
+    if (known != null && refusal.theirs().version() < known.version()) {
       String detail = "has forgotten its consent to " + Tube.text(known.all()) + " of " + who;
       report.violated(CONSENTS, sent.timeNs(), List.of(sent.robot()), detail);
     }
   }
 
-  private void voted(Sent sent, Instance all, Report report) {
+  private static void voted(Sent sent, long version, Claims all, Report report) {
     RobotId to = new RobotId(sent.to());
-    long version = Long.parseLong(MessageText.field(sent.message(), "version"));
     Claimant claimant = all.claimant(to);
     if (claimant.asked != null && claimant.asked.version() == version) {
       claimant.votes.add(sent.robot());
@@ -217,35 +217,18 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Instance> {
     consents.put(to, theirs);
   }
 
-  private void delivered(Delivered delivered) {
-    if (MessageText.isA("Ask", delivered.message())) {
-      Instance all = instance(delivered.channel());
-      Holding holding = holding(delivered.message());
-      SortedMap<RobotId, Holding> heard = byVoter(all.heard, delivered.robot());
-      Holding before = heard.get(delivered.from());
-      if (before == null || before.version() < holding.version()) {
-        heard.put(delivered.from(), holding);
-        byVoter(all.consents, delivered.robot()).remove(delivered.from());
-      }
+  private void delivered(Delivered delivered, Holding holding) {
+    Claims all = instance(delivered.channel());
+    SortedMap<RobotId, Holding> heard = byVoter(all.heard, delivered.robot());
+    Holding before = heard.get(delivered.from());
+    if (before == null || before.version() < holding.version()) {
+      heard.put(delivered.from(), holding);
+      byVoter(all.consents, delivered.robot()).remove(delivered.from());
     }
   }
 
   private static SortedMap<RobotId, Holding> byVoter(
       Map<RobotId, SortedMap<RobotId, Holding>> all, RobotId voter) {
     return all.computeIfAbsent(voter, any -> new TreeMap<>());
-  }
-
-  private static Holding holding(String ask) {
-    String holding = MessageText.field(ask, "holding");
-    return new Holding(
-        Long.parseLong(MessageText.field(holding, "version")),
-        tubes(MessageText.field(holding, "held")),
-        tubes(MessageText.field(holding, "wanted")));
-  }
-
-  private static List<Tube> tubes(String list) {
-    List<Tube> tubes = new ArrayList<>();
-    MessageText.parts(list).forEach(tube -> tubes.addAll(Tube.parse(tube)));
-    return tubes;
   }
 }

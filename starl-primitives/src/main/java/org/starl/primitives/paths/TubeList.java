@@ -1,11 +1,22 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.part;
+
 import java.util.List;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
-/** The value of the variable {@code held}: a list of tubes with its text for the trace. */
-record TubeList(List<Tube> tubes) {
+/** The value of the variable {@code held}: the tubes of one robot. */
+public record TubeList(List<Tube> tubes) {
 
-  TubeList {
+  /** Its shape. */
+  public static final Shape<TubeList> SHAPE =
+      Shapes.of(
+          TubeList.class,
+          part("tubes", Shapes.list(Tube.SHAPE, Holding.MAX_TUBES), TubeList::tubes),
+          TubeList::new);
+
+  public TubeList {
     tubes = List.copyOf(tubes);
   }
 

@@ -1,6 +1,10 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.part;
+
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /** Messages about tubes. All are idempotent: they may be lost, late, duplicated and reordered. */
 sealed interface TubeMessage {
@@ -26,4 +30,17 @@ sealed interface TubeMessage {
    * @param theirs the tubes of {@code who}; {@link Holding#NONE} if its place is not known yet
    */
   record Refuse(long version, RobotId who, Holding theirs) implements TubeMessage {}
+
+  /** The shape of all messages, as in {@code docs/wire-format.md}. */
+  Shape<TubeMessage> SHAPE =
+      Shapes.oneOf(
+          TubeMessage.class,
+          Shapes.of(Ask.class, part("holding", Holding.SHAPE, Ask::holding), Ask::new),
+          Shapes.of(Vote.class, part("version", Holding.VERSION, Vote::version), Vote::new),
+          Shapes.of(
+              Refuse.class,
+              part("version", Holding.VERSION, Refuse::version),
+              part("who", Shapes.ROBOT, Refuse::who),
+              part("theirs", Holding.SHAPE, Refuse::theirs),
+              Refuse::new));
 }

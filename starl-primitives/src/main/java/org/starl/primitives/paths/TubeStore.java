@@ -3,6 +3,8 @@ package org.starl.primitives.paths;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.StableStorage;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** The stable storage of one robot for one instance. */
 final class TubeStore {
@@ -22,7 +24,7 @@ final class TubeStore {
   }
 
   void putOwn(Holding holding, Runnable flushed) {
-    stable.put(prefix + "own", TubeCodec.toBytes(holding, false), flushed);
+    put(prefix + "own", new TubeVoter.Note(holding, false), flushed);
   }
 
   TubeVoter.@Nullable Note note(RobotId about) {
@@ -31,11 +33,15 @@ final class TubeStore {
 
   private TubeVoter.@Nullable Note read(String key) {
     byte[] stored = stable.get(key);
-    return stored == null ? null : TubeCodec.note(stored);
+    return stored == null ? null : TubeVoter.Note.SHAPE.read(new WireReader(stored));
   }
 
   void putNote(RobotId about, TubeVoter.Note note, Runnable flushed) {
-    stable.put(key(about), TubeCodec.toBytes(note.holding(), note.voted()), flushed);
+    put(key(about), note, flushed);
+  }
+
+  private void put(String key, TubeVoter.Note note, Runnable flushed) {
+    stable.put(key, WireWriter.toBytes(out -> TubeVoter.Note.SHAPE.write(note, out)), flushed);
   }
 
   private String key(RobotId about) {

@@ -1,5 +1,7 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.part;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
@@ -7,6 +9,8 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * The votes of one robot: notes the tubes of all robots, and consents to a wanted tube only if it
@@ -19,7 +23,16 @@ class TubeVoter {
   private final SortedMap<RobotId, Note> notes = new TreeMap<>();
 
   /** The latest tubes of a robot. {@code voted}: this voter has consented to the wanted tube. */
-  record Note(Holding holding, boolean voted) {}
+  record Note(Holding holding, boolean voted) {
+
+    /** Its shape on stable storage. */
+    static final Shape<Note> SHAPE =
+        Shapes.of(
+            Note.class,
+            part("voted", Shapes.BOOL, Note::voted),
+            part("holding", Holding.SHAPE, Note::holding),
+            (voted, holding) -> new Note(holding, voted));
+  }
 
   /** The effects of a voter. */
   interface Out {

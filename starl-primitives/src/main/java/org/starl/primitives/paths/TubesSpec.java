@@ -13,6 +13,7 @@ import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -61,7 +62,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
    * @param boundNs the settings' deadline plus the longest drive
    */
   public TubesSpec(long boundNs) {
-    super(TubeTrace::isTubes);
+    super(TubeFact::isTubes);
     lemma(TUBES, "No two robots hold tubes that meet.");
     lemma(INSIDE, "A robot's body lies wholly within a tube that it holds.");
     tasks =
@@ -78,7 +79,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   }
 
   @Override
-  protected SortedMap<RobotId, List<Tube>> begin(String source) {
+  protected SortedMap<RobotId, List<Tube>> begin(Instance source) {
     return new TreeMap<>();
   }
 
@@ -95,7 +96,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   @Override
   protected void acted(Action action, Report report) {
-    if (action.name().equals(TubeTrace.GO_TO)) {
+    if (action.fact() instanceof TubeFact.goTo) {
       tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
     }
   }
@@ -119,25 +120,24 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   @Override
   protected void changed(Variable variable, Report report) {
     RobotId robot = variable.robot();
-    if (variable.name().equals(TubeTrace.HELD)) {
+    TubeList held = variable.of(TubeFact.HELD);
+    if (held != null) {
       SortedMap<RobotId, List<Tube>> all = instance(variable.source());
-      all.put(robot, Tube.parse(variable.value()));
+      all.put(robot, held.tubes());
       checkTubes(variable, all, report);
       checkInsideAt(variable.timeNs(), report);
-    } else if (variable.name().equals(TubeTrace.FLAG)) {
-      if (variable.value().equals(TubeFlag.MOVING.name())) {
+    }
+    TubeFlag flag = variable.of(TubeFact.FLAG);
+    if (flag != null) {
+      if (flag == TubeFlag.MOVING) {
         standsFromNs.remove(robot);
       } else {
         standsFromNs.putIfAbsent(robot, variable.timeNs() + STOP_NS);
       }
-      if (isEnd(variable.value())) {
+      if (flag == TubeFlag.DONE || flag == TubeFlag.FAIL) {
         tasks.meet(new ProcessKey(variable.source(), robot), report);
       }
     }
-  }
-
-  private static boolean isEnd(String flag) {
-    return flag.equals(TubeFlag.DONE.name()) || flag.equals(TubeFlag.FAIL.name());
   }
 
   private void checkStands(TraceEvent.Moved moved, Report report) {
@@ -205,7 +205,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   }
 
   private void checkInside(
-      String source, RobotId robot, List<Tube> tubes, long timeNs, Report report) {
+      Instance source, RobotId robot, List<Tube> tubes, long timeNs, Report report) {
     report.checked(INSIDE);
     Point at = bodies.poseAt(robot, timeNs).at();
     double radiusMm = bodies.radiusMm(robot) - ROUNDING_MM;

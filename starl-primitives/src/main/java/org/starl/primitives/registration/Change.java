@@ -1,15 +1,20 @@
 package org.starl.primitives.registration;
 
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireWriter;
 
 /**
  * The changes that one robot wants in the next view.
@@ -38,36 +43,35 @@ record Change(@Nullable ProcessId join, List<ProcessId> leave, List<Confinement>
         && confine.stream().noneMatch(each -> each.changes(view));
   }
 
+  /** The shape of wishes. */
+  private static final Shape<Change> SHAPE =
+      Shapes.of(
+          Change.class,
+          part("join", Shapes.optional(PROCESS), change -> Optional.ofNullable(change.join())),
+          part("leave", Shapes.list(PROCESS, 0xFF), Change::leave),
+          part("confine", Shapes.list(Confinement.SHAPE, 0xFF), Change::confine),
+          (join, leave, confine) -> new Change(join.orElse(null), leave, confine));
+
   /** As a wish, which other robots may fulfil: as much as fits. */
   Value toValue() {
-    return Value.write(out -> {
-      out.bool(join != null);
-      if (join != null) {
-        out.process(join);
+    List<Confinement> fitting = new ArrayList<>();
+    int bytes = bytes(SHAPE, new Change(join, leave, fitting));
+    for (Confinement each : confine) {
+      bytes += bytes(Confinement.SHAPE, each);
+      if (bytes <= MAX_WISH_BYTES) {
+        fitting.add(each);
       }
-      out.u8(leave.size());
-      leave.forEach(out::process);
-      List<Confinement> fitting = new ArrayList<>();
-      int bytes = out.length() + 1;
-      for (Confinement each : confine) {
-        bytes += WireWriter.toBytes(each::write).length;
-        if (bytes <= MAX_WISH_BYTES) {
-          fitting.add(each);
-        }
-      }
-      out.u8(fitting.size());
-      fitting.forEach(each -> each.write(out));
-    });
+    }
+    Change wish = new Change(join, leave, fitting);
+    return Value.write(out -> SHAPE.write(wish, out));
+  }
+
+  private static <T> int bytes(Shape<T> shape, T value) {
+    return WireWriter.toBytes(out -> shape.write(value, out)).length;
   }
 
   /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */
   static Change fromValue(Value value) {
-    return value.read("a change", Change::read);
-  }
-
-  private static Change read(WireReader in) {
-    ProcessId join = in.bool() ? in.process() : null;
-    List<ProcessId> leave = in.list(in.u8(), WireReader::process);
-    return new Change(join, leave, in.list(in.u8(), Confinement::read));
+    return value.read("a change", SHAPE::read);
   }
 }

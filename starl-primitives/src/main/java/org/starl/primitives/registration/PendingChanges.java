@@ -93,7 +93,7 @@ final class PendingChanges {
 
   private void announce(Confinement confinement) {
     if (!confinement.equals(announced.put(confinement.who(), confinement))) {
-      port.trace(RegistrationTrace.CONFINE, confinement.args().toArray());
+      port.confines(confinement);
     }
   }
 }

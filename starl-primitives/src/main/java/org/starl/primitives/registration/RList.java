@@ -1,12 +1,28 @@
 package org.starl.primitives.registration;
 
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.part;
+
 import org.starl.id.Participants;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * The paper's pair {@code <rList, ts>} (section 4.3): the agreed list and its time stamp, or null
  * if there is none.
  */
 public sealed interface RList {
+
+  /** The shape of its values. */
+  Shape<RList> SHAPE =
+      Shapes.oneOf(
+          RList.class,
+          Shapes.of(
+              Agreed.class,
+              part("list", Shapes.PARTICIPANTS, Agreed::list),
+              part("ts", LONG, Agreed::ts),
+              Agreed::new),
+          Shapes.of(Unknown.class, Unknown::new));
 
   /** The paper's null. */
   RList UNKNOWN = new Unknown();

@@ -17,6 +17,8 @@ import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
+import org.starl.primitives.registration.RegistrationFact.Acceptors;
+import org.starl.trace.Instance;
 
 /**
  * The registration of one robot: {@link RegPrim} for its app, {@link Membership} for the mutex. A robot
@@ -50,18 +52,18 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
       GlobalVarHolder gvh, String xid, Participants acceptors, RegistrationSettings settings) {
     super(
         gvh,
-        RegistrationTrace.PRIMITIVE + "/" + xid,
-        new Channel<>(RegistrationTrace.PRIMITIVE, xid, new SynodCodec(new ViewFormat())));
-    rList = gvh.variable(source, RegistrationTrace.R_LIST, RList.UNKNOWN);
-    failed = gvh.variable(source, RegistrationTrace.FAILED, false);
-    view = gvh.variable(source, RegistrationTrace.VIEW, View.NONE);
-    gvh.trace.action(source, RegistrationTrace.ACCEPTORS, acceptors.asList().toArray());
+        Instance.of(RegistrationFact.PRIMITIVE, xid),
+        new Channel<>(RegistrationFact.PRIMITIVE, xid, new SynodCodec(new ViewFormat())));
+    rList = gvh.variable(source, RegistrationFact.R_LIST, RList.UNKNOWN);
+    failed = gvh.variable(source, RegistrationFact.FAILED, false);
+    view = gvh.variable(source, RegistrationFact.VIEW, View.NONE);
+    gvh.trace.action(source, Acceptors.SHAPE, new Acceptors(acceptors.asList()));
     protocol =
         new RegistrationProtocol(
             gvh.id.name(),
             acceptors,
             settings,
-            gvh.plat.entropy.fork(source),
+            gvh.plat.entropy.fork(source.name()),
             wire,
             new Port(),
             gvh.plat.clock.nowNs());
@@ -97,7 +99,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
 
   @Override
   public GvhVariable<RList> rList() {
-    return rList;
+    return rList.variable();
   }
 
   @Override
@@ -107,7 +109,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
 
   @Override
   public GvhVariable<Boolean> failed() {
-    return failed;
+    return failed.variable();
   }
 
   @Override
@@ -193,8 +195,13 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
     }
 
     @Override
-    public void trace(String action, Object... args) {
-      gvh.trace.action(source, action, args);
+    public void acted(RegistrationAction action) {
+      gvh.trace.action(source, RegistrationFact.ACTIONS, action);
+    }
+
+    @Override
+    public void confines(Confinement confinement) {
+      gvh.trace.action(source, RegistrationFact.CONFINE, confinement);
     }
   }
 }

@@ -1,6 +1,5 @@
 package org.starl.primitives.registration;
 
-import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
@@ -52,7 +51,7 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
     super(
         RegistrationAutomaton.REGISTRATION_DECLS,
         "every registration",
-        RegistrationTrace::isRegistration,
+        RegistrationFact::isRegistration,
         source -> new RegistrationRun(new Replay<>(new RegistrationAutomaton(), source, steps)));
   }
 
@@ -64,16 +63,12 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
   @Override
   protected void acted(Action action, Report report) {
     RegistrationRun run = instance(action.source());
-    switch (action.name()) {
-      case RegistrationTrace.DO_REGISTER -> run.asked(action, id(action), report);
-      case RegistrationTrace.UNREGISTER -> run.unregistered(action, id(action), report);
-      case RegistrationTrace.GIVE_UP -> run.gaveUp(action, id(action), report);
-      case RegistrationTrace.CONFINE -> {
-        Confinement confinement = Confinement.parse(action.args());
-        if (confinement.isSaidBy(action.robot())) {
+    switch (action.fact()) {
+      case RegistrationAction.do_register asked -> run.asked(action, asked.i(), report);
+      case RegistrationAction.unregister left -> run.unregistered(action, left.i(), report);
+      case RegistrationAction.give_up gone -> run.gaveUp(action, gone.i(), report);
+      case Confinement confinement when confinement.isSaidBy(action.robot()) ->
           run.step(action, new RegistrationAction.confine(confinement.who()), report);
-        }
-      }
       default -> {}
     }
   }
@@ -81,14 +76,11 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
   @Override
   protected void changed(Variable variable, Report report) {
     RegistrationRun run = instance(variable.source());
-    switch (variable.name()) {
-      case RegistrationTrace.VIEW -> run.saw(variable, View.parse(variable.value()), report);
-      case RegistrationTrace.R_LIST -> run.showed(variable, report);
-      default -> {}
+    View view = variable.of(RegistrationFact.VIEW);
+    if (view != null) {
+      run.saw(variable, view, report);
+    } else if (variable.of(RegistrationFact.R_LIST) instanceof RList.Agreed shown) {
+      run.showed(variable, shown, report);
     }
-  }
-
-  private static ProcessId id(Action action) {
-    return ProcessId.parse(action.args().get(0));
   }
 }

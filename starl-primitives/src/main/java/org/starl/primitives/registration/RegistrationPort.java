@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.Confinement;
 
 /** The effects of a {@link RegistrationProtocol}: messages, ids, and what the trace shows. */
 interface RegistrationPort {
@@ -13,6 +14,9 @@ interface RegistrationPort {
   /** An id that this robot has never used and will never use again. */
   ProcessId freshProcess();
 
-  /** Traces an action of {@link RegistrationTrace}. */
-  void trace(String action, Object... args);
+  /** Traces an action. */
+  void acted(RegistrationAction action);
+
+  /** Traces that this robot proposes {@code confinement}. */
+  void confines(Confinement confinement);
 }

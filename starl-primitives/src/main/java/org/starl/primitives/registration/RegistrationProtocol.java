@@ -18,6 +18,7 @@ import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /**
  * One robot's part in one registration: views 1, 2, 3, ... The Synod decides each view once, from a
@@ -117,7 +118,7 @@ class RegistrationProtocol extends SynodProtocol {
     nowNs = now;
     requireMayUnregister();
     if (phase != Phase.LEFT_HALFWAY) {
-      port.trace(RegistrationTrace.UNREGISTER, me);
+      port.acted(new RegistrationAction.unregister(me));
     }
     failed = false;
     if (evicted && !view.mentions(me)) {
@@ -147,7 +148,7 @@ class RegistrationProtocol extends SynodProtocol {
   void markIdle(ProcessId id, long now) {
     nowNs = now;
     if (pending.markIdle(id)) {
-      port.trace(RegistrationTrace.GIVE_UP, id);
+      port.acted(new RegistrationAction.give_up(id));
     }
     if (id.equals(me) && phase == Phase.IN) {
       onEvicted();
@@ -214,7 +215,7 @@ class RegistrationProtocol extends SynodProtocol {
   }
 
   @Override
-  public @Nullable Wait waitsFor(String source) {
+  public @Nullable Wait waitsFor(Instance source) {
     return failed
         ? new Wait(source, "failed: no majority of the acceptors answered", List.of())
         : super.waitsFor(source);
@@ -306,7 +307,7 @@ class RegistrationProtocol extends SynodProtocol {
     } else if (phase == Phase.JOINING && skippedFrom > 0 && learned.number() > skippedFrom) {
       // A view that this robot never saw may have admitted it, and a later one may have removed it.
       pending.markIdle(me);
-      port.trace(RegistrationTrace.GIVE_UP, me);
+      port.acted(new RegistrationAction.give_up(me));
       takeFreshId();
     } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !learned.mentions(me)) {
       // Perhaps after the deadline: the app need not ask again.
@@ -323,7 +324,7 @@ class RegistrationProtocol extends SynodProtocol {
     failed = true;
     if (phase == Phase.JOINING) {
       pending.markIdle(me);
-      port.trace(RegistrationTrace.GIVE_UP, me);
+      port.acted(new RegistrationAction.give_up(me));
       me = freshProcess();
       askedIn = 0;
       settle(Phase.OUT);
@@ -357,7 +358,7 @@ class RegistrationProtocol extends SynodProtocol {
   private void takeFreshId() {
     me = freshProcess();
     askedIn = 0;
-    port.trace(RegistrationTrace.DO_REGISTER, me);
+    port.acted(new RegistrationAction.do_register(me));
   }
 
   private ProcessId freshProcess() {

@@ -105,18 +105,16 @@ final class RegistrationRun {
     learn(event, program.id, view.number(), list, report);
   }
 
-  void showed(Variable event, Report report) {
-    String text = event.value();
-    int colon = text.indexOf(':');
-    ProcessId id = colon < 0 ? null : program(event.robot()).id;
+  void showed(Variable event, RList.Agreed shown, Report report) {
+    ProcessId id = program(event.robot()).id;
     if (id != null) {
-      long number = Long.parseLong(text.substring(0, colon));
+      long number = shown.ts();
       onceDecided(
           number,
           later -> {
             replay.result(event, "ts", id, number, replay.state().ts().at(id), later);
-            String shown = shown(replay.state().rList(id), number);
-            replay.result(event, "rList", id, text, shown, later);
+            RList decided = decided(replay.state().rList(id), number);
+            replay.<RList>result(event, "rList", id, shown, decided, later);
           },
           report);
     }
@@ -129,10 +127,10 @@ final class RegistrationRun {
     }
   }
 
-  private static String shown(SortedSet<ProcessId> list, long number) {
+  private static RList decided(SortedSet<ProcessId> list, long number) {
     Set<RobotId> robots = new TreeSet<>();
     list.forEach(member -> robots.add(member.robot()));
-    return new RList.Agreed(Participants.of(robots), number).toString();
+    return new RList.Agreed(Participants.of(robots), number);
   }
 
   private void learn(

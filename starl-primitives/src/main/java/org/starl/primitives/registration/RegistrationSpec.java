@@ -13,6 +13,7 @@ import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -53,7 +54,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
    *     this, but not for an id that is given up
    */
   public RegistrationSpec(long registeredWithinNs) {
-    super(RegistrationTrace::isRegistration);
+    super(RegistrationFact::isRegistration);
     lemma(AGREEMENT, "Lists with the same number are equal on all robots.");
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
     lemma(FRESH, "An id that has left the list never comes back.");
@@ -73,7 +74,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   }
 
   @Override
-  protected ViewHistory begin(String source) {
+  protected ViewHistory begin(Instance source) {
     return new ViewHistory(source);
   }
 
@@ -84,63 +85,62 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new RegistrationConformance(), new SynodSpec(RegistrationTrace.PRIMITIVE));
+    return List.of(new RegistrationConformance(), new SynodSpec(RegistrationFact.PRIMITIVE));
   }
 
   @Override
   protected void acted(Action action, Report report) {
     ViewHistory history = instance(action.source());
-    switch (action.name()) {
-      case RegistrationTrace.DO_REGISTER -> {
-        history.asked(action.robot(), id(action));
-        progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
+    ProcessKey key = new ProcessKey(action.source(), action.robot());
+    switch (action.fact()) {
+      case RegistrationAction.do_register asked -> {
+        history.asked(action.robot(), asked.i());
+        progress.start(key, action.timeNs());
       }
-      case RegistrationTrace.ACCEPTORS -> history.vote(action.args());
-      case RegistrationTrace.CONFINE ->
-          history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
-      case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP -> {
-        history.mayLeave(action.robot(), id(action));
-        ProcessKey key = new ProcessKey(action.source(), action.robot());
-        leaving.put(key, new Leaver(id(action), action.name().equals(RegistrationTrace.GIVE_UP)));
-        awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
-      }
+      case RegistrationFact.Acceptors acceptors -> history.vote(acceptors.robots());
+      case Confinement confinement -> history.mayBeConfined(action.robot(), confinement);
+      case RegistrationAction.unregister left ->
+          leaves(history, action, new Leaver(left.i(), false), report);
+      case RegistrationAction.give_up gone ->
+          leaves(history, action, new Leaver(gone.i(), true), report);
       default -> {}
     }
+  }
+
+  private void leaves(ViewHistory history, Action action, Leaver leaver, Report report) {
+    history.mayLeave(action.robot(), leaver.id());
+    leaving.put(new ProcessKey(action.source(), action.robot()), leaver);
+    awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
     ViewHistory history = instance(variable.source());
     ProcessKey key = new ProcessKey(variable.source(), variable.robot());
-    switch (variable.name()) {
-      case RegistrationTrace.VIEW -> {
-        View view = View.parse(variable.value());
-        history.learned(variable, view, report);
-        awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
-        ProcessId asked = history.latestAsked(variable.robot());
-        if (view.number() == 0) {
-          // The program has started: what its predecessor was owed is void.
-          progress.stop(key);
-        } else if (asked != null && view.contains(asked)) {
-          progress.meet(key, report);
-        }
+    View view = variable.of(RegistrationFact.VIEW);
+    if (view != null) {
+      history.learned(variable, view, report);
+      awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
+      ProcessId asked = history.latestAsked(variable.robot());
+      if (view.number() == 0) {
+        // The program has started: what its predecessor was owed is void.
+        progress.stop(key);
+      } else if (asked != null && view.contains(asked)) {
+        progress.meet(key, report);
       }
-      case RegistrationTrace.R_LIST -> history.shown(variable, report);
-      case RegistrationTrace.FAILED -> {
-        if (variable.value().equals("true")) {
-          progress.stop(key);
-          Leaver leaver = leaving.get(key);
-          if (leaver != null && !leaver.isGivenUp()) {
-            removal.stop(key);
-            leaving.remove(key);
-          }
-        }
+    } else if (variable.of(RegistrationFact.R_LIST) instanceof RList.Agreed list) {
+      history.shown(variable, list, report);
+    } else if (Boolean.TRUE.equals(variable.of(RegistrationFact.FAILED))) {
+      progress.stop(key);
+      Leaver leaver = leaving.get(key);
+      if (leaver != null && !leaver.isGivenUp()) {
+        removal.stop(key);
+        leaving.remove(key);
       }
-      default -> {}
     }
   }
 
-  private void awaitRemoval(String source, View latest, long nowNs, Report report) {
+  private void awaitRemoval(Instance source, View latest, long nowNs, Report report) {
     leaving.forEach((key, leaver) -> {
       if (key.source().equals(source)) {
         if (latest.mentions(leaver.id())) {
@@ -154,7 +154,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void ended(RobotId robot) {
-    for (String source : instances().keySet()) {
+    for (Instance source : instances().keySet()) {
       ProcessKey key = new ProcessKey(source, robot);
       progress.stop(key);
       removal.stop(key);
@@ -171,9 +171,5 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         };
     progress.assumeEach(isOwed, nowNs);
     removal.assumeEach(isOwed, nowNs);
-  }
-
-  private static ProcessId id(Action action) {
-    return ProcessId.parse(action.args().get(0));
   }
 }

@@ -1,42 +1,54 @@
 package org.starl.primitives.registration;
 
-import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.ProcessId;
 import org.starl.primitives.Phases;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
 
-/** The phase of a registration, from its trace: see {@link RegistrationTrace#PHASES}. */
+/** The phase of a registration, from its trace: see {@link RegistrationFact#PHASES}. */
 final class ShownPhase implements Phases.Step {
 
-  /** The robot's latest id, as in the text of a view. */
-  private String me = "";
+  /** The robot's latest id. */
+  private @Nullable ProcessId me;
 
-  private String view = "";
+  private View view = View.NONE;
 
   @Override
-  public String after(String before, String name, List<String> texts) {
-    return after(Phase.valueOf(before), name, texts).name();
+  public String after(String before, TraceEvent event) {
+    Phase phase = Phase.valueOf(before);
+    return switch (event) {
+      case Action action -> acted(phase, action.fact()).name();
+      case Variable variable -> changed(phase, variable).name();
+      default -> before;
+    };
   }
 
-  private Phase after(Phase phase, String name, List<String> texts) {
-    switch (name) {
-      case RegistrationTrace.DO_REGISTER -> {
-        me = texts.get(0) + "@";
-        return Phase.JOINING;
+  private Phase acted(Phase phase, Object fact) {
+    return switch (fact) {
+      case RegistrationAction.do_register asked -> {
+        me = asked.i();
+        yield Phase.JOINING;
       }
-      case RegistrationTrace.UNREGISTER -> {
-        return mentions() ? Phase.LEAVING : Phase.OUT;
-      }
-      case RegistrationTrace.VIEW -> {
-        view = texts.get(0);
-        return learned(phase);
-      }
-      case RegistrationTrace.FAILED -> {
-        return texts.get(0).equals("true") ? failed(phase) : calledAgain(phase);
-      }
-      default -> {
-        return phase;
-      }
+      case RegistrationAction.unregister left -> mentions() ? Phase.LEAVING : Phase.OUT;
+      default -> phase;
+    };
+  }
+
+  private Phase changed(Phase phase, Variable variable) {
+    View learned = variable.of(RegistrationFact.VIEW);
+    if (learned != null) {
+      view = learned;
+      return learned(phase);
     }
+    Boolean failed = variable.of(RegistrationFact.FAILED);
+    if (failed != null) {
+      return failed ? failed(phase) : calledAgain(phase);
+    }
+    return phase;
   }
 
   private Phase learned(Phase phase) {
@@ -58,12 +70,10 @@ final class ShownPhase implements Phases.Step {
   }
 
   private boolean lists() {
-    int bar = view.indexOf('|');
-    return mentions() && (bar < 0 || view.indexOf(me) < bar);
+    return me != null && view.contains(me);
   }
 
   private boolean mentions() {
-    int at = view.indexOf(me);
-    return at > 0 && ":,|".indexOf(view.charAt(at - 1)) >= 0;
+    return me != null && view.mentions(me);
   }
 }

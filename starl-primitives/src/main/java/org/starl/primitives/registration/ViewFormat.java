@@ -1,16 +1,13 @@
 package org.starl.primitives.registration;
 
 import java.util.SortedMap;
-import java.util.SortedSet;
-import java.util.TreeMap;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.Value;
-import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** A view as a value of the Synod. The view's number is the decree's, and not in the bytes. */
 final class ViewFormat implements SynodCodec.Format {
@@ -48,19 +45,8 @@ final class ViewFormat implements SynodCodec.Format {
 
   private static void write(View view, WireWriter out) {
     out.u8(FORMAT);
-    out.u16(view.admitted().size());
-    view.admitted()
-        .forEach((id, by) -> {
-          out.process(id);
-          out.i64(by);
-        });
-    out.u16(view.ghosts().size());
-    view.ghosts()
-        .forEach((id, ghost) -> {
-          out.process(id);
-          out.i64(ghost.admittedBy());
-          Sections.write(ghost.sections(), out);
-        });
+    View.ADMITTED.write(view.admitted(), out);
+    View.GHOSTS.write(view.ghosts(), out);
   }
 
   /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */
@@ -73,39 +59,12 @@ final class ViewFormat implements SynodCodec.Format {
     if (format != FORMAT) {
       throw new WireFormatException("view of format " + format);
     }
-    int count = in.u16();
-    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-    for (int i = 0; i < count; i++) {
-      ProcessId id = in.process();
-      if (!isNext(admitted, id)) {
-        throw new WireFormatException("view entry " + id + " twice, or out of order");
-      }
-      admitted.put(id, admittedBy(in, id, number));
+    SortedMap<ProcessId, Long> admitted = View.ADMITTED.read(in);
+    SortedMap<ProcessId, View.Ghost> ghosts = View.GHOSTS.read(in);
+    try {
+      return new View(number, admitted, ghosts);
+    } catch (IllegalArgumentException refused) {
+      throw new WireFormatException(String.valueOf(refused.getMessage()));
     }
-    count = in.u16();
-    SortedMap<ProcessId, View.Ghost> ghosts = new TreeMap<>();
-    for (int i = 0; i < count; i++) {
-      ProcessId id = in.process();
-      long by = admittedBy(in, id, number);
-      SortedSet<String> sections = Sections.read(in);
-      if (sections.isEmpty() || admitted.containsKey(id) || !isNext(ghosts, id)) {
-        throw new WireFormatException("ghost " + id + " of " + sections);
-      }
-      ghosts.put(id, new View.Ghost(by, sections));
-    }
-    return new View(number, admitted, ghosts);
-  }
-
-  // In ascending order, so that equal views have equal bytes.
-  private static boolean isNext(SortedMap<ProcessId, ?> read, ProcessId id) {
-    return read.isEmpty() || read.lastKey().compareTo(id) < 0;
-  }
-
-  private static long admittedBy(WireReader in, ProcessId id, long number) {
-    long by = in.i64();
-    if (by < 1 || by > number) {
-      throw new WireFormatException("view entry " + id + "@" + by);
-    }
-    return by;
   }
 }

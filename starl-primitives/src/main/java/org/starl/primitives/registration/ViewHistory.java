@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -15,6 +14,7 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor.Report;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -26,7 +26,7 @@ final class ViewHistory {
   /** Older views are forgotten and not compared: no robot is so far behind, and runs may be long. */
   private static final int KEPT_VIEWS = 256;
 
-  private final String source;
+  private final Instance source;
   private final TreeMap<Long, View> views = new TreeMap<>();
   private final Map<ProcessId, Long> admittedBy = new TreeMap<>();
   private final Set<ProcessId> asked = new TreeSet<>();
@@ -36,7 +36,7 @@ final class ViewHistory {
 
   private List<RobotId> acceptors = List.of();
 
-  ViewHistory(String source) {
+  ViewHistory(Instance source) {
     this.source = source;
   }
 
@@ -50,9 +50,9 @@ final class ViewHistory {
     return acceptors;
   }
 
-  void vote(List<String> robots) {
+  void vote(List<RobotId> robots) {
     if (acceptors.isEmpty()) {
-      acceptors = robots.stream().map(RobotId::new).collect(Collectors.toList());
+      acceptors = robots;
     }
   }
 
@@ -112,21 +112,14 @@ final class ViewHistory {
   }
 
   /** The list that the app sees must be the one of the view with the same number. */
-  void shown(Variable event, Report report) {
-    String text = event.value();
-    int colon = text.indexOf(':');
-    if (colon < 0) {
-      return;
-    }
-    long number = Long.parseLong(text.substring(0, colon));
-    if (isForgotten(number)) {
+  void shown(Variable event, RList.Agreed list, Report report) {
+    if (isForgotten(list.ts())) {
       return;
     }
     report.checked(RegistrationSpec.AGREEMENT);
-    View view = views.get(number);
-    if (view == null
-        || !new RList.Agreed(view.participants(), view.number()).toString().equals(text)) {
-      violated(RegistrationSpec.AGREEMENT, event, report, "rList " + text + ", but view " + view);
+    View view = views.get(list.ts());
+    if (view == null || !new RList.Agreed(view.participants(), view.number()).equals(list)) {
+      violated(RegistrationSpec.AGREEMENT, event, report, "rList " + list + ", but view " + view);
     }
   }
 

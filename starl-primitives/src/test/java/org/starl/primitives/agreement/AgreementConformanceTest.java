@@ -2,13 +2,10 @@ package org.starl.primitives.agreement;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementAutomaton.States;
 import org.starl.primitives.conformance.ShownRun;
-import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Variable;
 
 /** Which events are which actions, line by line of the table; and what is no run of the theory. */
 class AgreementConformanceTest {
@@ -16,21 +13,25 @@ class AgreementConformanceTest {
   private final ShownRun<States, AgreementAction> run = new ShownRun<>(AgreementConformance::new);
 
   private void proposes(String robot, String value) {
-    run.has(new Action(0, new RobotId(robot), "agreement/x", "propose", List.of(value)));
+    run.has(Seen.proposes(0, new RobotId(robot), "x", value));
   }
 
   private void knows(String robot, String value) {
-    run.has(new Variable(0, new RobotId(robot), "agreement/x", "decided", value));
+    run.has(Seen.decides(0, new RobotId(robot), "x", value));
+  }
+
+  private void knowsNone(String robot) {
+    run.has(Seen.knowsNone(0, new RobotId(robot), "x"));
   }
 
   @Test
   void eventsMapToTheActionsInTheTable() {
-    knows("a", "null");
+    knowsNone("a");
     proposes("a", "01");
     proposes("b", "02");
     knows("b", "01");
     knows("a", "01");
-    knows("b", "null");
+    knowsNone("b");
     knows("b", "01");
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())

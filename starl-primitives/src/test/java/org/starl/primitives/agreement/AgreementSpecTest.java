@@ -20,36 +20,36 @@ class AgreementSpecTest {
 
   @Test
   void oneProposedValueEverywhereHolds() {
-    proposes(A, "agreement/x", "01");
-    decides(A, "agreement/x", "01");
-    decides(B, "agreement/x", "null");
-    decides(B, "agreement/x", "01");
+    proposes(A, "x", "01");
+    decides(A, "x", "01");
+    monitors.observe(Seen.knowsNone(2, B, "x"));
+    decides(B, "x", "01");
     assertThat(monitors.report().holds()).isTrue();
     assertThat(monitors.report().checks(AgreementSpec.AGREEMENT)).isEqualTo(2);
   }
 
   @Test
   void twoValuesInOneInstanceViolateAgreement() {
-    proposes(A, "agreement/x", "01");
-    proposes(B, "agreement/x", "02");
-    decides(A, "agreement/x", "01");
-    decides(B, "agreement/x", "02");
+    proposes(A, "x", "01");
+    proposes(B, "x", "02");
+    decides(A, "x", "01");
+    decides(B, "x", "02");
     assertThat(monitors.report().violations(AgreementSpec.AGREEMENT)).isEqualTo(1);
   }
 
   @Test
   void instancesAreJudgedSeparately() {
-    proposes(A, "agreement/x", "01");
-    proposes(B, "agreement/y", "02");
-    decides(A, "agreement/x", "01");
-    decides(B, "agreement/y", "02");
+    proposes(A, "x", "01");
+    proposes(B, "y", "02");
+    decides(A, "x", "01");
+    decides(B, "y", "02");
     assertThat(monitors.report().holds()).isTrue();
   }
 
   @Test
   void aValueThatWasNotProposedViolatesValidity() {
-    proposes(A, "agreement/x", "01");
-    decides(A, "agreement/x", "03");
+    proposes(A, "x", "01");
+    decides(A, "x", "03");
     assertThat(monitors.report().violations(AgreementSpec.VALIDITY)).isEqualTo(1);
   }
 
@@ -61,12 +61,13 @@ class AgreementSpecTest {
     bounded.observe(event);
   }
 
-  private static Action act(long timeNs, RobotId robot, String name, String... args) {
-    return new Action(timeNs, robot, "agreement/x", name, List.of(args));
-  }
-
-  private static Variable shows(long timeNs, RobotId robot, String name, String value) {
-    return new Variable(timeNs, robot, "agreement/x", name, value);
+  private static Action serves(long timeNs, RobotId robot) {
+    return Action.of(
+        timeNs,
+        robot,
+        Seen.agreement("x"),
+        AgreementFact.ACCEPTORS,
+        new AgreementFact.Acceptors(List.of(A, B)));
   }
 
   private static Fault fault(long timeNs, RobotId robot, String name, String detail) {
@@ -79,12 +80,12 @@ class AgreementSpecTest {
 
   @Test
   void aProposalIsDecidedOrFailsWithinTheBound() {
-    sees(act(1, A, "acceptors", "a", "b"));
-    sees(act(1, A, "propose", "01"));
-    sees(act(1, B, "propose", "02"));
-    sees(shows(101, A, "decided", "01"));
-    sees(shows(101, B, "failed", "true"));
-    sees(act(150, A, "propose", "01"));
+    sees(serves(1, A));
+    sees(Seen.proposes(1, A, "x", "01"));
+    sees(Seen.proposes(1, B, "x", "02"));
+    sees(Seen.decides(101, A, "x", "01"));
+    sees(new Variable(101, B, Seen.agreement("x"), AgreementFact.FAILED, true));
+    sees(Seen.proposes(150, A, "x", "01"));
     bounded.finish(1000);
     assertThat(late()).isZero();
     assertThat(bounded.report().checks(AgreementSpec.DECIDED)).isEqualTo(2);
@@ -92,33 +93,33 @@ class AgreementSpecTest {
 
   @Test
   void aProposalWithoutAnswerViolatesDecided() {
-    sees(act(1, A, "acceptors", "a", "b"));
-    sees(act(1, A, "propose", "01"));
-    sees(shows(102, A, "decided", "01"));
+    sees(serves(1, A));
+    sees(Seen.proposes(1, A, "x", "01"));
+    sees(Seen.decides(102, A, "x", "01"));
     assertThat(late()).isEqualTo(1);
   }
 
   @Test
   void nothingIsOwedWithoutAMajorityDuringFaultsOrToCrashedRobots() {
-    sees(act(1, A, "acceptors", "a", "b"));
-    sees(act(1, A, "propose", "01"));
+    sees(serves(1, A));
+    sees(Seen.proposes(1, A, "x", "01"));
     sees(fault(50, B, Fault.CRASH, ""));
     sees(fault(300, B, Fault.RESTART, ""));
     sees(fault(350, Fault.WORLD, Fault.BEGIN, "loss(1)"));
     sees(fault(900, Fault.WORLD, Fault.END, "loss(1)"));
     sees(fault(950, A, Fault.CRASH, ""));
     sees(fault(960, A, Fault.RESTART, ""));
-    sees(act(2000, A, "propose", "01"));
+    sees(Seen.proposes(2000, A, "x", "01"));
     assertThat(late()).isZero();
     bounded.finish(2101);
     assertThat(late()).isEqualTo(1);
   }
 
-  private void proposes(RobotId robot, String source, String value) {
-    monitors.observe(new Action(1, robot, source, "propose", List.of(value)));
+  private void proposes(RobotId robot, String xid, String value) {
+    monitors.observe(Seen.proposes(1, robot, xid, value));
   }
 
-  private void decides(RobotId robot, String source, String value) {
-    monitors.observe(new Variable(2, robot, source, "decided", value));
+  private void decides(RobotId robot, String xid, String value) {
+    monitors.observe(Seen.decides(2, robot, xid, value));
   }
 }

@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
 import org.starl.sim.check.MalformedBytes;
 
 /** Any bytes as a message of the Synod, and as an acceptor's record. */

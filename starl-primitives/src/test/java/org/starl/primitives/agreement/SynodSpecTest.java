@@ -13,13 +13,17 @@ import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Vote;
+import org.starl.shape.Json;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 
 /** The rules on messages written by hand, among the acceptors a, b, c and d. */
 class SynodSpecTest {
 
+  private static final Instance CHANNEL = Instance.of(AgreementFact.PRIMITIVE, "x");
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
   private static final RobotId C = new RobotId("c");
@@ -29,7 +33,7 @@ class SynodSpecTest {
   private static final Value X = Value.of(new byte[] {1});
   private static final Value Y = Value.of(new byte[] {2});
 
-  private final Monitors monitors = new Monitors(List.of(new SynodSpec(SetAgreement.PRIMITIVE)));
+  private final Monitors monitors = new Monitors(List.of(new SynodSpec(AgreementFact.PRIMITIVE)));
 
   SynodSpecTest() {
     for (RobotId acceptor : List.of(A, B, C, D)) {
@@ -51,8 +55,14 @@ class SynodSpecTest {
   }
 
   @Test
-  void messagesOfAnAppMayHaveTheSameNames() {
-    monitors.observe(new Sent(0, A, B.name(), "orders/x", 1, 1, "Accept[order=5]"));
+  void otherChannelsAndOtherMessagesHaveNoRule() {
+    Accept wrong = new Accept(1, HIGH, X);
+    for (String channel : List.of("orders", "agreement.orders")) {
+      Instance orders = Instance.of(channel, "x");
+      monitors.observe(new Sent(0, A, B.name(), orders, 1, 1, SynodMessage.SHAPE, wrong));
+    }
+    Json other = new Json("{}");
+    monitors.observe(new Sent(0, A, B.name(), CHANNEL, 1, 1, Shapes.JSON, other));
     assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
   }
 
@@ -140,7 +150,7 @@ class SynodSpecTest {
   }
 
   private void sends(RobotId from, RobotId to, SynodMessage message) {
-    monitors.observe(new Sent(0, from, to.name(), "agreement/x", 1, 1, message.toString()));
+    monitors.observe(new Sent(0, from, to.name(), CHANNEL, 1, 1, SynodMessage.SHAPE, message));
   }
 
   private String violations() {

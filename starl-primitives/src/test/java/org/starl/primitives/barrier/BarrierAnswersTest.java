@@ -19,17 +19,19 @@ import org.starl.primitives.barrier.BarrierMessage.Arrival;
 import org.starl.primitives.barrier.BarrierMessage.Here;
 import org.starl.primitives.chaos.SentMessages;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /** One member among messages of the others: each effect at once, with no repetition behind it. */
 class BarrierAnswersTest {
 
+  private static final Instance SOURCE = Instance.of("barrier", "b");
   private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 1);
   private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 1);
   private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 1);
   private static final BarrierSettings SETTINGS = BarrierSettings.DEFAULT;
   private static final long MS = 1_000_000;
 
-  private final BarrierCodec codec = new BarrierCodec(new TreeSet<>(List.of(B1, B2, B3)));
+  private final OutcomesFormat format = new OutcomesFormat(new TreeSet<>(List.of(B1, B2, B3)));
   private SentMessages sent = new SentMessages();
   private BarrierProtocol protocol = started(B1);
 
@@ -144,13 +146,13 @@ class BarrierAnswersTest {
   @Test
   void aRobotThatWasToldUnknownWaitsForNothing() {
     protocol.arrive(0);
-    assertThat(protocol.waitsFor("barrier/b").on()).containsExactly(B2.robot(), B3.robot());
+    assertThat(protocol.waitsFor(SOURCE).on()).containsExactly(B2.robot(), B3.robot());
     for (int deadlines = 0; deadlines < 2; deadlines++) {
       assertThat(protocol.outcome().isTold()).isFalse();
       protocol.timer((deadlines + 1) * SETTINGS.deadlineMs() * MS);
     }
     assertThat(protocol.outcome()).isEqualTo(new BarrierOutcome.Unknown(1));
-    assertThat(protocol.waitsFor("barrier/b")).isNull();
+    assertThat(protocol.waitsFor(SOURCE)).isNull();
     assertThat(protocol.wakeAtNs()).isEqualTo(Long.MAX_VALUE);
   }
 
@@ -159,7 +161,7 @@ class BarrierAnswersTest {
     protocol.arrive(0);
     protocol.received(new Arrival(B2, 1), 0);
     protocol.received(new Arrival(B3, 1), 0);
-    assertThat(protocol.waitsFor("barrier/b").what()).contains("majority");
+    assertThat(protocol.waitsFor(SOURCE).what()).contains("majority");
   }
 
   private BarrierProtocol started(ProcessId me) {
@@ -178,6 +180,6 @@ class BarrierAnswersTest {
   }
 
   private SynodMessage outcomes(long generation) {
-    return new Decided(generation, codec.toValue(Outcomes.ALL_PASSED));
+    return new Decided(generation, format.toValue(Outcomes.ALL_PASSED));
   }
 }

@@ -13,14 +13,17 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.OneSpelling;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.barrier.BarrierMessage.Arrival;
 import org.starl.primitives.barrier.BarrierMessage.Here;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.Shape;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class BarrierCodecTest {
 
@@ -28,7 +31,9 @@ class BarrierCodecTest {
   private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
   private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 7);
 
-  private final BarrierCodec codec = new BarrierCodec(new TreeSet<>(List.of(B1, B2, B3)));
+  private static final Shape<BarrierMessage> CODEC = BarrierMessage.SHAPE;
+
+  private final OutcomesFormat format = new OutcomesFormat(new TreeSet<>(List.of(B1, B2, B3)));
 
   /** The bytes of {@code docs/wire-format.md}, Barrier messages. */
   @Test
@@ -39,7 +44,7 @@ class BarrierCodecTest {
         .isEqualTo(
             "02" + "026231" + "0000000000000005" + "0000000000000007" + "01" + "0000000000000008");
     Outcomes outcomes = Outcomes.ALL_PASSED.withBroken(4, List.of(B3, B1));
-    assertThat(HexFormat.of().formatHex(codec.toValue(outcomes).bytes()))
+    assertThat(HexFormat.of().formatHex(format.toValue(outcomes).bytes()))
         .isEqualTo("0001" + "0000000000000004" + "0002" + "0000" + "0002");
   }
 
@@ -47,10 +52,12 @@ class BarrierCodecTest {
   void writtenMessagesAreReadBack(
       @ForAll @LongRange(min = 1) long generation,
       @ForAll @LongRange(min = 1) long noted,
-      @ForAll boolean hasArrived) {
+      @ForAll boolean hasArrived)
+      throws JsonFormatException {
     for (BarrierMessage message :
         List.of(new Arrival(B1, generation), new Here(B1, generation, hasArrived, noted))) {
-      assertThat(codec.read(new WireReader(bytes(message)))).isEqualTo(message);
+      assertThat(CODEC.read(new WireReader(bytes(message)))).isEqualTo(message);
+      assertThat(OneSpelling.fromJson(CODEC, CODEC.json(message))).isEqualTo(message);
     }
   }
 
@@ -67,7 +74,7 @@ class BarrierCodecTest {
       }
       outcomes = missing.isEmpty() ? outcomes : outcomes.withBroken(generation, missing);
     }
-    assertThat(codec.read(codec.toValue(outcomes))).isEqualTo(outcomes);
+    assertThat(format.read(format.toValue(outcomes))).isEqualTo(outcomes);
     for (int i = 0; i < 3; i++) {
       long expected = leftOutBy.get(i) == 5 ? 0 : leftOutBy.get(i);
       assertThat(outcomes.leftOutBy(ids.get(i))).isEqualTo(expected);
@@ -78,14 +85,14 @@ class BarrierCodecTest {
 
   @Test
   void theLargestGroupFitsOneMessage() {
-    BarrierCodec big = new BarrierCodec(members(83));
+    OutcomesFormat big = new OutcomesFormat(members(83));
     Outcomes outcomes = Outcomes.ALL_PASSED;
     long generation = 1;
     for (ProcessId id : members(83)) {
       outcomes = outcomes.withBroken(generation++, List.of(id));
     }
     assertThat(big.toValue(outcomes).length()).isLessThanOrEqualTo(Value.MAX_BYTES);
-    assertThatThrownBy(() -> new BarrierCodec(members(84)))
+    assertThatThrownBy(() -> new OutcomesFormat(members(84)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("84 members");
   }
@@ -97,7 +104,7 @@ class BarrierCodecTest {
     byte[] otherKind = bytes(new Arrival(B1, 1));
     otherKind[0] = 3;
     for (byte[] bad : new byte[][] {generationZero, otherKind, {1}, {}}) {
-      assertThatThrownBy(() -> codec.read(new WireReader(bad)))
+      assertThatThrownBy(() -> CODEC.read(new WireReader(bad)))
           .isInstanceOf(WireFormatException.class);
     }
     for (String bad :
@@ -109,9 +116,9 @@ class BarrierCodecTest {
             "0001" + "0000000000000000" + "0001" + "0000",
             "0002" + "0000000000000004" + "00010000" + "0000000000000004" + "00010001")) {
       Value value = Value.of(HexFormat.of().parseHex(bad));
-      assertThatThrownBy(() -> codec.checkValue(value)).isInstanceOf(WireFormatException.class);
+      assertThatThrownBy(() -> format.checkValue(value)).isInstanceOf(WireFormatException.class);
     }
-    assertThatThrownBy(() -> codec.checkWish(codec.toValue(Outcomes.ALL_PASSED)))
+    assertThatThrownBy(() -> format.checkWish(format.toValue(Outcomes.ALL_PASSED)))
         .isInstanceOf(WireFormatException.class);
   }
 
@@ -123,14 +130,14 @@ class BarrierCodecTest {
     return ids;
   }
 
-  private String hex(BarrierMessage message) {
+  private static String hex(BarrierMessage message) {
     return HexFormat.of().formatHex(bytes(message));
   }
 
-  private byte[] bytes(BarrierMessage message) {
+  private static byte[] bytes(BarrierMessage message) {
     byte[] buffer = new byte[100];
     WireWriter out = new WireWriter(buffer);
-    codec.write(message, out);
+    CODEC.write(message, out);
     return Arrays.copyOf(buffer, out.length());
   }
 }

@@ -1,37 +1,39 @@
 package org.starl.primitives.barrier;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.primitives.barrier.Seen.SOURCE;
+import static org.starl.primitives.barrier.Seen.excluded;
+import static org.starl.primitives.barrier.Seen.failed;
+import static org.starl.primitives.barrier.Seen.passed;
+import static org.starl.primitives.barrier.Seen.unknown;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
 import org.starl.primitives.conformance.ShownRun;
-import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Instance;
 
 /** Which events are which actions, line by line of the table; and what is no run of the theory. */
 class BarrierConformanceTest {
 
-  private static final String SOURCE = "barrier/x";
-
   private final ShownRun<States, BarrierAction> run = new ShownRun<>(BarrierConformance::new);
 
-  private void acts(String robot, String name, String... args) {
-    run.has(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+  private void exists(String id, String... members) {
+    run.has(Seen.exists(0, SOURCE, id, members));
   }
 
-  private void arrives(String robot, int generation) {
-    acts(robot, "arrive", "" + generation, robot + "#1");
+  private void arrives(String robot, long generation) {
+    run.has(Seen.arrives(0, new RobotId(robot), SOURCE, generation, robot + "#1"));
   }
 
-  private void shows(String robot, String outcome) {
-    run.has(new Variable(0, new RobotId(robot), SOURCE, "outcome", outcome));
+  private void shows(String robot, BarrierOutcome outcome) {
+    run.has(Seen.shows(0, new RobotId(robot), outcome));
   }
 
   private void made() {
     for (String robot : List.of("a", "b", "c")) {
-      acts(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1");
+      exists(robot + "#1", "a#1", "b#1", "c#1");
     }
     run.forgetSteps();
   }
@@ -42,12 +44,12 @@ class BarrierConformanceTest {
     arrives("a", 1);
     arrives("b", 1);
     arrives("c", 1);
-    shows("b", "1:passed");
-    shows("a", "1:passed");
-    shows("a", "null");
+    shows("b", passed(1));
+    shows("a", passed(1));
+    shows("a", BarrierOutcome.NONE_YET);
     arrives("a", 2);
-    shows("a", "2:failed[b#1, c#1]");
-    shows("b", "2:excluded");
+    shows("a", failed(2, "b#1", "c#1"));
+    shows("b", excluded(2));
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
@@ -70,9 +72,9 @@ class BarrierConformanceTest {
   @Test
   void anEarlyExcludedWaitsForTheOutcome() {
     made();
-    shows("b", "1:excluded");
+    shows("b", excluded(1));
     assertThat(run.steps()).isEmpty();
-    shows("a", "1:failed[b#1]");
+    shows("a", failed(1, "b#1"));
     assertThat(run.steps())
         .containsExactly(
             "decide(1, failed([b#1]))",
@@ -86,8 +88,8 @@ class BarrierConformanceTest {
   @Test
   void atTheEndTheToldExcludedAreAllTheMissing() {
     made();
-    shows("b", "1:excluded");
-    shows("c", "1:excluded");
+    shows("b", excluded(1));
+    shows("c", excluded(1));
     run.ends(1);
     assertThat(run.steps())
         .containsExactly(
@@ -101,17 +103,17 @@ class BarrierConformanceTest {
 
   @Test
   void otherEventsMapToNoAction() {
-    shows("a", "null");
+    shows("a", BarrierOutcome.NONE_YET);
     arrives("a", 1);
-    shows("a", "1:passed");
+    shows("a", passed(1));
     made();
-    acts("a", "Barrier", "a#2", "a#1", "b#1", "c#1");
+    exists("a#2", "a#1", "b#1", "c#1");
     run.forgetSteps();
-    shows("a", "null");
-    shows("a", "0:excluded");
-    shows("b", "1:unknown");
-    acts("b", "arrive", "1", "c#1");
-    run.has(new Action(0, new RobotId("b"), "app", "arrive", List.of("1", "b#1")));
+    shows("a", BarrierOutcome.NONE_YET);
+    shows("a", excluded(0));
+    shows("b", unknown(1));
+    run.has(Seen.arrives(0, new RobotId("b"), SOURCE, 1, "c#1"));
+    run.has(Seen.arrives(0, new RobotId("b"), Instance.APP, 1, "b#1"));
     run.ends(1);
     assertThat(run.steps()).isEmpty();
     assertThat(run.details()).isEmpty();
@@ -121,7 +123,7 @@ class BarrierConformanceTest {
   void passingBeforeAllHaveArrivedDeviates() {
     made();
     arrives("a", 1);
-    shows("a", "1:passed");
+    shows("a", passed(1));
     assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(1, passed) is not enabled: right?(g, o) is false:"
@@ -131,8 +133,8 @@ class BarrierConformanceTest {
   @Test
   void aSecondOutcomeDeviates() {
     made();
-    shows("a", "1:failed[c#1]");
-    shows("b", "1:failed[a#1, c#1]");
+    shows("a", failed(1, "c#1"));
+    shows("b", failed(1, "a#1", "c#1"));
     assertThat(run.details())
         .containsExactly(
             "barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:failed[a#1, c#1]");
@@ -141,8 +143,8 @@ class BarrierConformanceTest {
   @Test
   void aRobotToldExcludedThatIsNotMissingDeviates() {
     made();
-    shows("b", "1:excluded");
-    shows("a", "1:failed[c#1]");
+    shows("b", excluded(1));
+    shows("a", failed(1, "c#1"));
     assertThat(run.details())
         .containsExactly("barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:excluded");
   }
@@ -150,7 +152,7 @@ class BarrierConformanceTest {
   @Test
   void aGenerationDecidedBeforeItsPredecessorDeviates() {
     made();
-    shows("a", "2:failed[c#1]");
+    shows("a", failed(2, "c#1"));
     assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(2, failed([c#1])) is not enabled:"
@@ -160,7 +162,7 @@ class BarrierConformanceTest {
   @Test
   void aDifferentMemberListDeviates() {
     made();
-    acts("d", "Barrier", "d#1", "a#1", "d#1");
+    exists("d#1", "a#1", "d#1");
     assertThat(run.details())
         .containsExactly("barrier/x: first(d#1) is [a#1, b#1, c#1], but the trace has [a#1, d#1]");
   }
@@ -168,10 +170,10 @@ class BarrierConformanceTest {
   @Test
   void aRobotWithoutAnnouncedIdIsToldTheSameOutcome() {
     made();
-    shows("a", "1:failed[c#1]");
-    shows("d", "1:failed[c#1]");
+    shows("a", failed(1, "c#1"));
+    shows("d", failed(1, "c#1"));
     assertThat(run.details()).isEmpty();
-    shows("d", "1:passed");
+    shows("d", passed(1));
     assertThat(run.details())
         .containsExactly("barrier/x: outcome(1) is failed([c#1]), but the trace has passed");
   }

@@ -7,12 +7,12 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.primitives.agreement.Value;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
 import org.starl.sim.check.MalformedBytes;
 
 /** Any bytes as a barrier's message, and as outcomes that a barrier agrees on. */
@@ -21,11 +21,12 @@ public class BarrierFuzzTest {
   private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 5);
   private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
   private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 7);
-  private static final BarrierCodec CODEC = new BarrierCodec(new TreeSet<>(List.of(B1, B2, B3)));
+  private static final OutcomesFormat FORMAT =
+      new OutcomesFormat(new TreeSet<>(List.of(B1, B2, B3)));
 
   public static void fuzzerTestOneInput(byte[] input) {
-    OneSpelling.require(CODEC, input);
-    OneSpelling.require(BarrierFuzzTest::outcomes, each -> CODEC.toValue(each).bytes(), input);
+    OneSpelling.require(BarrierMessage.SHAPE, input);
+    OneSpelling.require(BarrierFuzzTest::outcomes, each -> FORMAT.toValue(each).bytes(), input);
   }
 
   private static Outcomes outcomes(WireReader in) {
@@ -36,7 +37,7 @@ public class BarrierFuzzTest {
     if (all.length > Value.MAX_BYTES) {
       throw new WireFormatException("too long");
     }
-    return CODEC.read(Value.of(all));
+    return FORMAT.read(Value.of(all));
   }
 
   /** Found by fuzzing: failed generations in any order, and ids missing twice, were accepted. */
@@ -56,11 +57,11 @@ public class BarrierFuzzTest {
   void equalMessagesHaveEqualBytes() {
     List<byte[]> samples = new ArrayList<>();
     List.of(new BarrierMessage.Arrival(B1, 7), new BarrierMessage.Here(B2, 7, true, 8))
-        .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));
+        .forEach(message -> samples.add(OneSpelling.bytes(BarrierMessage.SHAPE, message)));
     Outcomes outcomes =
         Outcomes.ALL_PASSED.withBroken(4, List.of(B3, B1)).withBroken(9, List.of(B2));
-    samples.add(CODEC.toValue(outcomes).bytes());
-    samples.add(CODEC.toValue(Outcomes.ALL_PASSED).bytes());
+    samples.add(FORMAT.toValue(outcomes).bytes());
+    samples.add(FORMAT.toValue(Outcomes.ALL_PASSED).bytes());
 
     MalformedBytes.feed(samples, BarrierFuzzTest::fuzzerTestOneInput);
   }

@@ -9,29 +9,58 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.OneSpelling;
+import org.starl.shape.JsonFormatException;
 
 class BarrierOutcomeTest {
 
+  private static final ProcessId A = new ProcessId(new RobotId("a"), 1);
+  private static final ProcessId B = new ProcessId(new RobotId("b"), 4294967297L);
+  private static final List<BarrierOutcome> OUTCOMES =
+      List.of(
+          BarrierOutcome.NONE_YET,
+          new BarrierOutcome.Passed(3),
+          new BarrierOutcome.Failed(3, new TreeSet<>(List.of(A))),
+          new BarrierOutcome.Failed(4, new TreeSet<>(List.of(A, B))),
+          new BarrierOutcome.Excluded(0),
+          new BarrierOutcome.Unknown(12));
+
   @Test
-  void writtenTextIsReadBack() {
-    ProcessId a = ProcessId.parse("a#1");
-    ProcessId b = ProcessId.parse("b#4294967297");
-    for (BarrierOutcome outcome :
-        List.of(
-            BarrierOutcome.NONE_YET,
-            new BarrierOutcome.Passed(3),
-            new BarrierOutcome.Failed(3, new TreeSet<>(List.of(a))),
-            new BarrierOutcome.Failed(4, new TreeSet<>(List.of(a, b))),
-            new BarrierOutcome.Excluded(0),
-            new BarrierOutcome.Unknown(12))) {
-      assertThat(BarrierOutcome.parse(outcome.toString())).isEqualTo(outcome);
+  void writtenValuesAreReadBack() throws JsonFormatException {
+    for (BarrierOutcome outcome : OUTCOMES) {
+      String json = BarrierOutcome.SHAPE.json(outcome);
+      assertThat(OneSpelling.fromJson(BarrierOutcome.SHAPE, json)).isEqualTo(outcome);
     }
   }
 
+  @Test
+  void theTextHasTheGeneration() {
+    assertThat(OUTCOMES)
+        .extracting(BarrierOutcome::toString)
+        .containsExactly(
+            "null",
+            "3:passed",
+            "3:failed[a#1]",
+            "4:failed[a#1, b#4294967297]",
+            "0:excluded",
+            "12:unknown");
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"", "passed", ":passed", "x:passed", "3:", "3:failed", "3:failed[]"})
-  void malformedOutcomesAreRefused(String text) {
-    assertThatThrownBy(() -> BarrierOutcome.parse(text))
-        .isInstanceOf(IllegalArgumentException.class);
+  @ValueSource(
+      strings = {
+        "",
+        "{}",
+        "{\"Other\":{}}",
+        "{\"Passed\":{}}",
+        "{\"Passed\":{\"generation\":0}}",
+        "{\"Failed\":{\"generation\":3}}",
+        "{\"Failed\":{\"generation\":3,\"missing\":[\"a\"]}}",
+        "{\"Failed\":{\"generation\":3,\"missing\":[\"b#1\",\"a#1\"]}}"
+      })
+  void malformedOutcomesAreRefused(String json) {
+    assertThatThrownBy(() -> OneSpelling.fromJson(BarrierOutcome.SHAPE, json))
+        .isInstanceOf(JsonFormatException.class);
   }
 }

@@ -75,7 +75,7 @@ class BarrierSimTest {
       barrier.arrive();
       await(() -> barrier.outcome().get().isTold());
       sleep(5_000);
-      return List.of(barrier.source(), barrier.outcome().get().toString());
+      return List.of(barrier.source().name(), barrier.outcome().get().toString());
     }
   }
 
@@ -155,7 +155,10 @@ class BarrierSimTest {
   @Test
   void equalSeedsGiveEqualTracesOnBothCarriers() {
     String trace = trace(workers(7).carriers(CarrierKind.PLATFORM));
-    assertThat(trace).contains("arrive").contains("outcome").contains("8:passed");
+    assertThat(trace)
+        .contains("arrive")
+        .contains("outcome")
+        .contains("\"Passed\":{\"generation\":8}");
     assertThat(trace(workers(7).carriers(CarrierKind.best()))).isEqualTo(trace);
     assertThat(trace(workers(8).carriers(CarrierKind.best()))).isNotEqualTo(trace);
   }

@@ -10,11 +10,12 @@ import org.starl.primitives.chaos.LiveWorld;
 import org.starl.primitives.chaos.Weather;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 
 /** Robots that meet at a barrier again and again, in a world of their own. */
 final class Gathering {
 
-  static final String SOURCE = "barrier/gathering";
+  static final Instance SOURCE = Instance.of(BarrierFact.PRIMITIVE, "gathering");
   static final long NS_PER_MS = 1_000_000;
 
   /** From the last arrival, a crash or healing, until all waiting robots are told. */

@@ -57,11 +57,10 @@ final class Member extends LiveRobot {
 
   private final class Stay extends Program implements BarrierPort {
     private final BarrierProtocol protocol;
-    private final BarrierCodec codec = new BarrierCodec(gathering.first());
 
     Stay(ProcessId me) {
-      super(new SynodCodec(new BarrierCodec(gathering.first())));
-      show("outcome", BarrierOutcome.NONE_YET);
+      super(new SynodCodec(new OutcomesFormat(gathering.first())));
+      show(BarrierFact.OUTCOME, BarrierOutcome.NONE_YET);
       protocol =
           gathering.maker.make(
               me,
@@ -71,14 +70,11 @@ final class Member extends LiveRobot {
               this,
               this,
               gathering.world.nowNs());
-      Object[] ids = new Object[gathering.first().size() + 1];
-      ids[0] = me;
-      System.arraycopy(gathering.first().toArray(), 0, ids, 1, ids.length - 1);
-      act("Barrier", ids);
+      act(BarrierFact.CREATED, new BarrierFact.Created(me, gathering.first()));
     }
 
     void arrive() {
-      act("arrive", protocol.generation(), protocol.me());
+      act(BarrierFact.ARRIVE, new BarrierAction.arrive(protocol.me(), protocol.generation()));
       protocol.arrive(gathering.world.nowNs());
     }
 
@@ -89,7 +85,7 @@ final class Member extends LiveRobot {
 
     @Override
     protected void settled() {
-      show("outcome", protocol.outcome());
+      show(BarrierFact.OUTCOME, protocol.outcome());
     }
 
     @Override
@@ -97,7 +93,7 @@ final class Member extends LiveRobot {
       transmit(
           to,
           message,
-          codec,
+          BarrierMessage.SHAPE,
           (program, m) -> ((Stay) program).protocol.received(m, gathering.world.nowNs()));
     }
   }

@@ -1,21 +1,24 @@
 package org.starl.primitives.chaos;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.Codec;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodProtocol;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
+import org.starl.shape.SumShape;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 /** One robot of a {@link LiveWorld}: its disk, which survives, and its program, which may not. */
 public abstract class LiveRobot {
@@ -23,7 +26,7 @@ public abstract class LiveRobot {
   private static final int DATAGRAM_BYTES = 1400;
 
   private final LiveWorld<? extends LiveRobot> world;
-  private final String source;
+  private final Instance source;
   public final RobotId name;
   private byte @Nullable [] disk;
   private int boot;
@@ -32,7 +35,7 @@ public abstract class LiveRobot {
   /** Whether writes are said to be stable before they are, and lost. */
   public boolean diskForgets;
 
-  protected LiveRobot(LiveWorld<? extends LiveRobot> world, String source, RobotId name) {
+  protected LiveRobot(LiveWorld<? extends LiveRobot> world, Instance source, RobotId name) {
     this.world = world;
     this.source = source;
     this.name = name;
@@ -77,7 +80,7 @@ public abstract class LiveRobot {
   public abstract class Program implements SynodLink {
 
     private final SynodCodec synodCodec;
-    private final Map<String, String> shown = new TreeMap<>();
+    private final Map<String, Object> shown = new TreeMap<>();
     private long timerSetForNs = Long.MAX_VALUE;
     private long lastFlushNs;
 
@@ -97,27 +100,29 @@ public abstract class LiveRobot {
     }
 
     /** A variable's value, which the trace sees if it differs from the one before. */
-    protected void show(String variable, Object value) {
-      String text = value.toString();
-      if (!text.equals(shown.put(variable, text))) {
-        world.record(new TraceEvent.Variable(world.nowNs(), name, source, variable, text));
+    protected <T> void show(Var<T> variable, T value) {
+      if (!value.equals(shown.put(variable.name(), value))) {
+        world.record(new TraceEvent.Variable(world.nowNs(), name, source, variable, value));
       }
     }
 
-    protected void act(String action, Object... args) {
-      List<String> texts = Arrays.stream(args).map(Object::toString).toList();
-      world.record(new TraceEvent.Action(world.nowNs(), name, source, action, texts));
+    protected <F> void act(RecordShape<F> shape, F fact) {
+      world.record(TraceEvent.Action.of(world.nowNs(), name, source, shape, fact));
+    }
+
+    protected <F> void act(SumShape<F> shape, F fact) {
+      world.record(TraceEvent.Action.of(world.nowNs(), name, source, shape, fact));
     }
 
     /** Sends over wire and network; {@code handler} runs on the receiver's program, if it is up. */
     protected <M> void transmit(
-        RobotId to, M message, Codec<M> codec, BiConsumer<Program, M> handler) {
+        RobotId to, M message, Shape<M> codec, BiConsumer<Program, M> handler) {
       M read = overTheWire(message, codec);
       LiveRobot receiver = world.robot(to);
       world.transmit(name, to, () -> receiver.arrived(read, handler));
     }
 
-    protected <M> void broadcast(M message, Codec<M> codec, BiConsumer<Program, M> handler) {
+    protected <M> void broadcast(M message, Shape<M> codec, BiConsumer<Program, M> handler) {
       for (LiveRobot other : world.robots) {
         if (other != LiveRobot.this) {
           transmit(other.name, message, codec, handler);
@@ -185,7 +190,7 @@ public abstract class LiveRobot {
     }
   }
 
-  private static <M> M overTheWire(M message, Codec<M> codec) {
+  private static <M> M overTheWire(M message, Shape<M> codec) {
     byte[] buffer = new byte[DATAGRAM_BYTES];
     WireWriter out = new WireWriter(buffer);
     codec.write(message, out);

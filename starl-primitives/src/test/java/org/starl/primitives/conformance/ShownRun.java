@@ -10,6 +10,7 @@ import org.starl.spec.SpecReport.Violation;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /** A run that a {@link Conformance} is shown event by event, and what it takes the events for. */
@@ -28,15 +29,15 @@ public final class ShownRun<S, A extends Action> {
         conformance.apply(
             new AutomatonListener<S, A>() {
               @Override
-              public void onStep(String instance, TraceEvent event, A action, S after) {
+              public void onStep(Instance instance, TraceEvent event, A action, S after) {
                 steps.add(action.text());
-                instances.add(instance);
+                instances.add(instance.name());
                 states.add(after);
               }
 
               @Override
               public void onResult(
-                  String instance, String function, Object argument, Object value) {
+                  Instance instance, String function, Object argument, Object value) {
                 steps.add(function + "(" + argument + ") = " + value);
               }
             });

@@ -7,11 +7,12 @@ import org.starl.primitives.chaos.LiveWorld;
 import org.starl.primitives.chaos.Weather;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 
 /** Robots that elect a leader, in a world of their own. */
 final class Convoy {
 
-  static final String SOURCE = "election/convoy";
+  static final Instance SOURCE = Instance.of(ElectionFact.PRIMITIVE, "convoy");
   static final long NS_PER_MS = 1_000_000;
 
   /** From healing, or from the loss of a leader, to all knowing the same live leader. */

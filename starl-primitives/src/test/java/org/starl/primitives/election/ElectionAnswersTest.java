@@ -16,10 +16,12 @@ import org.starl.primitives.chaos.SentMessages;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /** One participant among messages of the others: each effect at once, with no repetition behind it. */
 class ElectionAnswersTest {
 
+  private static final Instance SOURCE = Instance.of("election", "e");
   private static final ProcessId E1 = new ProcessId(new RobotId("e1"), 1);
   private static final ProcessId E2 = new ProcessId(new RobotId("e2"), 1);
   private static final ProcessId E3 = new ProcessId(new RobotId("e3"), 1);
@@ -155,7 +157,7 @@ class ElectionAnswersTest {
 
   @Test
   void aDecisionIsToldToAll() {
-    protocol.chosen(4, ElectionCodec.value(E3));
+    protocol.chosen(4, ElectionProtocol.toValue(E3));
     assertThat(sent.take()).containsExactly(new Elected(E2, 4, E3));
   }
 
@@ -175,16 +177,16 @@ class ElectionAnswersTest {
 
   @Test
   void whatItWaitsForIsTold() {
-    assertThat(protocol.waitsFor("election/e")).isNull();
+    assertThat(protocol.waitsFor(SOURCE)).isNull();
     protocol.do_election(0);
-    assertThat(protocol.waitsFor("election/e").what()).contains("no leader yet in term 1");
+    assertThat(protocol.waitsFor(SOURCE).what()).contains("no leader yet in term 1");
     protocol.timer(2 * DELTA_NS);
-    assertThat(protocol.waitsFor("election/e").what()).contains("majority; missing");
+    assertThat(protocol.waitsFor(SOURCE).what()).contains("majority; missing");
     protocol.timer(SETTINGS.deadlineMs() * 1_000_000);
-    assertThat(protocol.waitsFor("election/e").what()).contains("failed in term 1");
+    assertThat(protocol.waitsFor(SOURCE).what()).contains("failed in term 1");
     assertThat(protocol.wakeAtNs()).as("an election that failed").isEqualTo(Long.MAX_VALUE);
     protocol.received(new Elected(E1, 1, E1), 0);
-    assertThat(protocol.waitsFor("election/e")).isNull();
+    assertThat(protocol.waitsFor(SOURCE)).isNull();
   }
 
   /** Leader of term 1 was E1, which has restarted. */

@@ -9,18 +9,23 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.OneSpelling;
+import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class ElectionCodecTest {
 
-  private static final ElectionCodec CODEC = new ElectionCodec();
+  private static final Shape<ElectionMessage> CODEC = ElectionMessage.SHAPE;
   private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 5);
   private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
 
@@ -37,16 +42,18 @@ class ElectionCodecTest {
                 + "0000000000000007"
                 + "026232"
                 + "0000000000000006");
-    assertThat(HexFormat.of().formatHex(ElectionCodec.value(B2).bytes()))
+    assertThat(HexFormat.of().formatHex(ElectionProtocol.toValue(B2).bytes()))
         .isEqualTo("026232" + "0000000000000006");
   }
 
   @Property(tries = 100)
   void writtenMessagesAreReadBack(
-      @ForAll @LongRange(min = 1) long term, @ForAll long draw, @ForAll boolean isCandidacy) {
+      @ForAll @LongRange(min = 1) long term, @ForAll long draw, @ForAll boolean isCandidacy)
+      throws JsonFormatException {
     ElectionMessage message =
         isCandidacy ? new Candidacy(B1, term, draw) : new Elected(B1, term, B2);
     assertThat(CODEC.read(new WireReader(bytes(message)))).isEqualTo(message);
+    assertThat(OneSpelling.fromJson(CODEC, CODEC.json(message))).isEqualTo(message);
   }
 
   @Test
@@ -63,13 +70,15 @@ class ElectionCodecTest {
 
   @Test
   void onlyALeaderIsAValueAndWishesAreEmpty() {
-    CODEC.checkValue(ElectionCodec.value(B1));
-    CODEC.checkWish(Value.EMPTY);
-    byte[] tooLong = Arrays.copyOf(ElectionCodec.value(B1).bytes(), 12);
-    assertThatThrownBy(() -> CODEC.checkValue(Value.of(tooLong)))
+    SynodCodec.Format leaders = SynodCodec.Format.of(Shapes.PROCESS);
+    leaders.checkValue(ElectionProtocol.toValue(B1));
+    leaders.checkWish(Value.EMPTY);
+    byte[] tooLong = Arrays.copyOf(ElectionProtocol.toValue(B1).bytes(), 12);
+    assertThatThrownBy(() -> leaders.checkValue(Value.of(tooLong)))
         .isInstanceOf(WireFormatException.class);
-    assertThatThrownBy(() -> CODEC.checkValue(Value.EMPTY)).isInstanceOf(WireFormatException.class);
-    assertThatThrownBy(() -> CODEC.checkWish(ElectionCodec.value(B1)))
+    assertThatThrownBy(() -> leaders.checkValue(Value.EMPTY))
+        .isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> leaders.checkWish(ElectionProtocol.toValue(B1)))
         .isInstanceOf(WireFormatException.class);
   }
 

@@ -2,46 +2,61 @@ package org.starl.primitives.election;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.election.ElectionAutomaton.States;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Which events are which actions, line by line of the table; and what is no run of the theory. */
 class ElectionConformanceTest {
 
-  private static final String SOURCE = "election/x";
+  private static final ProcessId A1 = new ProcessId(new RobotId("a"), 1);
+  private static final ProcessId A2 = new ProcessId(new RobotId("a"), 2);
+  private static final ProcessId B1 = new ProcessId(new RobotId("b"), 1);
 
   private final ShownRun<States, ElectionAction> run = new ShownRun<>(ElectionConformance::new);
 
-  private void acts(String robot, String name, String... args) {
-    run.has(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+  private void exists(ProcessId i) {
+    run.has(Seen.exists(0, 2, i));
   }
 
-  private void shows(String robot, String leader) {
-    run.has(new Variable(0, new RobotId(robot), SOURCE, "Leader", leader));
+  private void calls(ProcessId i) {
+    run.has(Seen.calls(0, i.robot(), i));
   }
 
-  private void stands(String robot, String term) {
-    acts(robot, "Election", "2", robot + "#1");
-    acts(robot, "do_election", robot + "#1");
-    acts(robot, "candidate", term, robot + "#1");
+  private void stands(ProcessId i, long term) {
+    run.has(Seen.stands(0, i.robot(), term, i));
+  }
+
+  private void shows(String robot, Leader leader) {
+    run.has(Seen.shows(0, new RobotId(robot), leader));
+  }
+
+  private void shows(String robot, long term, ProcessId leader) {
+    shows(robot, new Leader.Name(leader, term));
+  }
+
+  private void standsAtOnce(ProcessId i, long term) {
+    exists(i);
+    calls(i);
+    stands(i, term);
   }
 
   @Test
   void eventsMapToTheActionsInTheTable() {
-    shows("a", "null");
-    acts("a", "Election", "2", "a#1");
-    acts("b", "Election", "2", "b#1");
-    acts("a", "do_election", "a#1");
-    acts("a", "candidate", "1", "a#1");
-    shows("a", "1:a#1");
-    shows("b", "1:a#1");
-    shows("b", "fail");
-    shows("a", "null");
+    shows("a", Leader.NONE);
+    exists(A1);
+    exists(B1);
+    calls(A1);
+    stands(A1, 1);
+    shows("a", 1, A1);
+    shows("b", 1, A1);
+    shows("b", Leader.FAIL);
+    shows("a", Leader.NONE);
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
@@ -60,19 +75,19 @@ class ElectionConformanceTest {
 
   @Test
   void aRestartedRobotHasAnotherId() {
-    stands("a", "1");
-    shows("a", "1:a#1");
+    standsAtOnce(A1, 1);
+    shows("a", 1, A1);
     run.forgetSteps();
-    shows("a", "null");
-    acts("a", "Election", "2", "a#2");
-    shows("a", "1:a#1");
+    shows("a", Leader.NONE);
+    exists(A2);
+    shows("a", 1, A1);
     assertThat(run.steps())
         .containsExactly(
             "fail(a#1)",
             "Leader(a#1) = Known[term=1, who=bottom]",
             "learn(a#2, 1)",
             "Leader(a#2) = Known[term=1, who=up(a#1)]");
-    acts("a", "candidate", "2", "a#2");
+    stands(A2, 2);
     assertThat(run.details())
         .containsExactly(
             "election/x: candidate(a#2, 2) is not enabled: i in part is false: part = [a#1]");
@@ -80,22 +95,28 @@ class ElectionConformanceTest {
 
   @Test
   void otherEventsMapToNoAction() {
-    acts("a", "Election", "2", "a#1");
-    acts("b", "do_election", "a#1");
-    acts("b", "candidate", "1", "a#1");
-    shows("a", "null");
-    run.has(new Variable(0, new RobotId("a"), SOURCE, "failed", "true"));
-    run.has(new Action(0, new RobotId("a"), "app", "do_election", List.of("a#1")));
+    exists(A1);
+    run.has(Seen.calls(0, B1.robot(), A1));
+    run.has(Seen.stands(0, B1.robot(), 1, A1));
+    shows("a", Leader.NONE);
+    run.has(new Variable(0, A1.robot(), Seen.SOURCE, ElectionFact.FAILED, true));
+    run.has(
+        Action.of(
+            0,
+            A1.robot(),
+            Instance.APP,
+            ElectionFact.DO_ELECTION,
+            new ElectionAction.do_election(A1)));
     assertThat(run.steps()).isEmpty();
     assertThat(run.details()).isEmpty();
   }
 
   @Test
   void aSecondLeaderOfATermDeviates() {
-    stands("a", "1");
-    stands("b", "1");
-    shows("a", "1:a#1");
-    shows("b", "1:b#1");
+    standsAtOnce(A1, 1);
+    standsAtOnce(B1, 1);
+    shows("a", 1, A1);
+    shows("b", 1, B1);
     assertThat(run.details())
         .containsExactly(
             "election/x: Leader(b#1) is Known[term=1, who=up(a#1)],"
@@ -104,18 +125,18 @@ class ElectionConformanceTest {
 
   @Test
   void aRobotWithoutAnnouncedIdMustShowTheElectedLeader() {
-    stands("a", "1");
-    shows("c", "1:a#1");
+    standsAtOnce(A1, 1);
+    shows("c", 1, A1);
     assertThat(run.details()).isEmpty();
-    shows("d", "1:b#1");
+    shows("d", 1, B1);
     assertThat(run.details())
         .containsExactly("election/x: elected(1) is up(a#1), but the trace has up(b#1)");
   }
 
   @Test
   void aLeaderThatWasNoCandidateDeviates() {
-    stands("a", "1");
-    shows("a", "2:a#1");
+    standsAtOnce(A1, 1);
+    shows("a", 2, A1);
     assertThat(run.details())
         .containsExactly(
             "election/x: elect(2, a#1) is not enabled: i in stood(n) is false: stood(2) = []");

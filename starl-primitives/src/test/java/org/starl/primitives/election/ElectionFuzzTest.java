@@ -11,10 +11,8 @@ import org.starl.sim.check.MalformedBytes;
 /** Any bytes as an election message. */
 public class ElectionFuzzTest {
 
-  private static final ElectionCodec CODEC = new ElectionCodec();
-
   public static void fuzzerTestOneInput(byte[] input) {
-    OneSpelling.require(CODEC, input);
+    OneSpelling.require(ElectionMessage.SHAPE, input);
   }
 
   @Test
@@ -24,7 +22,7 @@ public class ElectionFuzzTest {
     List.of(
             new ElectionMessage.Candidacy(one, 7, -2),
             new ElectionMessage.Elected(one, 8, new ProcessId(new RobotId("two"), 9)))
-        .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));
+        .forEach(message -> samples.add(OneSpelling.bytes(ElectionMessage.SHAPE, message)));
 
     MalformedBytes.feed(samples, ElectionFuzzTest::fuzzerTestOneInput);
   }

@@ -4,19 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 class ElectionSpecTest {
 
-  private static final String SOURCE = "election/x";
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
   private static final RobotId C = new RobotId("c");
+  private static final Var<String> LOC = Var.of("loc", Shapes.TEXT);
 
   private final Monitors monitors = new Monitors(List.of(new ElectionSpec(100, 300)));
   private long nowNs;
@@ -24,9 +27,9 @@ class ElectionSpecTest {
   @Test
   void anElectionWithOneLeaderForAllHolds() {
     allTakePart();
-    follows(A, "1:b#1", 10);
-    follows(B, "1:b#1", 20);
-    follows(C, "1:b#1", 30);
+    follows(A, leader(1, B), 10);
+    follows(B, leader(1, B), 20);
+    follows(C, leader(1, B), 30);
     endAt(1_000);
     assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
     assertThat(monitors.report().checks(ElectionSpec.ELECTED)).isEqualTo(3);
@@ -36,8 +39,8 @@ class ElectionSpecTest {
   @Test
   void twoLeadersInOneTermViolateAgreement() {
     allTakePart();
-    follows(A, "1:b#1", 10);
-    follows(B, "1:a#1", 20);
+    follows(A, leader(1, B), 10);
+    follows(B, leader(1, A), 20);
     assertThat(monitors.report().violations(ElectionSpec.AGREEMENT)).isEqualTo(1);
   }
 
@@ -45,15 +48,15 @@ class ElectionSpecTest {
   void twoLeadersInTwoTermsHold() {
     allTakePart();
     stands(A, 2);
-    follows(A, "1:b#1", 10);
-    follows(B, "2:a#1", 20);
+    follows(A, leader(1, B), 10);
+    follows(B, leader(2, A), 20);
     assertThat(monitors.report().violations(ElectionSpec.AGREEMENT)).isZero();
   }
 
   @Test
   void aLeaderThatWasNoCandidateInItsTermViolatesSoundness() {
     allTakePart();
-    follows(A, "2:b#1", 10);
+    follows(A, leader(2, B), 10);
     assertThat(monitors.report().violations(ElectionSpec.SOUNDNESS)).isEqualTo(1);
   }
 
@@ -61,15 +64,15 @@ class ElectionSpecTest {
   void aCandidateThatNeverCalledDoElectionViolatesSoundness() {
     exists(A);
     stands(A, 1);
-    follows(B, "1:a#1", 10);
+    follows(B, leader(1, A), 10);
     assertThat(monitors.report().violations(ElectionSpec.SOUNDNESS)).isEqualTo(1);
   }
 
   @Test
   void aCandidateWithoutLeaderWithinTheBoundViolatesElected() {
     allTakePart();
-    follows(A, "1:b#1", 10);
-    follows(B, "1:b#1", 10);
+    follows(A, leader(1, B), 10);
+    follows(B, leader(1, B), 10);
     endAt(102);
     assertThat(monitors.report().violations(ElectionSpec.ELECTED)).isEqualTo(1);
   }
@@ -88,7 +91,7 @@ class ElectionSpecTest {
     allTakePart();
     fault(Fault.WORLD, Fault.BEGIN, 10);
     fault(Fault.WORLD, Fault.HEALED, 150);
-    see(new Variable(250, A, "app", "loc", "x"));
+    see(new Variable(250, A, Instance.APP, LOC, "x"));
     assertThat(monitors.report().violations(ElectionSpec.ELECTED)).isZero();
     endAt(251);
     assertThat(monitors.report().violations(ElectionSpec.ELECTED)).isEqualTo(3);
@@ -98,7 +101,7 @@ class ElectionSpecTest {
   void aDeadLeaderMustBeReplaced() {
     allTakePart();
     for (RobotId robot : List.of(A, B, C)) {
-      follows(robot, "1:c#1", 10);
+      follows(robot, leader(1, C), 10);
     }
     fault(C, Fault.CRASH, 20);
     endAt(121);
@@ -109,8 +112,8 @@ class ElectionSpecTest {
   void failEndsTheWaitAndNullBeyondTheDeadlineViolatesTold() {
     allTakePart();
     fault(Fault.WORLD, Fault.BEGIN, 2);
-    follows(A, "fail", 300);
-    follows(B, "1:a#1", 300);
+    follows(A, Leader.FAIL, 300);
+    follows(B, leader(1, A), 300);
     endAt(302);
     assertThat(monitors.report().violations(ElectionSpec.TOLD)).isEqualTo(1);
     assertThat(monitors.report().checks(ElectionSpec.TOLD)).isEqualTo(3);
@@ -120,11 +123,11 @@ class ElectionSpecTest {
   void aTermThatGoesBackViolatesTerms() {
     allTakePart();
     stands(A, 2);
-    follows(A, "1:b#1", 10);
+    follows(A, leader(1, B), 10);
     assertThat(monitors.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
     fault(A, Fault.CRASH, 20);
     fault(A, Fault.RESTART, 30);
-    follows(A, "1:b#1", 40);
+    follows(A, leader(1, B), 40);
     assertThat(monitors.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
   }
 
@@ -132,11 +135,11 @@ class ElectionSpecTest {
   void aLiveLeaderThatIsDeposedInCalmViolatesElectedIfLeadersStay() {
     Monitors stay = new Monitors(List.of(new ElectionSpec(100, 300).leaderStays()));
     for (Monitors each : List.of(monitors, stay)) {
-      each.observe(new Action(0, A, SOURCE, "Election", List.of("1", "a#1")));
-      each.observe(new Action(0, A, SOURCE, "do_election", List.of("a#1")));
-      each.observe(new Action(0, A, SOURCE, "candidate", List.of("1", "a#1")));
-      each.observe(new Variable(1, A, SOURCE, "Leader", "1:a#1"));
-      each.observe(new Action(2, A, SOURCE, "candidate", List.of("2", "a#1")));
+      each.observe(Seen.exists(0, 1, id(A)));
+      each.observe(Seen.calls(0, A, id(A)));
+      each.observe(Seen.stands(0, A, 1, id(A)));
+      each.observe(Seen.shows(1, A, leader(1, A)));
+      each.observe(Seen.stands(2, A, 2, id(A)));
     }
     assertThat(monitors.report().violations()).isEmpty();
     assertThat(stay.report().violations(ElectionSpec.ELECTED)).isEqualTo(1);
@@ -145,26 +148,30 @@ class ElectionSpecTest {
   private void allTakePart() {
     for (RobotId robot : List.of(A, B, C)) {
       exists(robot);
-      act(robot, "do_election", robot + "#1");
+      see(Seen.calls(nowNs, robot, id(robot)));
       stands(robot, 1);
     }
   }
 
   private void exists(RobotId robot) {
-    act(robot, "Election", "3", robot + "#1");
+    see(Seen.exists(nowNs, 3, id(robot)));
   }
 
   private void stands(RobotId robot, long term) {
-    act(robot, "candidate", String.valueOf(term), robot + "#1");
+    see(Seen.stands(nowNs, robot, term, id(robot)));
   }
 
-  private void act(RobotId robot, String name, String... args) {
-    see(new Action(nowNs, robot, SOURCE, name, List.of(args)));
+  private static ProcessId id(RobotId robot) {
+    return new ProcessId(robot, 1);
   }
 
-  private void follows(RobotId robot, String leader, long atNs) {
+  private static Leader leader(long term, RobotId robot) {
+    return new Leader.Name(id(robot), term);
+  }
+
+  private void follows(RobotId robot, Leader leader, long atNs) {
     nowNs = atNs;
-    see(new Variable(nowNs, robot, SOURCE, "Leader", leader));
+    see(Seen.shows(nowNs, robot, leader));
   }
 
   private void fault(RobotId robot, String name, long atNs) {

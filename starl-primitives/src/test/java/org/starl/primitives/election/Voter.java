@@ -7,12 +7,13 @@ import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.chaos.LiveRobot;
 import org.starl.random.Rng;
+import org.starl.shape.Shapes;
 
 /** One robot of a {@link Convoy}. */
 final class Voter extends LiveRobot {
 
-  private static final ElectionCodec CODEC = new ElectionCodec();
-  private static final SynodCodec SYNOD_CODEC = new SynodCodec(CODEC);
+  private static final SynodCodec SYNOD_CODEC =
+      new SynodCodec(SynodCodec.Format.of(Shapes.PROCESS));
 
   private final Convoy convoy;
 
@@ -62,8 +63,8 @@ final class Voter extends LiveRobot {
 
     Ballot(ProcessId me) {
       super(SYNOD_CODEC);
-      show("Leader", Leader.NONE);
-      act("Election", convoy.world.robots.size(), me);
+      show(ElectionFact.LEADER, Leader.NONE);
+      act(ElectionFact.CREATED, new ElectionFact.Created(convoy.world.robots.size(), me));
       protocol =
           convoy.maker.make(
               me,
@@ -77,7 +78,7 @@ final class Voter extends LiveRobot {
 
     void do_election() {
       takesPart = true;
-      act("do_election", protocol.me());
+      act(ElectionFact.DO_ELECTION, new ElectionAction.do_election(protocol.me()));
       protocol.do_election(convoy.world.nowNs());
     }
 
@@ -88,17 +89,17 @@ final class Voter extends LiveRobot {
 
     @Override
     protected void settled() {
-      show("Leader", protocol.leader());
+      show(ElectionFact.LEADER, protocol.leader());
     }
 
     @Override
     public void send(RobotId to, ElectionMessage message) {
-      transmit(to, message, CODEC, Ballot::receive);
+      transmit(to, message, ElectionMessage.SHAPE, Ballot::receive);
     }
 
     @Override
     public void broadcast(ElectionMessage message) {
-      broadcast(message, CODEC, Ballot::receive);
+      broadcast(message, ElectionMessage.SHAPE, Ballot::receive);
     }
 
     private static void receive(Program program, ElectionMessage message) {
@@ -112,7 +113,7 @@ final class Voter extends LiveRobot {
 
     @Override
     public void candidate(long term) {
-      act("candidate", term, protocol.me());
+      act(ElectionFact.CANDIDATE, new ElectionAction.candidate(protocol.me(), term));
     }
   }
 }

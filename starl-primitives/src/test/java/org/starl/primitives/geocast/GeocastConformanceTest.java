@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Circle;
+import org.starl.geometry.Everywhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.geometry.RegionText;
+import org.starl.geometry.Region;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.Fun;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
@@ -19,8 +22,8 @@ import org.starl.trace.TraceEvent.Moved;
 /** The map from events to actions, line by line, and traces that are no runs of the theory. */
 class GeocastConformanceTest {
 
-  private static final String SOURCE = "geocast/news";
-  private static final String AREA = RegionText.format(new Circle(new Point(0, 0), 1000));
+  private static final Instance SOURCE = Instance.of(GeocastFact.GEOCAST, "news");
+  private static final Region AREA = new Circle(new Point(0, 0), 1000);
   private static final long S = 1_000_000_000L;
 
   private final ShownRun<States, GeocastAction> run = new ShownRun<>(GeocastConformance::new);
@@ -29,16 +32,29 @@ class GeocastConformanceTest {
     run.has(new Joined(0, new RobotId(robot), new Pose(xMm, 0, 0), 165));
   }
 
-  private void acts(long timeNs, String robot, String name, String... args) {
-    run.has(new Action(timeNs, new RobotId(robot), SOURCE, name, List.of(args)));
+  private void acts(long timeNs, String robot, GeocastFact fact) {
+    run.has(Action.of(timeNs, new RobotId(robot), SOURCE, GeocastFact.SHAPE, fact));
+  }
+
+  private void opens(long timeNs, String robot, long incarnation) {
+    acts(timeNs, robot, new GeocastFact.Opened(new ProcessId(new RobotId(robot), incarnation)));
+  }
+
+  private void delivers(long timeNs, String robot, GeocastId id) {
+    acts(timeNs, robot, new GeocastFact.deliver(id));
+  }
+
+  /** {@code a#1/n}. */
+  private static GeocastId id(long n) {
+    return new GeocastId(new ProcessId(new RobotId("a"), 1), n);
   }
 
   private void drives(long timeNs, String robot, double xMm, double mmPerS) {
     run.has(new Moved(timeNs, new RobotId(robot), new Pose(xMm, 0, 0), mmPerS, 0));
   }
 
-  private void casts(long timeNs, String id, long dNs) {
-    acts(timeNs, "a", "do_geocast", id, AREA, String.valueOf(dNs));
+  private void casts(long timeNs, GeocastId id, long dNs) {
+    acts(timeNs, "a", new GeocastFact.do_geocast(id, AREA, dNs));
   }
 
   private List<String> details() {
@@ -51,16 +67,16 @@ class GeocastConformanceTest {
     isAt("a", 5000);
     isAt("b", 0);
     isAt("c", -2000);
-    acts(0, "b", "open", "b#1");
-    casts(S, "a#1/1", 10 * S);
-    acts(S, "a", "copy", "a#1/1");
+    opens(0, "b", 1);
+    casts(S, id(1), 10 * S);
+    acts(S, "a", new GeocastFact.copy(id(1)));
     drives(2 * S, "c", -2000, 500);
-    acts(3 * S, "b", "deliver", "a#1/1");
-    acts(4 * S, "b", "open", "b#2");
-    acts(5 * S, "b", "deliver", "a#1/1");
-    acts(6 * S, "c", "deliver", "a#1/1");
+    delivers(3 * S, "b", id(1));
+    opens(4 * S, "b", 2);
+    delivers(5 * S, "b", id(1));
+    delivers(6 * S, "c", id(1));
     drives(8 * S, "c", 1000, 500); // leaves
-    acts(9 * S, "d", "deliver", "a#1/1"); // its body is unknown
+    delivers(9 * S, "d", id(1)); // its body is unknown
     assertThat(details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
@@ -85,9 +101,9 @@ class GeocastConformanceTest {
   @Test
   void everyRobotIsEverywhereWithoutAMove() {
     isAt("b", 5000);
-    acts(S, "a", "do_geocast", "a#1/1", "everywhere", String.valueOf(10 * S));
-    acts(2 * S, "b", "deliver", "a#1/1");
-    acts(3 * S, "c", "deliver", "a#1/1"); // its body is unknown
+    acts(S, "a", new GeocastFact.BCast(id(1), new Everywhere(), 10 * S));
+    delivers(2 * S, "b", id(1));
+    delivers(3 * S, "c", id(1)); // its body is unknown
     assertThat(details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
@@ -103,8 +119,8 @@ class GeocastConformanceTest {
   void deliveryToARobotOutsideTheAreaDeviates() {
     isAt("b", -2000);
     drives(0, "b", -2000, 500);
-    casts(0, "a#1/1", 10 * S);
-    acts(S, "b", "deliver", "a#1/1");
+    casts(0, id(1), 10 * S);
+    delivers(S, "b", id(1));
     drives(5 * S, "b", 500, 0);
     assertThat(details())
         .containsExactly(
@@ -116,17 +132,17 @@ class GeocastConformanceTest {
   void aRobotThatHasLeftTheAreaMayDeliver() {
     isAt("b", 0);
     drives(0, "b", 0, 500);
-    casts(S, "a#1/1", 10 * S);
-    acts(9 * S, "b", "deliver", "a#1/1");
+    casts(S, id(1), 10 * S);
+    delivers(9 * S, "b", id(1));
     assertThat(details()).isEmpty();
   }
 
   @Test
   void aSecondDeliveryDeviates() {
     isAt("b", 0);
-    casts(0, "a#1/1", 10 * S);
-    acts(S, "b", "deliver", "a#1/1");
-    acts(2 * S, "b", "deliver", "a#1/1");
+    casts(0, id(1), 10 * S);
+    delivers(S, "b", id(1));
+    delivers(2 * S, "b", id(1));
     assertThat(details())
         .containsExactly(
             SOURCE
@@ -138,9 +154,9 @@ class GeocastConformanceTest {
   void aMessageMayBeDeliveredUntilTheEndOfItsInterval() {
     isAt("b", 0);
     isAt("c", 0);
-    casts(S, "a#1/1", 10 * S);
-    acts(11 * S, "b", "deliver", "a#1/1");
-    acts(11 * S + 1, "c", "deliver", "a#1/1");
+    casts(S, id(1), 10 * S);
+    delivers(11 * S, "b", id(1));
+    delivers(11 * S + 1, "c", id(1));
     assertThat(details())
         .containsExactly(
             SOURCE + ": deliver(a#1/1, c) is not enabled: open?(m) is false: sent = []");
@@ -149,8 +165,8 @@ class GeocastConformanceTest {
   @Test
   void aReusedIdDeviates() {
     isAt("b", 0);
-    casts(0, "a#1/1", 10 * S);
-    casts(S, "a#1/1", 10 * S);
+    casts(0, id(1), 10 * S);
+    casts(S, id(1), 10 * S);
     assertThat(details())
         .containsExactly(
             SOURCE
@@ -162,8 +178,8 @@ class GeocastConformanceTest {
   void finishedMessagesAreForgotten() {
     isAt("b", 0);
     for (int n = 1; n <= 100; n++) {
-      casts(n * S, "a#1/" + n, S / 2);
-      acts(n * S + 1, "b", "deliver", "a#1/" + n);
+      casts(n * S, id(n), S / 2);
+      delivers(n * S + 1, "b", id(n));
     }
     assertThat(details()).isEmpty();
     States last = run.state();

@@ -3,10 +3,6 @@ package org.starl.primitives.geocast;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.Codec;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Nowhere;
@@ -19,6 +15,10 @@ import org.starl.geometry.Union;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
 import org.starl.sim.check.MalformedBytes;
 
 /**
@@ -27,26 +27,14 @@ import org.starl.sim.check.MalformedBytes;
  */
 public class GeocastFuzzTest {
 
-  private static final GeocastCodec<String> CODEC = new GeocastCodec<>(new TextCodec());
-
-  private static final class TextCodec implements Codec<String> {
-    @Override
-    public void write(String message, WireWriter out) {
-      out.string(message);
-    }
-
-    @Override
-    public String read(WireReader in) {
-      return in.string();
-    }
-  }
+  private static final Shape<GeocastMessage<String>> MESSAGE = GeocastMessage.shape(Shapes.TEXT);
 
   public static void fuzzerTestOneInput(byte[] input) {
-    OneSpelling.require(CODEC, input);
-    OneSpelling.require(new RegionCodec(), input);
+    OneSpelling.require(MESSAGE, input);
+    OneSpelling.require(RegionBytes.SHAPE, input);
     Region region;
     try {
-      region = new RegionCodec().read(new WireReader(input));
+      region = RegionBytes.SHAPE.read(new WireReader(input));
     } catch (WireFormatException refused) {
       return;
     }
@@ -69,10 +57,10 @@ public class GeocastFuzzTest {
                 square));
     List<byte[]> samples = new ArrayList<>();
     samples.add(
-        OneSpelling.bytes(CODEC, new GeocastMessage.Copy<>(id, new Everywhere(), 0, 5, "hi")));
-    samples.add(OneSpelling.bytes(CODEC, new GeocastMessage.Copy<>(id, area, 4, 5, "hi")));
-    samples.add(OneSpelling.bytes(CODEC, new GeocastMessage.Ack<>(id)));
-    samples.add(OneSpelling.bytes(new RegionCodec(), area));
+        OneSpelling.bytes(MESSAGE, new GeocastMessage.Copy<>(id, new Everywhere(), 0, 5, "hi")));
+    samples.add(OneSpelling.bytes(MESSAGE, new GeocastMessage.Copy<>(id, area, 4, 5, "hi")));
+    samples.add(OneSpelling.bytes(MESSAGE, new GeocastMessage.Ack<>(id)));
+    samples.add(OneSpelling.bytes(RegionBytes.SHAPE, area));
 
     MalformedBytes.feed(samples, GeocastFuzzTest::fuzzerTestOneInput);
   }

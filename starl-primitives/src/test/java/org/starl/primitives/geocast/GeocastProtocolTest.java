@@ -51,7 +51,7 @@ class GeocastProtocolTest {
 
     @Override
     public void dismissed(GeocastId id, Dismissal why) {
-      effects.add("dismiss " + why);
+      effects.add("dismiss " + why.name());
     }
   }
 

@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.Everywhere;
 import org.starl.geometry.Pose;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -17,8 +22,10 @@ import org.starl.trace.TraceEvent.Sent;
 /** The specification on handwritten traces. */
 class GeocastSpecTest {
 
-  private static final String SOURCE = "broadcast/news";
+  private static final Instance SOURCE = Instance.of(GeocastFact.BROADCAST, "news");
+  private static final Shape<GeocastMessage<String>> MESSAGE = GeocastMessage.shape(Shapes.TEXT);
   private static final RobotId ORIGIN = new RobotId("bot0");
+  private static final GeocastId FIRST = new GeocastId(new ProcessId(ORIGIN, 1), 1);
   private static final long MS = Time.NS_PER_MS;
   private static final RobotId OTHER = new RobotId("bot1");
 
@@ -28,8 +35,26 @@ class GeocastSpecTest {
     List.of(events).forEach(monitors::observe);
   }
 
-  private static Action act(long timeNs, RobotId robot, String name, String... args) {
-    return new Action(timeNs, robot, SOURCE, name, List.of(args));
+  private static Action act(long timeNs, RobotId robot, GeocastFact fact) {
+    return Action.of(timeNs, robot, SOURCE, GeocastFact.SHAPE, fact);
+  }
+
+  private static Action opens(long timeNs, RobotId robot, long incarnation) {
+    return act(timeNs, robot, new GeocastFact.Opened(new ProcessId(robot, incarnation)));
+  }
+
+  private static GeocastMessage<String> copyOf(GeocastId id) {
+    return new GeocastMessage.Copy<>(id, new Everywhere(), 1, 2, "news");
+  }
+
+  private static Sent sends(
+      long timeNs, RobotId robot, String to, long seq, GeocastMessage<String> message) {
+    return new Sent(timeNs, robot, to, SOURCE, seq, 10, MESSAGE, message);
+  }
+
+  /** The other robot gets a message of the origin. */
+  private static Delivered hears(long timeNs, GeocastMessage<String> message) {
+    return new Delivered(timeNs, OTHER, ORIGIN, SOURCE, 1, MESSAGE, message);
   }
 
   private void castWithoutReceiversAfterTheFirstDatagram() {
@@ -38,36 +63,34 @@ class GeocastSpecTest {
 
   private void castWithoutReceivers(long intervalNs) {
     for (RobotId robot : List.of(ORIGIN, OTHER)) {
-      see(new Joined(0, robot, new Pose(0, 0, 0), 100), act(0, robot, "open", robot + "#1"));
+      see(new Joined(0, robot, new Pose(0, 0, 0), 100), opens(0, robot, 1));
     }
     see(
-        act(1, ORIGIN, "BCast", "bot0#1/1", "everywhere", "" + intervalNs),
-        act(1, ORIGIN, "copy", "bot0#1/1"),
-        new Sent(1, ORIGIN, "*", SOURCE, 1, 10, "copy"));
+        act(1, ORIGIN, new GeocastFact.BCast(FIRST, new Everywhere(), intervalNs)),
+        act(1, ORIGIN, new GeocastFact.copy(FIRST)),
+        sends(1, ORIGIN, Sent.ALL, 1, copyOf(FIRST)));
   }
 
   @Test
   void aRobotThatACopyReachesMustDeliver() {
     castWithoutReceiversAfterTheFirstDatagram();
-    see(new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"));
+    see(hears(20, copyOf(FIRST)));
     monitors.finish(2000);
     assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
   }
 
   @Test
   void onlyAnUncertainPositionExcusesARobotThatDismissesACopy() {
-    for (String why : List.of("early", "late", "outside")) {
-      assertThat(violationsAfterDismissal(why, "49")).as(why).isEqualTo(1);
-      assertThat(violationsAfterDismissal(why, "51")).as(why).isZero();
+    for (Dismissal why : Dismissal.values()) {
+      assertThat(violationsAfterDismissal(why, 49)).as("%s", why).isEqualTo(1);
+      assertThat(violationsAfterDismissal(why, 51)).as("%s", why).isZero();
     }
   }
 
-  private long violationsAfterDismissal(String why, String errorMm) {
+  private long violationsAfterDismissal(Dismissal why, double errorMm) {
     monitors = new Monitors(List.of(new GeocastSpec()));
     castWithoutReceiversAfterTheFirstDatagram();
-    see(
-        new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"),
-        act(20, OTHER, "dismiss", "bot0#1/1", why, errorMm));
+    see(hears(20, copyOf(FIRST)), act(20, OTHER, new GeocastFact.dismiss(FIRST, why, errorMm)));
     monitors.finish(2000);
     return monitors.report().violations("inclusion");
   }
@@ -75,10 +98,10 @@ class GeocastSpecTest {
   @Test
   void anAcknowledgementBeforeTheDeliveryViolatesAcknowledged() {
     castWithoutReceiversAfterTheFirstDatagram();
-    Sent ack = new Sent(20, OTHER, "bot0", SOURCE, 1, 10, "Ack[id=bot0#1/1]");
-    see(act(20, OTHER, "deliver", "bot0#1/1"), ack);
+    GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
+    see(act(20, OTHER, new GeocastFact.deliver(FIRST)), sends(20, OTHER, "bot0", 1, ack));
     assertThat(monitors.report().violations("acknowledged")).isZero();
-    see(new Sent(20, ORIGIN, "bot0", SOURCE, 2, 10, "Ack[id=bot0#1/1]"));
+    see(sends(20, ORIGIN, "bot0", 2, ack));
     assertThat(monitors.report().violations("acknowledged")).isEqualTo(1);
     assertThat(monitors.report().checks("acknowledged")).isEqualTo(2);
   }
@@ -122,12 +145,29 @@ class GeocastSpecTest {
   }
 
   @Test
-  void aDatagramOfTheOriginsNextStartIsNoCopy() {
+  void aMessageOfTheOriginsNextStartIsNoCopy() {
     castWithoutReceiversAfterTheFirstDatagram();
+    GeocastId next = new GeocastId(new ProcessId(ORIGIN, 2), 1);
     see(
-        act(10, ORIGIN, "open", "bot0#2"),
-        new Sent(11, ORIGIN, "bot1", SOURCE, 1, 10, "another"),
-        new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "another"));
+        opens(10, ORIGIN, 2),
+        sends(11, ORIGIN, Sent.ALL, 1, copyOf(next)),
+        hears(20, copyOf(next)));
+    monitors.finish(2000);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aCopyFromAnotherRobotIsNoCopy() {
+    castWithoutReceiversAfterTheFirstDatagram();
+    see(new Delivered(20, OTHER, OTHER, SOURCE, 1, MESSAGE, copyOf(FIRST)));
+    monitors.finish(2000);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
+  void anAcknowledgementIsNoCopy() {
+    castWithoutReceiversAfterTheFirstDatagram();
+    see(hears(20, new GeocastMessage.Ack<>(FIRST)));
     monitors.finish(2000);
     assertThat(monitors.report().violations()).isEmpty();
   }

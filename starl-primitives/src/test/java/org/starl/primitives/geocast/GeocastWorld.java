@@ -11,13 +11,15 @@ import org.starl.geometry.Kinematics;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -116,7 +118,7 @@ final class GeocastWorld {
       this.id = id;
       ProcessId me = new ProcessId(id, 1);
       protocol = new GeocastProtocol<>(me, deployment, settings, new Port());
-      action(GeocastTrace.OPEN, me);
+      tell(new GeocastFact.Opened(me));
     }
 
     void join(double xMm, double yMm) {
@@ -139,7 +141,7 @@ final class GeocastWorld {
     }
 
     GeocastReceipt geocast(String message, Region area, long dNs) {
-      action(GeocastTrace.DO_GEOCAST, protocol.nextId(), RegionText.format(area), dNs);
+      tell(new GeocastFact.do_geocast(protocol.nextId(), area, dNs));
       GeocastReceipt receipt = protocol.do_geocast(message, area, dNs, clockNs());
       rearm();
       return receipt;
@@ -153,12 +155,8 @@ final class GeocastWorld {
       return nowNs + clockErrorNs;
     }
 
-    private void action(String name, Object... args) {
-      List<String> texts = new ArrayList<>();
-      for (Object arg : args) {
-        texts.add(String.valueOf(arg));
-      }
-      record(new TraceEvent.Action(nowNs, id, SOURCE, name, texts));
+    private void tell(GeocastFact fact) {
+      record(TraceEvent.Action.of(nowNs, id, SOURCE, GeocastFact.SHAPE, fact));
     }
 
     private void rearm() {
@@ -186,7 +184,7 @@ final class GeocastWorld {
     }
 
     private void received(RobotId sender, GeocastMessage<String> message, long seqOfCopy) {
-      record(new TraceEvent.Delivered(nowNs, id, sender, SOURCE, seqOfCopy, message.toString()));
+      record(new TraceEvent.Delivered(nowNs, id, sender, SOURCE, seqOfCopy, MESSAGE, message));
       GeocastMessage<String> seen = message;
       if (mutant == Mutant.IGNORES_DEADLINE
           && message instanceof GeocastMessage.Copy<String> copy) {
@@ -202,9 +200,9 @@ final class GeocastWorld {
       @Override
       public void broadcast(GeocastMessage.Copy<String> copy) {
         copiesSent++;
-        action(GeocastTrace.COPY, copy.id());
+        tell(new GeocastFact.copy(copy.id()));
         seq++;
-        record(new TraceEvent.Sent(nowNs, id, "*", SOURCE, seq, 1, copy.toString()));
+        record(new TraceEvent.Sent(nowNs, id, TraceEvent.Sent.ALL, SOURCE, seq, 1, MESSAGE, copy));
         for (Robot other : robots.values()) {
           if (other != Robot.this) {
             send(other, copy, seq);
@@ -215,7 +213,7 @@ final class GeocastWorld {
       @Override
       public void acknowledge(RobotId to, GeocastMessage.Ack<String> ack) {
         seq++;
-        record(new TraceEvent.Sent(nowNs, id, to.name(), SOURCE, seq, 1, ack.toString()));
+        record(new TraceEvent.Sent(nowNs, id, to.name(), SOURCE, seq, 1, MESSAGE, ack));
         send(java.util.Objects.requireNonNull(robots.get(to)), ack, seq);
       }
 
@@ -236,20 +234,20 @@ final class GeocastWorld {
         if (mutant == Mutant.NEVER_DELIVERS) {
           return;
         }
-        action(GeocastTrace.DELIVER, geocast);
+        tell(new GeocastFact.deliver(geocast));
         delivered.add(message);
         if (mutant == Mutant.DELIVERS_TWICE) {
-          action(GeocastTrace.DELIVER, geocast);
+          tell(new GeocastFact.deliver(geocast));
         }
       }
 
       @Override
       public void dismissed(GeocastId geocast, Dismissal why) {
-        String reason = why.name().toLowerCase(java.util.Locale.ROOT);
-        action(GeocastTrace.DISMISS, geocast, reason, errorMm);
+        tell(new GeocastFact.dismiss(geocast, why, errorMm));
       }
     }
   }
 
-  private static final String SOURCE = "geocast/test";
+  private static final Instance SOURCE = Instance.of(GeocastFact.GEOCAST, "test");
+  private static final Shape<GeocastMessage<String>> MESSAGE = GeocastMessage.shape(Shapes.TEXT);
 }

@@ -2,10 +2,10 @@ package org.starl.primitives.membership;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -47,8 +47,8 @@ class LivenessTest {
   }
 
   private void acts(long start) {
-    List<String> args = List.of(id(start).toString());
-    liveness.observe(new Action(2, BOT, "registration/x", "do_register", args));
+    MutexFact fact = new MutexFact.StandsIn(id(start), Sections.NONE);
+    liveness.observe(Action.of(2, BOT, MutexFact.source("x"), MutexFact.SHAPE, fact));
   }
 
   private static ProcessId id(long start) {

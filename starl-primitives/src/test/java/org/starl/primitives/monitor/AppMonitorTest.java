@@ -24,8 +24,10 @@ import org.starl.primitives.election.Leader;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.registration.Registration;
+import org.starl.shape.Shapes;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
+import org.starl.trace.Var;
 
 /** What a monitor of an app's own is passed, against what the robots themselves saw. */
 class AppMonitorTest {
@@ -34,13 +36,14 @@ class AppMonitorTest {
 
   /** Uses each primitive once, and notes what it saw. */
   private static final class Busy extends LogicThread {
+    private static final Var<String> PHASE = Var.of("phase", Shapes.TEXT);
     private final GvhCell<String> phase;
     private final List<String> seen;
 
     Busy(GlobalVarHolder gvh, List<String> seen) {
       super(gvh);
       this.seen = seen;
-      phase = gvh.variable("app", "phase", "START");
+      phase = gvh.variable(PHASE, "START");
     }
 
     private void note(String what) {
@@ -90,15 +93,11 @@ class AppMonitorTest {
     Notes(List<String> notes) {
       this.notes = notes;
       lemma("one", "At most one robot holds the dock.");
+      on(Busy.PHASE, (robot, value) -> note(robot, "phase " + value));
     }
 
     private void note(RobotId robot, String what) {
       notes.add(robot + " " + what);
-    }
-
-    @Override
-    protected void onVariable(RobotId robot, String name, String value) {
-      note(robot, name + " " + value);
     }
 
     @Override

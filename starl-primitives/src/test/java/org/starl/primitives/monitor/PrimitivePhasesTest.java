@@ -3,16 +3,44 @@ package org.starl.primitives.monitor;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.Everywhere;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.Phases;
+import org.starl.primitives.agreement.AgreementAction;
+import org.starl.primitives.agreement.AgreementFact;
+import org.starl.primitives.agreement.Decision;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.barrier.BarrierAction;
+import org.starl.primitives.barrier.BarrierFact;
+import org.starl.primitives.barrier.BarrierOutcome;
+import org.starl.primitives.election.ElectionAction;
+import org.starl.primitives.election.ElectionFact;
+import org.starl.primitives.election.Leader;
+import org.starl.primitives.geocast.GeocastFact;
+import org.starl.primitives.geocast.GeocastId;
+import org.starl.primitives.membership.Short;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.paths.TubeFact;
+import org.starl.primitives.paths.TubeFlag;
+import org.starl.primitives.paths.TubeList;
+import org.starl.primitives.registration.Shown;
+import org.starl.shape.RecordShape;
+import org.starl.shape.SumShape;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 class PrimitivePhasesTest {
 
   private static final RobotId BOT = new RobotId("bot1");
+  private static final ProcessId ME = new ProcessId(BOT, 1);
 
   private static Phases of(String primitive) {
     return PrimitivePhases.ALL.stream()
@@ -21,28 +49,30 @@ class PrimitivePhasesTest {
         .orElseThrow();
   }
 
-  /** The phases after each event: {@code failed=true} for a variable, {@code arrive} for an action. */
-  private static List<String> after(String primitive, String... events) {
+  /** The phases after each event. */
+  private static List<String> after(String primitive, TraceEvent... events) {
     Phases phases = of(primitive);
     List<String> after = new ArrayList<>();
     Phases.Step step = phases.steps().get();
     String phase = phases.first();
-    for (String text : events) {
-      String[] parts = text.split("=", 2);
-      TraceEvent event =
-          parts.length == 2
-              ? new TraceEvent.Variable(0, BOT, primitive + "/x", parts[0], parts[1])
-              : new TraceEvent.Action(
-                  0,
-                  BOT,
-                  primitive + "/x",
-                  text.split(" ", 2)[0],
-                  Arrays.asList(text.split(" ", -1)).subList(1, text.split(" ", -1).length));
+    for (TraceEvent event : events) {
       phase = step.after(phase, event);
       assertThat(phases.names()).contains(phase);
       after.add(phase);
     }
     return after;
+  }
+
+  private static <F> TraceEvent acts(String primitive, RecordShape<F> shape, F fact) {
+    return TraceEvent.Action.of(0, BOT, Instance.of(primitive, "x"), shape, fact);
+  }
+
+  private static <F> TraceEvent acts(String primitive, SumShape<F> shape, F fact) {
+    return TraceEvent.Action.of(0, BOT, Instance.of(primitive, "x"), shape, fact);
+  }
+
+  private static <T> TraceEvent shows(String primitive, Var<T> variable, T value) {
+    return new TraceEvent.Variable(0, BOT, Instance.of(primitive, "x"), variable, value);
   }
 
   @Test
@@ -69,13 +99,21 @@ class PrimitivePhasesTest {
     assertThat(
             after(
                 "mutex",
-                "do_mutex b#1 1 1 A,B b#1",
-                "od_mutex b#1 1 A,B",
-                "release b#1 1 A B",
-                "release b#1 1 B ",
-                "do_mutex b#1 2 1 A b#1",
-                "withdraw b#1 2 DEADLINE"))
+                mutex(new MutexFact.DoMutex(ME, 1, 1, set("A B"), new TreeSet<>())),
+                mutex(new MutexFact.OdMutex(ME, 1, set("A B"))),
+                mutex(new MutexFact.Release(ME, 1, set("A"), set("B"))),
+                mutex(new MutexFact.Release(ME, 1, set("B"), set(""))),
+                mutex(new MutexFact.DoMutex(ME, 2, 1, set("A"), new TreeSet<>())),
+                mutex(new MutexFact.Withdraw(ME, 2, MutexFailure.DEADLINE))))
         .containsExactly("TRYING", "CRITICAL", "CRITICAL", "IDLE", "TRYING", "IDLE");
+  }
+
+  private static TraceEvent mutex(MutexFact fact) {
+    return acts("mutex", MutexFact.SHAPE, fact);
+  }
+
+  private static SortedSet<String> set(String sections) {
+    return Short.sections(sections);
   }
 
   @Test
@@ -83,28 +121,37 @@ class PrimitivePhasesTest {
     assertThat(
             after(
                 "registration",
-                "do_register bot1#1",
-                "view=1:bot1#1@1",
-                "rList=1:[bot1]",
-                "rList=null",
-                "unregister bot1#1",
-                "failed=true",
-                "view=2:bot11#1@1"))
+                Shown.acts(0, "bot1", "do_register", "bot1#1"),
+                Shown.sees(0, "bot1", "1:bot1#1@1"),
+                Shown.shows(0, "bot1", "1:[bot1]"),
+                Shown.shows(0, "bot1", "null"),
+                Shown.acts(0, "bot1", "unregister", "bot1#1"),
+                Shown.failed(0, "bot1"),
+                Shown.sees(0, "bot1", "2:bot11#1@1")))
         .containsExactly("JOINING", "IN", "IN", "IN", "LEAVING", "LEFT_HALFWAY", "OUT");
-    assertThat(after("registration", "do_register bot1#1", "give_up bot1#1", "failed=true"))
+    assertThat(
+            after(
+                "registration",
+                Shown.acts(0, "bot1", "do_register", "bot1#1"),
+                Shown.acts(0, "bot1", "give_up", "bot1#1"),
+                Shown.failed(0, "bot1")))
         .containsExactly("JOINING", "JOINING", "OUT");
   }
 
   @Test
   void aBarrierWaitsFromTheArrivalToTheOutcome() {
+    ProcessId other = ProcessId.parse("bot2#1");
     assertThat(
             after(
                 "barrier",
-                "arrive 1 bot1#1",
-                "outcome=null",
-                "outcome=1:passed",
-                "arrive 2 bot1#1",
-                "outcome=2:failed[bot2#1]"))
+                acts("barrier", BarrierFact.ARRIVE, new BarrierAction.arrive(ME, 1)),
+                shows("barrier", BarrierFact.OUTCOME, BarrierOutcome.NONE_YET),
+                shows("barrier", BarrierFact.OUTCOME, new BarrierOutcome.Passed(1)),
+                acts("barrier", BarrierFact.ARRIVE, new BarrierAction.arrive(ME, 2)),
+                shows(
+                    "barrier",
+                    BarrierFact.OUTCOME,
+                    new BarrierOutcome.Failed(2, new TreeSet<>(Set.of(other))))))
         .containsExactly("WAITING", "WAITING", "PASSED", "WAITING", "FAILED");
   }
 
@@ -113,39 +160,63 @@ class PrimitivePhasesTest {
     assertThat(
             after(
                 "election",
-                "Leader=null",
-                "do_election bot1#1",
-                "Leader=1:bot2#1",
-                "Leader=null",
-                "Leader=fail"))
+                shows("election", ElectionFact.LEADER, Leader.NONE),
+                acts("election", ElectionFact.DO_ELECTION, new ElectionAction.do_election(ME)),
+                shows(
+                    "election", ElectionFact.LEADER, new Leader.Name(ProcessId.parse("bot2#1"), 1)),
+                shows("election", ElectionFact.LEADER, Leader.NONE),
+                shows("election", ElectionFact.LEADER, Leader.FAIL)))
         .containsExactly("NO_CANDIDATE", "WAITING", "KNOWS_LEADER", "WAITING", "FAILED");
   }
 
   @Test
   void anAgreementStaysDecided() {
+    TraceEvent proposes =
+        acts("agreement", AgreementFact.PROPOSE, new AgreementAction.propose(BOT, "0a"));
+    Value value = Value.of(new byte[] {10});
     assertThat(
             after(
                 "agreement",
-                "decided=null",
-                "propose 0a",
-                "failed=true",
-                "propose 0a",
-                "decided=0a",
-                "propose 0b"))
+                shows("agreement", AgreementFact.DECIDED, new Decision.NoneYet<>()),
+                proposes,
+                shows("agreement", AgreementFact.FAILED, true),
+                proposes,
+                shows("agreement", AgreementFact.DECIDED, new Decision.Decided<>("x", value)),
+                proposes))
         .containsExactly("IDLE", "PROPOSING", "FAILED", "PROPOSING", "DECIDED", "DECIDED");
   }
 
   @Test
   void aGeocastIsCastingUntilItsFlagIsTrue() {
-    assertThat(after("geocast", "Gcastflag=false", "do_geocast 1", "Gcastflag=true"))
+    GeocastId id = new GeocastId(ME, 1);
+    assertThat(
+            after(
+                "geocast",
+                shows("geocast", GeocastFact.GCASTFLAG, false),
+                acts(
+                    "geocast",
+                    GeocastFact.SHAPE,
+                    new GeocastFact.do_geocast(id, new Everywhere(), 1)),
+                shows("geocast", GeocastFact.GCASTFLAG, true)))
         .containsExactly("IDLE", "CASTING", "IDLE");
-    assertThat(after("broadcast", "BCast 1", "copy 1", "Gcastflag=true"))
+    assertThat(
+            after(
+                "broadcast",
+                acts(
+                    "broadcast", GeocastFact.SHAPE, new GeocastFact.BCast(id, new Everywhere(), 1)),
+                acts("broadcast", GeocastFact.SHAPE, new GeocastFact.copy(id)),
+                shows("broadcast", GeocastFact.GCASTFLAG, true)))
         .containsExactly("CASTING", "CASTING", "IDLE");
   }
 
   @Test
   void tubesHaveThePhasesOfTheirFlag() {
-    assertThat(after("tubes", "tubeflag=PLANNING", "held=", "tubeflag=DONE"))
+    assertThat(
+            after(
+                "tubes",
+                shows("tubes", TubeFact.FLAG, TubeFlag.PLANNING),
+                shows("tubes", TubeFact.HELD, new TubeList(List.of())),
+                shows("tubes", TubeFact.FLAG, TubeFlag.DONE)))
         .containsExactly("PLANNING", "PLANNING", "DONE");
   }
 }

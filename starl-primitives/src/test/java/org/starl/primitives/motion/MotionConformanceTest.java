@@ -2,14 +2,18 @@ package org.starl.primitives.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Circle;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.geometry.RegionText;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFailure;
+import org.starl.motion.MotionFlag;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.trace.TraceEvent.Action;
@@ -24,9 +28,9 @@ class MotionConformanceTest {
 
   private static final RobotId BOT = new RobotId("bot0");
   private static final long S = 1_000_000_000L;
-  private static final String AHEAD = "ahead@2000.0,0.0";
-  private static final String BESIDE = RegionText.format(new Circle(new Point(1000, 900), 200));
-  private static final String IN_THE_WAY = RegionText.format(new Circle(new Point(1000, 0), 200));
+  private static final ItemPosition AHEAD = new ItemPosition("ahead", 2000, 0);
+  private static final Region BESIDE = new Circle(new Point(1000, 900), 200);
+  private static final Region IN_THE_WAY = new Circle(new Point(1000, 0), 200);
 
   private final ShownRun<States, MotionControlAction> run =
       new ShownRun<>(steps -> new MotionConformance(MotionParameters.DEFAULT, steps));
@@ -35,12 +39,12 @@ class MotionConformanceTest {
     run.has(new Joined(0, BOT, new Pose(xMm, 0, 0), 165));
   }
 
-  private void acts(long timeNs, String name, String... args) {
-    run.has(new Action(timeNs, BOT, "motion", name, List.of(args)));
+  private void acts(long timeNs, MotionFact fact) {
+    run.has(Action.of(timeNs, BOT, MotionFact.SOURCE, MotionFact.SHAPE, fact));
   }
 
-  private void says(long timeNs, String flag) {
-    run.has(new Variable(timeNs, BOT, "motion", "motionflag", flag));
+  private void says(long timeNs, MotionFlag flag) {
+    run.has(new Variable(timeNs, BOT, MotionFact.SOURCE, MotionFact.FLAG, flag));
   }
 
   private void drives(long timeNs, double xMm, double mmPerS) {
@@ -50,26 +54,26 @@ class MotionConformanceTest {
   @Test
   void eventsMapToTheActionsInTheTable() {
     isAt(0);
-    says(0, "IDLE");
-    acts(0, "do_move", AHEAD, BESIDE);
-    acts(0, "doMove", AHEAD, BESIDE);
-    says(0, "MOVING");
+    says(0, MotionFlag.IDLE);
+    acts(0, new MotionFact.do_move(AHEAD, BESIDE));
+    acts(0, new MotionFact.doMove(AHEAD, BESIDE));
+    says(0, MotionFlag.MOVING);
     drives(0, 0, 500);
     drives(4 * S, 2000, 0);
-    acts(4 * S, "arrived", "2000.0", "0.0", "10.0");
-    says(4 * S, "DONE");
-    acts(5 * S, "turnTo", "back@0.0,0.0");
-    says(5 * S, "MOVING");
-    acts(6 * S, "failed", "bumped into something");
-    says(6 * S, "FAIL");
-    acts(7 * S, "motion_stop");
-    says(7 * S, "IDLE");
-    acts(8 * S, "doMove", AHEAD, "nowhere");
-    says(8 * S, "MOVING");
+    acts(4 * S, new MotionFact.arrived(2000, 0, 10));
+    says(4 * S, MotionFlag.DONE);
+    acts(5 * S, new MotionFact.turnTo(new ItemPosition("back", 0, 0)));
+    says(5 * S, MotionFlag.MOVING);
+    acts(6 * S, new MotionFact.failed(MotionFailure.BUMPED));
+    says(6 * S, MotionFlag.FAIL);
+    acts(7 * S, new MotionFact.motion_stop());
+    says(7 * S, MotionFlag.IDLE);
+    acts(8 * S, new MotionFact.doMove(AHEAD, new Nowhere()));
+    says(8 * S, MotionFlag.MOVING);
     run.has(new Fault(9 * S, BOT, Fault.CRASH, ""));
-    says(10 * S, "IDLE");
-    acts(11 * S, "doMove", AHEAD, "nowhere");
-    says(12 * S, "IDLE");
+    says(10 * S, MotionFlag.IDLE);
+    acts(11 * S, new MotionFact.doMove(AHEAD, new Nowhere()));
+    says(12 * S, MotionFlag.IDLE);
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
@@ -97,7 +101,7 @@ class MotionConformanceTest {
   @Test
   void aCommandInsideItsAreaHasNothingToAvoid() {
     isAt(900);
-    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    acts(0, new MotionFact.doMove(AHEAD, IN_THE_WAY));
     drives(0, 900, 500);
     run.ends(S);
     assertThat(run.details()).isEmpty();
@@ -107,7 +111,7 @@ class MotionConformanceTest {
   @Test
   void aBodyPutDownInTheAreaIsNoAction() {
     isAt(0);
-    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    acts(0, new MotionFact.doMove(AHEAD, IN_THE_WAY));
     run.has(new Left(S, BOT));
     run.has(new Joined(2 * S, BOT, new Pose(1000, 0, 0), 165));
     run.ends(3 * S);
@@ -118,8 +122,8 @@ class MotionConformanceTest {
   @Test
   void enteringTheAreaDeviates() {
     isAt(0);
-    acts(0, "doMove", AHEAD, IN_THE_WAY);
-    says(0, "MOVING");
+    acts(0, new MotionFact.doMove(AHEAD, IN_THE_WAY));
+    says(0, MotionFlag.MOVING);
     drives(0, 0, 500);
     run.ends(2 * S);
     assertThat(run.details())
@@ -133,9 +137,9 @@ class MotionConformanceTest {
   @Test
   void enteringTheAreaAfterAFailureDeviates() {
     isAt(0);
-    acts(0, "doMove", AHEAD, IN_THE_WAY);
-    says(0, "MOVING");
-    says(0, "FAIL");
+    acts(0, new MotionFact.doMove(AHEAD, IN_THE_WAY));
+    says(0, MotionFlag.MOVING);
+    says(0, MotionFlag.FAIL);
     drives(S, 0, 500);
     drives(3 * S, 1000, 0);
     assertThat(run.details()).hasSize(1);
@@ -144,8 +148,8 @@ class MotionConformanceTest {
   @Test
   void aStoppedRobotMayMoveAnywhere() {
     isAt(0);
-    acts(0, "doMove", AHEAD, IN_THE_WAY);
-    acts(0, "motion_stop");
+    acts(0, new MotionFact.doMove(AHEAD, IN_THE_WAY));
+    acts(0, new MotionFact.motion_stop());
     drives(0, 0, 500);
     run.ends(2 * S);
     assertThat(run.details()).isEmpty();
@@ -154,9 +158,9 @@ class MotionConformanceTest {
   @Test
   void doneAwayFromTheTargetDeviates() {
     isAt(0);
-    acts(0, "doMove", AHEAD, "nowhere");
-    acts(S, "arrived", "2000.0", "0.0", "10.0");
-    says(S, "DONE");
+    acts(0, new MotionFact.doMove(AHEAD, new Nowhere()));
+    acts(S, new MotionFact.arrived(2000, 0, 10));
+    says(S, MotionFlag.DONE);
     assertThat(run.details())
         .containsExactly(
             "motion: arrived(bot0) is not enabled: near(pos(i), target(i)) is false: pos(bot0) = in"
@@ -166,7 +170,7 @@ class MotionConformanceTest {
   @Test
   void doneOrFailWithoutACommandDeviates() {
     isAt(0);
-    says(0, "FAIL");
+    says(0, MotionFlag.FAIL);
     assertThat(run.details())
         .containsExactly(
             "motion: failed(bot0) is not enabled: motionflag(i) = MOVING is false: motionflag(bot0)"
@@ -176,7 +180,7 @@ class MotionConformanceTest {
   @Test
   void aDifferentFlagDeviates() {
     isAt(0);
-    says(0, "MOVING");
+    says(0, MotionFlag.MOVING);
     assertThat(run.details())
         .containsExactly("motion: motionflag(bot0) is IDLE, but the trace has MOVING");
   }

@@ -6,9 +6,16 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Circle;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFailure;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent.Action;
@@ -22,6 +29,8 @@ class MotionSpecTest {
   private static final RobotId A = new RobotId("a");
   private static final long MS = 1_000_000;
   private static final Pose HERE = new Pose(0, 0, 0);
+  private static final ItemPosition TARGET = new ItemPosition("target", 3000, 0);
+  private static final Region CIRCLE = new Circle(new Point(2000, 0), 300);
 
   private final Monitors monitors =
       new Monitors(
@@ -29,9 +38,9 @@ class MotionSpecTest {
 
   @Test
   void aRobotThatStopsInTimeStands() {
-    drivesAndHas("FAIL");
+    drivesAndHas(MotionFlag.FAIL);
     monitors.observe(new Moved(1_049 * MS, A, HERE, 0, 0));
-    monitors.observe(new Variable(2_000 * MS, A, MotionTrace.SOURCE, "motionflag", "MOVING"));
+    monitors.observe(says(2_000, MotionFlag.MOVING));
     monitors.observe(new Moved(2_000 * MS, A, HERE, 100, 0));
     monitors.finish(5_000 * MS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
@@ -39,14 +48,14 @@ class MotionSpecTest {
 
   @Test
   void aRobotThatDrivesOnAfterAFailureViolatesTold() {
-    drivesAndHas("FAIL");
+    drivesAndHas(MotionFlag.FAIL);
     monitors.finish(1_051 * MS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
   }
 
   @Test
   void aRobotThatTurnsAgainAfterMotionStopViolatesTold() {
-    drivesAndHas("IDLE");
+    drivesAndHas(MotionFlag.IDLE);
     monitors.observe(new Moved(1_000 * MS, A, HERE, 0, 0));
     monitors.observe(new Moved(3_000 * MS, A, HERE, 0, 1));
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
@@ -55,45 +64,45 @@ class MotionSpecTest {
   @Test
   void aRobotOfARunInRealTimeMayStopLate() {
     monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
-    drivesAndHas("FAIL");
+    drivesAndHas(MotionFlag.FAIL);
     monitors.finish(5_000 * MS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
   }
 
   @Test
   void aMotionThatIsHeldBackWaitsBeforeItFails() {
-    moves(1_000, "circle(2000 0 300)");
+    moves(1_000, CIRCLE);
     monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
-    fails(2_260, "the region to avoid is in the way");
+    fails(2_260, MotionFailure.IN_THE_WAY);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
   }
 
   @Test
   void aMotionThatFailsAtOnceWhenItIsHeldBackViolatesTold() {
-    moves(1_000, "circle(2000 0 300)");
+    moves(1_000, CIRCLE);
     monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
-    fails(2_060, "the region to avoid is in the way");
+    fails(2_060, MotionFailure.IN_THE_WAY);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
   }
 
   @Test
   void aMotionThatFailsWithoutProgressTooEarlyViolatesTold() {
-    moves(1_000, "nowhere");
-    fails(5_000, "no progress");
+    moves(1_000, new Nowhere());
+    fails(5_000, MotionFailure.NO_PROGRESS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
   }
 
   @Test
   void aClockThatIsSetAheadExcusesAnEarlyFailure() {
-    moves(1_000, "nowhere");
+    moves(1_000, new Nowhere());
     monitors.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "skew(a,5s)"));
-    fails(3_000, "no progress");
+    fails(3_000, MotionFailure.NO_PROGRESS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
   }
 
   @Test
   void aRobotThatStandsForLongDuringItsMoveViolatesTold() {
-    moves(1_000, "nowhere");
+    moves(1_000, new Nowhere());
     monitors.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
     monitors.observe(new Moved(9_000 * MS, A, HERE, 100, 0));
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
@@ -131,36 +140,41 @@ class MotionSpecTest {
   }
 
   private static void bumps(Monitors backing) {
-    moves(backing, 1_000, "nowhere");
+    moves(backing, 1_000, new Nowhere());
     backing.observe(new Moved(2_000 * MS, A, HERE, 0, 0));
-    fails(backing, 2_800, "bumped into something");
+    fails(backing, 2_800, MotionFailure.BUMPED);
   }
 
-  private void moves(long atMs, String avoid) {
+  private void moves(long atMs, Region avoid) {
     moves(monitors, atMs, avoid);
   }
 
-  private static void moves(Monitors monitors, long atMs, String avoid) {
+  private static void moves(Monitors monitors, long atMs, Region avoid) {
     monitors.observe(new Joined(0, A, HERE, 165));
-    List<String> args = List.of("target@3000,0", avoid);
-    monitors.observe(new Action(atMs * MS, A, MotionTrace.SOURCE, MotionTrace.MOAT_MOVE, args));
-    monitors.observe(
-        new Variable(atMs * MS, A, MotionTrace.SOURCE, "motionflag", MotionFlag.MOVING.name()));
+    monitors.observe(tells(atMs, new MotionFact.doMove(TARGET, avoid)));
+    monitors.observe(says(atMs, MotionFlag.MOVING));
     monitors.observe(new Moved(atMs * MS, A, HERE, 100, 0));
   }
 
-  private void fails(long atMs, String why) {
+  private void fails(long atMs, MotionFailure why) {
     fails(monitors, atMs, why);
   }
 
-  private static void fails(Monitors monitors, long atMs, String why) {
-    monitors.observe(
-        new Action(atMs * MS, A, MotionTrace.SOURCE, MotionTrace.FAILED, List.of(why)));
+  private static void fails(Monitors monitors, long atMs, MotionFailure why) {
+    monitors.observe(tells(atMs, new MotionFact.failed(why)));
   }
 
-  private void drivesAndHas(String flag) {
+  private static Action tells(long atMs, MotionFact fact) {
+    return Action.of(atMs * MS, A, MotionFact.SOURCE, MotionFact.SHAPE, fact);
+  }
+
+  private static Variable says(long atMs, MotionFlag flag) {
+    return new Variable(atMs * MS, A, MotionFact.SOURCE, MotionFact.FLAG, flag);
+  }
+
+  private void drivesAndHas(MotionFlag flag) {
     monitors.observe(new Joined(0, A, HERE, 165));
     monitors.observe(new Moved(0, A, HERE, 100, 0));
-    monitors.observe(new Variable(1_000 * MS, A, MotionTrace.SOURCE, "motionflag", flag));
+    monitors.observe(says(1_000, flag));
   }
 }

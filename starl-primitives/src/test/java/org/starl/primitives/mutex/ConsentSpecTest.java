@@ -12,6 +12,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
@@ -25,11 +26,13 @@ class ConsentSpecTest {
   private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
   private static final ProcessId L = new ProcessId(new RobotId("l"), 1);
 
+  private static final Instance MUTEX = MutexFact.source("x");
+
   private final Monitors monitors = new Monitors(List.of(new ConsentSpec(10, 20)));
 
   ConsentSpecTest() {
     for (ProcessId id : List.of(I, J, K)) {
-      event(0, new MutexEvent.Learned(id, View.closed(List.of(I, J, K))));
+      event(0, new MutexFact.Learned(id, View.closed(List.of(I, J, K))));
     }
   }
 
@@ -38,7 +41,7 @@ class ConsentSpecTest {
     ask(0);
     ok(1, J, I, 1);
     ok(1, K, I, 1);
-    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().holds()).isTrue();
   }
 
@@ -46,7 +49,7 @@ class ConsentSpecTest {
   void entryWithoutAnAnswerViolatesConsent() {
     ask(0);
     ok(1, J, I, 1);
-    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
   }
 
@@ -55,7 +58,7 @@ class ConsentSpecTest {
     ask(0);
     ok(1, J, I, 1);
     ok(1, K, I, 0);
-    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
   }
 
@@ -64,37 +67,37 @@ class ConsentSpecTest {
     ask(0);
     ok(1, J, I, 1);
     ok(1, K, I, 1);
-    String req = new MutexMessage.Req(L, I, 1, 2, 5, set("A")).toString();
-    monitors.observe(new Delivered(1, I.robot(), L.robot(), "mutex/x", 1, req));
-    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    MutexMessage req = new MutexMessage.Req(L, I, 1, 2, 5, set("A"));
+    monitors.observe(new Delivered(1, I.robot(), L.robot(), MUTEX, 1, MutexMessage.SHAPE, req));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
   }
 
   @Test
   void entryIntoAGhostsSectionViolatesConsent() {
-    event(0, new MutexEvent.Learned(I, ghost()));
+    event(0, new MutexFact.Learned(I, ghost()));
     ask(0);
     ok(1, J, I, 1);
     ok(1, K, I, 1);
-    event(2, new MutexEvent.OdMutex(I, 1, set("A")));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
   }
 
   @Test
   void aGrantAfterTheFenceViolatesFencedAlsoByAMessageAlone() {
     ok(0, J, I, 1);
-    event(1, new MutexEvent.Fence(J, I, set("A")));
+    event(1, new MutexFact.Fence(J, I, set("A")));
     ok(2, J, I, 1);
     assertThat(monitors.report().holds()).isTrue();
     ok(3, J, I, 2);
     assertThat(monitors.report().violations(ConsentSpec.FENCED)).isEqualTo(1);
-    event(4, new MutexEvent.Grant(J, I, 3));
+    event(4, new MutexFact.Grant(J, I, 3));
     assertThat(monitors.report().violations(ConsentSpec.FENCED)).isEqualTo(2);
   }
 
   @Test
   void aRequestThatWaitsOnlyForAGhostMustEnd() {
-    event(0, new MutexEvent.Learned(I, ghost()));
+    event(0, new MutexFact.Learned(I, ghost()));
     ask(0);
     ok(1, J, I, 1);
     ok(5, K, I, 1);
@@ -104,7 +107,7 @@ class ConsentSpecTest {
 
   @Test
   void aRequestThatWaitsTooLongForAGhostViolatesServed() {
-    event(0, new MutexEvent.Learned(I, ghost()));
+    event(0, new MutexFact.Learned(I, ghost()));
     ask(0);
     ok(5, J, I, 1);
     ok(5, K, I, 1);
@@ -135,25 +138,20 @@ class ConsentSpecTest {
   }
 
   private void ask(long timeNs) {
-    event(timeNs, new MutexEvent.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
+    event(timeNs, new MutexFact.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
   }
 
   private void ok(long timeNs, ProcessId from, ProcessId to, long num) {
-    String ok = new MutexMessage.Ok(from, to, num).toString();
-    monitors.observe(new Sent(timeNs, from.robot(), to.robot().name(), "mutex/x", 1, 1, ok));
+    MutexMessage ok = new MutexMessage.Ok(from, to, num);
+    monitors.observe(
+        new Sent(timeNs, from.robot(), to.robot().name(), MUTEX, 1, 1, MutexMessage.SHAPE, ok));
   }
 
   private static SortedSet<String> set(String... sections) {
     return Sections.copyOf(List.of(sections));
   }
 
-  private void event(long timeNs, MutexEvent event) {
-    monitors.observe(
-        new Action(
-            timeNs,
-            event.who().robot(),
-            "mutex/x",
-            MutexTrace.name(event),
-            MutexTrace.args(event)));
+  private void event(long timeNs, MutexFact event) {
+    monitors.observe(Action.of(timeNs, event.who().robot(), MUTEX, MutexFact.SHAPE, event));
   }
 }

@@ -43,7 +43,7 @@ class CrashSimTest {
   private static final MutexTimes TIMES =
       MutexTimes.DEFAULT.withDeadlineMs(20_000).withSuspectMs(6_000);
 
-  private final List<MutexEvent> story = new ArrayList<>();
+  private final List<MutexFact> story = new ArrayList<>();
 
   @Test
   void aPermanentlyCrashedRobotIsConfinedAndOthersContinue() {
@@ -60,7 +60,7 @@ class CrashSimTest {
               });
       assertWell(result, seed);
       assertThat(result.results()).hasSize(CARS.size() - 1 + ROADSIDE.size());
-      fences += count(MutexEvent.Fence.class);
+      fences += count(MutexFact.Fence.class);
       assertThat(lastView().contains(latestOf(CARS.get(1)))).as("seed %d", seed).isFalse();
     }
     assertThat(fences).isPositive();
@@ -73,7 +73,7 @@ class CrashSimTest {
       SimResult result = run(seed, 150 * S, null, CrashSimTest::chaosFor100s);
       assertWell(result, seed);
       assertThat(result.results()).hasSize(CARS.size() + ROADSIDE.size());
-      removed += count(MutexEvent.Fence.class);
+      removed += count(MutexFact.Fence.class);
       assertThat(lastView().mentioned()).as("after all have unregistered, seed %d", seed).isEmpty();
     }
     assertThat(removed).isPositive();
@@ -96,8 +96,8 @@ class CrashSimTest {
                     }));
     assertWell(result, 1);
     assertThat(story)
-        .anySatisfy(event -> assertThat(event).isInstanceOf(MutexEvent.Fence.class))
-        .filteredOn(event -> event instanceof MutexEvent.Withdraw w && w.why().mustRegister())
+        .anySatisfy(event -> assertThat(event).isInstanceOf(MutexFact.Fence.class))
+        .filteredOn(event -> event instanceof MutexFact.Withdraw w && w.why().mustRegister())
         .extracting(event -> event.who().robot())
         .contains(CARS.get(0));
   }
@@ -151,7 +151,10 @@ class CrashSimTest {
             new SimObserver() {
               @Override
               public void observed(TraceEvent event) {
-                MutexTrace.read(event).ifPresent(story::add);
+                if (event instanceof TraceEvent.Action action
+                    && action.fact() instanceof MutexFact fact) {
+                  story.add(fact);
+                }
               }
             })
         .director(director)
@@ -164,14 +167,14 @@ class CrashSimTest {
     assertThat(result.unfinished()).as("seed %d", seed).isEmpty();
   }
 
-  private long count(Class<? extends MutexEvent> kind) {
+  private long count(Class<? extends MutexFact> kind) {
     return story.stream().filter(kind::isInstance).count();
   }
 
   private View lastView() {
     View last = View.NONE;
-    for (MutexEvent event : story) {
-      if (event instanceof MutexEvent.Learned learned && learned.view().number() > last.number()) {
+    for (MutexFact event : story) {
+      if (event instanceof MutexFact.Learned learned && learned.view().number() > last.number()) {
         last = learned.view();
       }
     }

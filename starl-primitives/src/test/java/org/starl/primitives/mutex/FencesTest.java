@@ -34,7 +34,7 @@ class FencesTest {
   private static final View ALL = View.closed(List.of(A, B, C));
 
   private final List<MutexMessage> sent = new ArrayList<>();
-  private final List<MutexEvent> events = new ArrayList<>();
+  private final List<MutexFact> events = new ArrayList<>();
   private final MutexNode node = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
   private final MutexProtocol b = node.protocol;
 
@@ -52,7 +52,7 @@ class FencesTest {
     sent.clear();
     hears(new Req(A, B, 2, 1, 5, sections("z")));
     assertThat(sent).containsExactly(new Fenced(B, A));
-    assertThat(events).contains(new MutexEvent.Fence(B, A, sections("y")));
+    assertThat(events).contains(new MutexFact.Fence(B, A, sections("y")));
   }
 
   @Test
@@ -115,7 +115,7 @@ class FencesTest {
     assertThat(b.missing()).isEmpty();
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
     b.timer(MutexNode.TIMES.deadlineMs() * S / 1000);
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.OCCUPIED));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.OCCUPIED));
     b.request(sections("y"), 0);
     hears(new Ok(C, B, 2));
     assertThat(b.held()).containsExactly("y");
@@ -157,10 +157,10 @@ class FencesTest {
     b.learn(ALL);
     b.request(sections("x"), 0);
     hears(new Fenced(A, B));
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.FENCED));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.FENCED));
     assertThat(node.isDone).isTrue();
     b.request(sections("x"), 0);
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
   }
 
   @Test

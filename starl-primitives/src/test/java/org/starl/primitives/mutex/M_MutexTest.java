@@ -277,7 +277,7 @@ class M_MutexTest {
           List<Object> heard = new ArrayList<>();
           Endpoint<MutexMessage> endpoint =
               gvh.comms.open(
-                  new Channel<>("mutex", XID, new MutexCodec()), (from, m) -> heard.add(m));
+                  new Channel<>("mutex", XID, MutexMessage.SHAPE), (from, m) -> heard.add(m));
           return new Script(
               gvh,
               script -> {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.Short;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.random.Rng;
 
@@ -130,6 +131,6 @@ class MutexAutomatonTest {
   }
 
   private static SortedSet<String> set(String names) {
-    return new TreeSet<>(Sections.parse(names));
+    return new TreeSet<>(Short.sections(names));
   }
 }

@@ -15,9 +15,6 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
@@ -29,13 +26,17 @@ import org.starl.primitives.mutex.MutexMessage.Noted;
 import org.starl.primitives.mutex.MutexMessage.Ok;
 import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;
+import org.starl.shape.Shape;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class MutexCodecTest {
 
   private static final ProcessId ONE = new ProcessId(new RobotId("one"), 1);
   private static final ProcessId TWO = new ProcessId(new RobotId("two"), (7L << 32) + 3);
 
-  private final MutexCodec codec = new MutexCodec();
+  private final Shape<MutexMessage> codec = MutexMessage.SHAPE;
 
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
   void everyMessageIsReadAsItWasWritten(@ForAll("messages") MutexMessage message) {
@@ -71,7 +72,7 @@ class MutexCodecTest {
   void invalidMessagesAreRefused() {
     Req req = new Req(ONE, TWO, 1, 1, 1, Sections.copyOf(List.of("A", "B")));
     assertThatThrownBy(() -> codec.read(new WireReader(with(req, 0, 9))))
-        .hasMessage("message kind 9");
+        .hasMessage("MutexMessage kind 9");
     int last = bytes(req).length - 1;
     assertThatThrownBy(() -> codec.read(new WireReader(with(req, last, 'A'))))
         .as("a name twice")
@@ -79,11 +80,23 @@ class MutexCodecTest {
     assertThatThrownBy(() -> codec.read(new WireReader(with(req, last, '!'))))
         .as("a bad letter")
         .isInstanceOf(WireFormatException.class);
-    assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1, Sections.NONE)))
+    byte[] forNothing = Arrays.copyOf(bytes(req), bytes(req).length - 4);
+    forNothing[forNothing.length - 1] = 0;
+    assertThatThrownBy(() -> codec.read(new WireReader(forNothing)))
+        .isInstanceOf(WireFormatException.class)
         .hasMessage("request without sections");
-    assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("message from one#1 to itself");
-    assertThatThrownBy(() -> read(new FenceQ(ONE, TWO, ONE, 1)))
-        .hasMessage("one#1 suspects itself");
+    byte[] toItself =
+        WireWriter.toBytes(out -> {
+          out.u8(2);
+          out.process(ONE);
+          out.process(ONE);
+          out.i64(1);
+        });
+    assertThatThrownBy(() -> codec.read(new WireReader(toItself)))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessage("a message of one#1 to or about itself");
+    assertThatThrownBy(() -> new FenceQ(ONE, TWO, ONE, 1))
+        .hasMessage("a message of one#1 to or about itself");
     assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1L << 62, req.want())))
         .hasMessageStartingWith("logical time");

@@ -11,10 +11,12 @@ import org.starl.geometry.Pose;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
-import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.Short;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -26,30 +28,30 @@ class MutexConformanceTest {
 
   private final ShownRun<States, MutexAction> run = new ShownRun<>(MutexConformance::new);
 
-  private void event(MutexEvent event) {
-    event("mutex/x", event);
+  private void event(MutexFact event) {
+    event("x", event);
   }
 
-  private void event(String source, MutexEvent event) {
+  private void event(String xid, MutexFact event) {
     run.has(
-        new TraceEvent.Action(
-            0, event.who().robot(), source, MutexTrace.name(event), MutexTrace.args(event)));
+        TraceEvent.Action.of(
+            0, event.who().robot(), MutexFact.source(xid), MutexFact.SHAPE, event));
   }
 
   private void ask(ProcessId who, String sections) {
-    event(new MutexEvent.DoMutex(who, 1, 1, set(sections), new TreeSet<>(Set.of(I, J))));
+    event(new MutexFact.DoMutex(who, 1, 1, set(sections), new TreeSet<>(Set.of(I, J))));
   }
 
   private void enter(ProcessId who, String sections) {
-    event(new MutexEvent.OdMutex(who, 1, set(sections)));
+    event(new MutexFact.OdMutex(who, 1, set(sections)));
   }
 
   private void release(ProcessId who, String given, String left) {
-    event(new MutexEvent.Release(who, 1, set(given), set(left)));
+    event(new MutexFact.Release(who, 1, set(given), set(left)));
   }
 
   private static SortedSet<String> set(String names) {
-    return Sections.parse(names);
+    return Short.sections(names);
   }
 
   @Test
@@ -58,10 +60,10 @@ class MutexConformanceTest {
     enter(I, "A B");
     release(I, "A", "B");
     ask(J, "A");
-    event(new MutexEvent.Withdraw(J, 1, MutexFailure.DEADLINE));
+    event(new MutexFact.Withdraw(J, 1, MutexFailure.DEADLINE));
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
     run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
-    event(new MutexEvent.StandsIn(new ProcessId(I.robot(), 2), set("")));
+    event(new MutexFact.StandsIn(new ProcessId(I.robot(), 2), set("")));
     assertThat(run.steps())
         .containsExactly(
             "do_mutex(i, [A, B])",
@@ -81,15 +83,17 @@ class MutexConformanceTest {
   void otherEventsMapToNoAction() {
     ask(I, "A");
     run.forgetSteps();
-    event(new MutexEvent.Grant(J, I, 1));
-    event(new MutexEvent.Known(I, 1, new TreeSet<>(Set.of(J))));
-    event(new MutexEvent.Learned(I, View.closed(List.of(I, J))));
-    event(new MutexEvent.Fence(I, J, set("")));
-    event(new MutexEvent.Withdraw(J, 0, MutexFailure.NOT_REGISTERED));
+    event(new MutexFact.Grant(J, I, 1));
+    event(new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J))));
+    event(new MutexFact.Learned(I, View.closed(List.of(I, J))));
+    event(new MutexFact.Fence(I, J, set("")));
+    event(new MutexFact.Withdraw(J, 0, MutexFailure.NOT_REGISTERED));
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
     run.has(new TraceEvent.Joined(1, J.robot(), new Pose(0, 0, 0), 165));
     run.has(new TraceEvent.Left(1, J.robot()));
-    run.has(new TraceEvent.Action(1, I.robot(), "app", "release", List.of("A")));
+    run.has(
+        TraceEvent.Action.of(
+            1, I.robot(), Instance.APP, Note.SHAPE, new Note("release", List.of("A"))));
     assertThat(run.steps()).isEmpty();
     assertThat(run.details()).isEmpty();
   }
@@ -97,7 +101,7 @@ class MutexConformanceTest {
   @Test
   void aRobotThatRejoinsRestartsInEveryInstance() {
     ask(I, "A");
-    event("mutex/y", new MutexEvent.StandsIn(J, set("")));
+    event("y", new MutexFact.StandsIn(J, set("")));
     run.has(new TraceEvent.Left(1, J.robot()));
     run.forgetSteps();
     run.has(new TraceEvent.Joined(2, J.robot(), new Pose(0, 0, 0), 165));
@@ -124,7 +128,7 @@ class MutexConformanceTest {
     enter(I, "A B");
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
     run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
-    event(new MutexEvent.StandsIn(new ProcessId(I.robot(), 2), set("B")));
+    event(new MutexFact.StandsIn(new ProcessId(I.robot(), 2), set("B")));
     ask(J, "A");
     enter(J, "A");
     release(J, "A", "");

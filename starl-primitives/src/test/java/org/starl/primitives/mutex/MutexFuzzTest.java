@@ -7,12 +7,13 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.primitives.membership.Sections;
+import org.starl.shape.Shape;
 import org.starl.sim.check.MalformedBytes;
 
 /** Decodes arbitrary bytes as a mutex message. */
 public class MutexFuzzTest {
 
-  private static final MutexCodec CODEC = new MutexCodec();
+  private static final Shape<MutexMessage> CODEC = MutexMessage.SHAPE;
 
   public static void fuzzerTestOneInput(byte[] input) {
     OneSpelling.require(CODEC, input);

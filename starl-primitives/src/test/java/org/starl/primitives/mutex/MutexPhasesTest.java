@@ -24,24 +24,24 @@ class MutexPhasesTest {
     MutexWorld world = new MutexWorld(HARSH, MutexProtocol::new, seed);
     Map<String, String> shown = new TreeMap<>();
     Set<String> seen = new TreeSet<>();
-    Phases.Step step = MutexTrace.PHASES.steps().get();
+    Phases.Step step = MutexFact.PHASES.steps().get();
     int read = 0;
     for (int i = 0; i < 400; i++) {
       world.run(1);
       for (; read < world.trace.size(); read++) {
         TraceEvent.Action event = world.trace.get(read);
-        String id = event.args().get(0);
-        String before = shown.getOrDefault(id, MutexTrace.PHASES.first());
+        String id = String.valueOf(event.process());
+        String before = shown.getOrDefault(id, MutexFact.PHASES.first());
         shown.put(id, step.after(before, event));
         seen.add(shown.get(id));
       }
       for (MutexNode node : world.nodes) {
-        assertThat(shown.getOrDefault(node.id.toString(), MutexTrace.PHASES.first()))
+        assertThat(shown.getOrDefault(node.id.toString(), MutexFact.PHASES.first()))
             .as("%s after step %d", node.id, i)
             .isEqualTo(node.protocol.phase().name());
       }
     }
-    Statistics.collect(seen.containsAll(MutexTrace.PHASES.names()));
+    Statistics.collect(seen.containsAll(MutexFact.PHASES.names()));
     Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
   }
 }

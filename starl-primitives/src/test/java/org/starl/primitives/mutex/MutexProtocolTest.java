@@ -27,7 +27,7 @@ class MutexProtocolTest {
   private static final ProcessId C = id("c");
 
   private final List<MutexMessage> sent = new ArrayList<>();
-  private final List<MutexEvent> events = new ArrayList<>();
+  private final List<MutexFact> events = new ArrayList<>();
   private final MutexNode node = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
   private final MutexProtocol b = node.protocol;
 
@@ -42,7 +42,7 @@ class MutexProtocolTest {
   @Test
   void aParticipantOutsideTheViewFailsAtOnce() {
     b.request(sections("x"), 0);
-    assertThat(events).containsExactly(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+    assertThat(events).containsExactly(new MutexFact.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
     b.learn(View.closed(List.of(A, C)));
     b.request(sections("x"), 0);
     assertThat(b.phase()).isEqualTo(Phase.IDLE);
@@ -92,7 +92,7 @@ class MutexProtocolTest {
     View both = View.closed(List.of(A, B));
     b.learn(both);
     b.learn(both);
-    assertThat(events).containsExactly(new MutexEvent.Learned(B, both));
+    assertThat(events).containsExactly(new MutexFact.Learned(B, both));
   }
 
   @Test
@@ -261,10 +261,10 @@ class MutexProtocolTest {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
     b.learn(view(2, A, C));
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.REMOVED));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.REMOVED));
     b.learn(view(3, A, B, C));
     b.request(sections("x"), 0);
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
   }
 
   @Test
@@ -318,7 +318,7 @@ class MutexProtocolTest {
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
     sent.clear();
     b.timer(deadlineNs);
-    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.DEADLINE));
+    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.DEADLINE));
     assertThat(sent).containsExactly(new Rem(B, A, 1, Sections.NONE), new Ok(B, A, 1));
     assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
   }

@@ -13,9 +13,12 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 
 /** The monitors on handwritten traces, with d1 = 100, d2 = 50, d3 = 10 ns. */
@@ -29,36 +32,35 @@ class MutexSpecTest {
       new Monitors(List.of(new MutexSpec(new MutexBounds(100, 50, 10)).only("x")));
 
   MutexSpecTest() {
-    event(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K))));
+    event(0, new MutexFact.Learned(I, View.closed(List.of(I, J, K))));
   }
 
   @Test
   void aRequestThatGivesUpBeforeItsBoundViolatesServed() {
     ask(0, I, 1, "A");
-    event(49, new MutexEvent.Withdraw(I, 1, MutexFailure.DEADLINE));
+    event(49, new MutexFact.Withdraw(I, 1, MutexFailure.DEADLINE));
     assertThat(finish(60).violations("Served")).isEqualTo(1);
   }
 
   @Test
   void aRequestMayGiveUpAfterItsBoundOrBecauseItsRobotWithdraws() {
-    event(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K))));
+    event(0, new MutexFact.Learned(I, View.closed(List.of(I, J, K))));
     monitors.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
     ask(0, I, 1, "A");
-    event(50, new MutexEvent.Withdraw(I, 1, MutexFailure.DEADLINE));
+    event(50, new MutexFact.Withdraw(I, 1, MutexFailure.DEADLINE));
     ask(50, J, 2, "A");
-    event(51, new MutexEvent.Withdraw(J, 1, MutexFailure.WITHDRAWN));
+    event(51, new MutexFact.Withdraw(J, 1, MutexFailure.WITHDRAWN));
     assertThat(finish(60).violations()).isEmpty();
   }
 
   @Test
   void onlyAGhostInTheWayExcusesARequestThatIsToldSo() {
     ask(0, I, 1, "A");
-    event(60, new MutexEvent.Withdraw(I, 1, MutexFailure.OCCUPIED));
+    event(60, new MutexFact.Withdraw(I, 1, MutexFailure.OCCUPIED));
     assertThat(monitors.report().violations("Served")).isEqualTo(2);
-    event(
-        61, new MutexEvent.Learned(J, View.closed(List.of(I, J, K)).next().confined(K, set("A"))));
+    event(61, new MutexFact.Learned(J, View.closed(List.of(I, J, K)).next().confined(K, set("A"))));
     ask(62, J, 2, "A");
-    event(63, new MutexEvent.Withdraw(J, 1, MutexFailure.OCCUPIED));
+    event(63, new MutexFact.Withdraw(J, 1, MutexFailure.OCCUPIED));
     assertThat(finish(70).violations("Served")).isEqualTo(2);
   }
 
@@ -67,16 +69,16 @@ class MutexSpecTest {
     MutexBounds loose = new MutexBounds(100_000, 50_000, 10_000);
     MutexBounds calm = new MutexBounds(100, 50, 10);
     Monitors both = new Monitors(List.of(new MutexSpec(loose, calm)));
-    both.observe(action(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K)))));
+    both.observe(action(0, new MutexFact.Learned(I, View.closed(List.of(I, J, K)))));
     both.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
     both.observe(new TraceEvent.Fault(1, TraceEvent.Fault.WORLD, "end", "loss(1)"));
-    both.observe(action(2, new MutexEvent.DoMutex(I, 1, 1, set("A"), ids(I, J, K))));
-    both.observe(action(20, new MutexEvent.OdMutex(I, 1, set("A"))));
-    both.observe(action(21, new MutexEvent.Release(I, 1, set("A"), set(""))));
+    both.observe(action(2, new MutexFact.DoMutex(I, 1, 1, set("A"), ids(I, J, K))));
+    both.observe(action(20, new MutexFact.OdMutex(I, 1, set("A"))));
+    both.observe(action(21, new MutexFact.Release(I, 1, set("A"), set(""))));
     assertThat(both.report().violations()).isEmpty();
     long settledNs = 2 + FaultState.SETTLE_NS;
-    both.observe(action(settledNs, new MutexEvent.DoMutex(I, 2, 2, set("A"), ids(I, J, K))));
-    both.observe(action(settledNs + 11, new MutexEvent.OdMutex(I, 2, set("A"))));
+    both.observe(action(settledNs, new MutexFact.DoMutex(I, 2, 2, set("A"), ids(I, J, K))));
+    both.observe(action(settledNs + 11, new MutexFact.OdMutex(I, 2, set("A"))));
     assertThat(both.report().violations("NonInterference")).isEqualTo(1);
   }
 
@@ -85,12 +87,12 @@ class MutexSpecTest {
     MutexBounds bounds = new MutexBounds(100, 50, 10);
     Monitors both = new Monitors(List.of(new MutexSpec(bounds, bounds)));
     both.observe(new TraceEvent.Fault(0, TraceEvent.Fault.WORLD, "begin", "loss(1)"));
-    both.observe(action(1, new MutexEvent.Fence(I, J, set(""))));
+    both.observe(action(1, new MutexFact.Fence(I, J, set(""))));
     both.observe(new TraceEvent.Fault(2, TraceEvent.Fault.WORLD, "end", "loss(1)"));
     long calmNs = 2 + FaultState.SETTLE_NS;
-    both.observe(action(calmNs, new MutexEvent.Fence(K, J, set(""))));
+    both.observe(action(calmNs, new MutexFact.Fence(K, J, set(""))));
     assertThat(both.report().violations()).isEmpty();
-    both.observe(action(calmNs, new MutexEvent.Fence(I, K, set(""))));
+    both.observe(action(calmNs, new MutexFact.Fence(I, K, set(""))));
     assertThat(both.report().violations("Served")).isEqualTo(1);
   }
 
@@ -110,11 +112,11 @@ class MutexSpecTest {
     ask(0, I, 1, "A");
     enter(1, I, "A");
     ask(2, J, 2, "A");
-    event(3, new MutexEvent.Grant(K, J, 1));
+    event(3, new MutexFact.Grant(K, J, 1));
     for (int i = 0; i < 5_000; i++) {
       ProcessId passer = new ProcessId(new RobotId("p" + i), 1);
       ask(4, passer, 3, "Z");
-      event(4, new MutexEvent.Withdraw(passer, 1, MutexFailure.WITHDRAWN));
+      event(4, new MutexFact.Withdraw(passer, 1, MutexFailure.WITHDRAWN));
     }
     // K has consented to J, but comes before it.
     ask(5, K, 1, "A");
@@ -127,7 +129,7 @@ class MutexSpecTest {
   void aReleasedSectionIsFree() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
-    event(2, new MutexEvent.Release(I, 1, set("B"), set("A")));
+    event(2, new MutexFact.Release(I, 1, set("B"), set("A")));
     ask(2, J, 2, "B C");
     enter(3, J, "B C");
     assertThat(finish(4).holds()).isTrue();
@@ -148,16 +150,16 @@ class MutexSpecTest {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     View first = View.closed(List.of(I, J, K)).next();
-    event(2, new MutexEvent.Learned(J, first.confined(I, set("A B"))));
+    event(2, new MutexFact.Learned(J, first.confined(I, set("A B"))));
     assertThat(monitors.report().violations(MutexSpec.KEPT)).isZero();
-    event(3, new MutexEvent.Learned(J, first.next().confined(I, set("B"))));
+    event(3, new MutexFact.Learned(J, first.next().confined(I, set("B"))));
     assertThat(finish(4).violations(MutexSpec.KEPT)).isEqualTo(1);
   }
 
   @Test
   void enteringAfterRemovalViolatesKeptAndWithoutListingViolatesComplete() {
     ask(0, I, 1, "A");
-    event(2, new MutexEvent.Learned(J, View.closed(List.of(J, K)).next()));
+    event(2, new MutexFact.Learned(J, View.closed(List.of(J, K)).next()));
     enter(3, I, "A");
     assertThat(monitors.report().violations(MutexSpec.KEPT)).isEqualTo(1);
     ProcessId stranger = new ProcessId(new RobotId("l"), 1);
@@ -171,7 +173,7 @@ class MutexSpecTest {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     ProcessId next = new ProcessId(I.robot(), (1L << 32) + 1);
-    event(2, new MutexEvent.StandsIn(next, set("B")));
+    event(2, new MutexFact.StandsIn(next, set("B")));
     ask(3, J, 2, "A");
     enter(4, J, "A");
     assertThat(monitors.report().violations(MutexSpec.EXCLUSIVE)).isZero();
@@ -184,14 +186,14 @@ class MutexSpecTest {
   void consentingAndComingFirstViolatesPromise() {
     ask(0, I, 5, "A");
     ask(1, J, 4, "A");
-    event(2, new MutexEvent.Grant(J, I, 1));
+    event(2, new MutexFact.Grant(J, I, 1));
     assertThat(finish(3).violations(MutexSpec.PROMISE)).isEqualTo(1);
   }
 
   @Test
   void aLaterRequestWithALowerTimeViolatesPromise() {
     ask(0, I, 5, "A");
-    event(1, new MutexEvent.Grant(J, I, 1));
+    event(1, new MutexFact.Grant(J, I, 1));
     ask(2, J, 4, "A");
     assertThat(finish(3).violations(MutexSpec.PROMISE)).isEqualTo(1);
   }
@@ -199,21 +201,21 @@ class MutexSpecTest {
   @Test
   void aPromiseBindsOneRequestAndOverlappingSections() {
     ask(0, I, 5, "A");
-    event(1, new MutexEvent.Grant(J, I, 1));
+    event(1, new MutexFact.Grant(J, I, 1));
     ask(2, J, 4, "B");
-    event(3, new MutexEvent.Withdraw(I, 1, MutexFailure.WITHDRAWN));
-    event(3, new MutexEvent.Withdraw(J, 1, MutexFailure.WITHDRAWN));
-    event(4, new MutexEvent.DoMutex(I, 2, 6, set("A"), ids(I, J, K)));
-    event(5, new MutexEvent.DoMutex(J, 2, 5, set("A"), ids(I, J, K)));
+    event(3, new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    event(3, new MutexFact.Withdraw(J, 1, MutexFailure.WITHDRAWN));
+    event(4, new MutexFact.DoMutex(I, 2, 6, set("A"), ids(I, J, K)));
+    event(5, new MutexFact.DoMutex(J, 2, 5, set("A"), ids(I, J, K)));
     assertThat(finish(6).violations(MutexSpec.PROMISE)).isZero();
   }
 
   @Test
   void requestsThatNeedNoConsentOfEachOtherViolateConnected() {
-    event(0, new MutexEvent.DoMutex(I, 1, 1, set("A"), ids(K)));
-    event(1, new MutexEvent.DoMutex(J, 1, 2, set("B"), ids(I, K)));
+    event(0, new MutexFact.DoMutex(I, 1, 1, set("A"), ids(K)));
+    event(1, new MutexFact.DoMutex(J, 1, 2, set("B"), ids(I, K)));
     assertThat(monitors.report().violations(MutexSpec.CONNECTED)).isZero();
-    event(2, new MutexEvent.Known(J, 1, ids(K)));
+    event(2, new MutexFact.Known(J, 1, ids(K)));
     assertThat(finish(3).violations(MutexSpec.CONNECTED)).isEqualTo(1);
   }
 
@@ -223,9 +225,9 @@ class MutexSpecTest {
     enter(0, K, "A");
     ask(1, J, 2, "A B");
     ask(2, I, 3, "B");
-    event(40, new MutexEvent.Release(K, 1, set("A"), set("")));
+    event(40, new MutexFact.Release(K, 1, set("A"), set("")));
     enter(45, J, "A B");
-    event(46, new MutexEvent.Release(J, 1, set("B"), set("A")));
+    event(46, new MutexFact.Release(J, 1, set("B"), set("A")));
     enter(50, I, "B");
     assertThat(finish(60).holds()).isTrue();
   }
@@ -257,7 +259,7 @@ class MutexSpecTest {
     ask(0, K, 1, "A");
     enter(0, K, "A");
     ask(60, I, 3, "A");
-    event(500, new MutexEvent.Release(K, 1, set("A"), set("")));
+    event(500, new MutexFact.Release(K, 1, set("A"), set("")));
     enter(505, I, "A");
     assertThat(finish(510).holds()).isTrue();
   }
@@ -269,8 +271,8 @@ class MutexSpecTest {
     ask(60, I, 3, "B");
     ask(60, J, 2, "B");
     enter(61, J, "B");
-    event(500, new MutexEvent.Release(J, 1, set("B"), set("")));
-    event(500, new MutexEvent.Release(K, 1, set("A"), set("")));
+    event(500, new MutexFact.Release(J, 1, set("B"), set("")));
+    event(500, new MutexFact.Release(K, 1, set("A"), set("")));
     SpecReport report = finish(551);
     assertThat(report.violations(MutexProgress.SERVED)).isEqualTo(1);
     assertThat(report.violations())
@@ -281,7 +283,7 @@ class MutexSpecTest {
   @Test
   void aRequestThatNeedsOtherParticipantsHasItsWholeBoundAgain() {
     ask(0, I, 1, "A");
-    event(9, new MutexEvent.Known(I, 1, ids(J, K)));
+    event(9, new MutexFact.Known(I, 1, ids(J, K)));
     enter(19, I, "A");
     assertThat(finish(20).holds()).isTrue();
   }
@@ -292,9 +294,9 @@ class MutexSpecTest {
     ask(0, J, 2, "B");
     monitors.observe(new TraceEvent.Fault(5, K.robot(), "crash", ""));
     View without = View.closed(List.of(I, J, K)).next().without(K);
-    event(500, new MutexEvent.Learned(I, without));
-    event(500, new MutexEvent.Known(I, 1, ids(J)));
-    event(500, new MutexEvent.Known(J, 1, ids(I)));
+    event(500, new MutexFact.Learned(I, without));
+    event(500, new MutexFact.Known(I, 1, ids(J)));
+    event(500, new MutexFact.Known(J, 1, ids(I)));
     enter(509, I, "A");
     SpecReport report = finish(600);
     assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isEqualTo(1);
@@ -305,10 +307,10 @@ class MutexSpecTest {
   @Test
   void nothingIsOwedInAFencedSectionOrBehindSuchARequest() {
     View ghost = View.closed(List.of(I, J, K)).next().confined(K, set("A"));
-    event(0, new MutexEvent.Learned(I, ghost));
-    event(0, new MutexEvent.DoMutex(I, 1, 1, set("A B"), ids(J)));
-    event(1, new MutexEvent.DoMutex(J, 1, 2, set("B"), ids(I)));
-    event(501, new MutexEvent.Withdraw(I, 1, MutexFailure.OCCUPIED));
+    event(0, new MutexFact.Learned(I, ghost));
+    event(0, new MutexFact.DoMutex(I, 1, 1, set("A B"), ids(J)));
+    event(1, new MutexFact.DoMutex(J, 1, 2, set("B"), ids(I)));
+    event(501, new MutexFact.Withdraw(I, 1, MutexFailure.OCCUPIED));
     SpecReport report = finish(520);
     assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isEqualTo(1);
     assertThat(report.violations(MutexProgress.SERVED)).isZero();
@@ -328,7 +330,7 @@ class MutexSpecTest {
   void withdrawnRequestsAndRobotsThatLeftAreOwedNothing() {
     ask(0, I, 1, "A");
     ask(0, J, 2, "B");
-    event(5, new MutexEvent.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    event(5, new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN));
     monitors.observe(new TraceEvent.Joined(5, J.robot(), new Pose(0, 0, 0), 165));
     monitors.observe(new TraceEvent.Left(6, J.robot()));
     assertThat(finish(200).holds()).isTrue();
@@ -337,56 +339,62 @@ class MutexSpecTest {
   @Test
   void otherInstancesAndEventsAreIgnored() {
     monitors.observe(
-        new TraceEvent.Action(0, I.robot(), "mutex/y", "od_mutex", List.of("nonsense")));
-    monitors.observe(new TraceEvent.Variable(0, I.robot(), "mutex/x", "crit", "true"));
+        TraceEvent.Action.of(
+            0,
+            I.robot(),
+            MutexFact.source("y"),
+            Note.SHAPE,
+            new Note("od_mutex", List.of("nonsense"))));
+    monitors.observe(
+        new TraceEvent.Variable(0, I.robot(), MutexFact.source("x"), MutexFact.CRIT, true));
     assertThat(finish(1).holds()).isTrue();
   }
 
   @Test
-  void everyEventIsReadAsItWasWritten() {
-    List<MutexEvent> all =
+  void everyEventIsReadAsItWasWritten() throws JsonFormatException {
+    List<MutexFact> all =
         List.of(
-            new MutexEvent.DoMutex(I, 1, 7, set("A B"), ids(J, K)),
-            new MutexEvent.DoMutex(I, 1, 7, set("A"), ids()),
-            new MutexEvent.OdMutex(I, 1, set("A B")),
-            new MutexEvent.Release(I, 1, set("A"), set("B")),
-            new MutexEvent.Release(I, 1, set("B"), set("")),
-            new MutexEvent.Withdraw(I, 2, MutexFailure.DEADLINE),
-            new MutexEvent.Grant(I, J, 3),
-            new MutexEvent.Learned(I, View.closed(List.of(I, J)).next().confined(J, set("A B"))),
-            new MutexEvent.Fence(I, J, set("A B")),
-            new MutexEvent.Fence(I, J, set("")),
-            new MutexEvent.StandsIn(I, set("B")),
-            new MutexEvent.Known(I, 1, ids(K)));
-    for (MutexEvent event : all) {
-      assertThat(MutexTrace.read(action(0, event))).contains(event);
+            new MutexFact.DoMutex(I, 1, 7, set("A B"), ids(J, K)),
+            new MutexFact.DoMutex(I, 1, 7, set("A"), ids()),
+            new MutexFact.OdMutex(I, 1, set("A B")),
+            new MutexFact.Release(I, 1, set("A"), set("B")),
+            new MutexFact.Release(I, 1, set("B"), set("")),
+            new MutexFact.Withdraw(I, 2, MutexFailure.DEADLINE),
+            new MutexFact.Grant(I, J, 3),
+            new MutexFact.Learned(I, View.closed(List.of(I, J)).next().confined(J, set("A B"))),
+            new MutexFact.Fence(I, J, set("A B")),
+            new MutexFact.Fence(I, J, set("")),
+            new MutexFact.StandsIn(I, set("B")),
+            new MutexFact.Known(I, 1, ids(K)));
+    for (MutexFact event : all) {
+      assertThat(MutexFact.SHAPE.readJson(new JsonReader("a", 1, MutexFact.SHAPE.json(event))))
+          .isEqualTo(event);
     }
   }
 
   @Test
   void anUnreadableActionIsReported() {
-    TraceEvent bad =
-        new TraceEvent.Action(0, I.robot(), "mutex/x", "od_mutex", List.of("i#1", "two", "A"));
-    assertThatThrownBy(() -> MutexTrace.read(bad))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("mutex/x od_mutex [i#1, two, A]: no event of a mutex");
+    String bad = "{\"od_mutex\":{\"who\":\"i#1\",\"num\":\"two\",\"held\":[]}}";
+    assertThatThrownBy(() -> MutexFact.SHAPE.readJson(new JsonReader("a.jsonl", 7, bad)))
+        .isInstanceOf(JsonFormatException.class)
+        .hasMessageStartingWith("a.jsonl:7: column 32: expected a digit");
   }
 
   private void ask(long atNs, ProcessId who, long ts, String sections) {
-    event(atNs, new MutexEvent.DoMutex(who, 1, ts, set(sections), ids(I, J, K)));
+    event(atNs, new MutexFact.DoMutex(who, 1, ts, set(sections), ids(I, J, K)));
   }
 
   private void enter(long atNs, ProcessId who, String sections) {
-    event(atNs, new MutexEvent.OdMutex(who, 1, set(sections)));
+    event(atNs, new MutexFact.OdMutex(who, 1, set(sections)));
   }
 
-  private void event(long atNs, MutexEvent event) {
+  private void event(long atNs, MutexFact event) {
     monitors.observe(action(atNs, event));
   }
 
-  private static TraceEvent action(long atNs, MutexEvent event) {
-    return new TraceEvent.Action(
-        atNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event));
+  private static TraceEvent action(long atNs, MutexFact event) {
+    return TraceEvent.Action.of(
+        atNs, event.who().robot(), MutexFact.source("x"), MutexFact.SHAPE, event);
   }
 
   private SpecReport finish(long endNs) {

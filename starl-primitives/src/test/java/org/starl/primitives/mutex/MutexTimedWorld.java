@@ -107,11 +107,11 @@ final class MutexTimedWorld {
     }
   }
 
-  private void trace(MutexEvent event) {
+  private void trace(MutexFact event) {
     monitors.observe(
-        new TraceEvent.Action(
-            nowNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event)));
-    if (event instanceof MutexEvent.OdMutex) {
+        TraceEvent.Action.of(
+            nowNs, event.who().robot(), MutexFact.source("x"), MutexFact.SHAPE, event));
+    if (event instanceof MutexFact.OdMutex) {
       entries.merge(event.who(), 1L, Long::sum);
       longestWaitNs = Math.max(longestWaitNs, nowNs - askedAtNs.get(event.who()));
       long limitMs = shape.d1Ms() * shape.holdFactor();

@@ -328,7 +328,7 @@ final class MutexWorld {
     any(node -> node.dead && !isLatest(node.id) && last().mentions(node.id))
         .ifPresent(node -> {
           node.bodyIn = rng.nextBoolean(0.5) ? Sections.NONE : someOf(node.bodyIn);
-          trace(new MutexEvent.StandsIn(successor(node.id), node.bodyIn));
+          trace(new MutexFact.StandsIn(successor(node.id), node.bodyIn));
           append(last().next().confined(node.id, node.bodyIn));
         });
   }
@@ -399,13 +399,13 @@ final class MutexWorld {
     return node;
   }
 
-  private void trace(MutexEvent event) {
+  private void trace(MutexFact event) {
     changes++;
-    entries += event instanceof MutexEvent.OdMutex ? 1 : 0;
-    failures += event instanceof MutexEvent.Withdraw ? 1 : 0;
+    entries += event instanceof MutexFact.OdMutex ? 1 : 0;
+    failures += event instanceof MutexFact.Withdraw ? 1 : 0;
     TraceEvent.Action action =
-        new TraceEvent.Action(
-            nowNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event));
+        TraceEvent.Action.of(
+            nowNs, event.who().robot(), MutexFact.source("x"), MutexFact.SHAPE, event);
     trace.add(action);
     monitors.observe(action);
   }

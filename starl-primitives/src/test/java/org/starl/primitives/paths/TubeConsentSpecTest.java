@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
@@ -15,6 +16,7 @@ import org.starl.trace.TraceEvent.Variable;
 /** Claims written by hand, among the robots a and b: both are a majority. */
 class TubeConsentSpecTest {
 
+  private static final Instance X = Instance.of(TubeFact.PRIMITIVE, "x");
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
   private static final Tube HERE = tube(0, 0, 1000, 0);
@@ -90,9 +92,9 @@ class TubeConsentSpecTest {
     asks(A, new Holding(2, List.of(HERE), List.of(FAR)));
     votes(A, A, 2);
     votes(B, A, 2);
-    monitors.observe(new Variable(0, A, "tubes/x", "held", HERE + ";" + FAR));
+    holds(A, HERE, FAR);
     assertThat(monitors.report().holds()).isTrue();
-    monitors.observe(new Variable(0, A, "tubes/x", "held", ""));
+    holds(A);
     assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
   }
 
@@ -101,8 +103,8 @@ class TubeConsentSpecTest {
     aTubeWithTheConsentOfAllIsHeldAndGivenBackInParts();
     monitors.observe(new Fault(0, A, Fault.CRASH, ""));
     holds(A, HERE.from(1));
-    String ask = new TubeMessage.Ask(new Holding(9, List.of(HERE.from(1)), List.of())).toString();
-    monitors.observe(new Sent(2_000_000_000L, A, B.name(), "tubes/x", 1, 1, ask));
+    TubeMessage ask = new TubeMessage.Ask(new Holding(9, List.of(HERE.from(1)), List.of()));
+    monitors.observe(sends(2_000_000_000L, A, B, ask));
     assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
   }
 
@@ -120,8 +122,7 @@ class TubeConsentSpecTest {
   void aVoterThatForgetsItsConsentViolatesConsentsByARefusal() {
     asks(A, new Holding(1, List.of(), List.of(HERE)));
     votes(B, A, 1);
-    String refusal = new TubeMessage.Refuse(1, A, Holding.NONE).toString();
-    monitors.observe(new Sent(0, B, B.name(), "tubes/x", 1, 1, refusal));
+    monitors.observe(sends(0, B, B, new TubeMessage.Refuse(1, A, Holding.NONE)));
     assertThat(monitors.report().violations(TubeConsentSpec.CONSENTS)).isEqualTo(1);
   }
 
@@ -131,19 +132,23 @@ class TubeConsentSpecTest {
 
   /** Sends a request to both robots, which receive it. */
   private void asks(RobotId robot, Holding holding) {
-    String ask = new TubeMessage.Ask(holding).toString();
+    TubeMessage ask = new TubeMessage.Ask(holding);
     for (RobotId to : List.of(A, B)) {
-      monitors.observe(new Sent(0, robot, to.name(), "tubes/x", 1, 1, ask));
-      monitors.observe(new Delivered(0, to, robot, "tubes/x", 1, ask));
+      monitors.observe(sends(0, robot, to, ask));
+      monitors.observe(new Delivered(0, to, robot, X, 1, TubeMessage.SHAPE, ask));
     }
   }
 
   private void votes(RobotId voter, RobotId to, long version) {
-    String vote = new TubeMessage.Vote(version).toString();
-    monitors.observe(new Sent(0, voter, to.name(), "tubes/x", 1, 1, vote));
+    monitors.observe(sends(0, voter, to, new TubeMessage.Vote(version)));
   }
 
-  private void holds(RobotId robot, Tube tube) {
-    monitors.observe(new Variable(0, robot, "tubes/x", "held", tube.toString()));
+  private static Sent sends(long timeNs, RobotId robot, RobotId to, TubeMessage message) {
+    return new Sent(timeNs, robot, to.name(), X, 1, 1, TubeMessage.SHAPE, message);
+  }
+
+  private void holds(RobotId robot, Tube... tubes) {
+    TubeList held = new TubeList(List.of(tubes));
+    monitors.observe(new Variable(0, robot, X, TubeFact.HELD, held));
   }
 }

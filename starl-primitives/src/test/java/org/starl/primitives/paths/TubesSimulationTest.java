@@ -24,6 +24,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.world.Unsynced;
+import org.starl.trace.Instance;
 
 /** Simulated robots whose paths cross, checked by the specification. */
 class TubesSimulationTest {
@@ -262,7 +263,9 @@ class TubesSimulationTest {
 
     @Override
     public List<Object> callStarL() {
-      gvh.trace.action("tubes/floor", "goTo", 4000, 7000);
+      TubeGoal goal = new TubeGoal.Place(new ItemPosition("goal", 4000, 7000));
+      gvh.trace.action(
+          Instance.of(TubeFact.PRIMITIVE, "floor"), TubeFact.SHAPE, new TubeFact.goTo(goal));
       await(() -> false);
       return List.of();
     }

@@ -2,11 +2,15 @@ package org.starl.primitives.paths;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -17,40 +21,40 @@ class TubesSpecTest {
 
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
-  private static final String X = "tubes/x";
+  private static final Instance X = Instance.of(TubeFact.PRIMITIVE, "x");
   private static final long S = 1_000_000_000;
 
   private final Monitors monitors = new Monitors(List.of(new TubesSpec(10 * S)));
 
   @Test
   void separateTubesSatisfyTheSpecification() {
-    holds(1, A, X, "300@0,0>1000,0");
-    holds(2, B, X, "300@0,601>1000,601;300@2000,0");
+    holds(1, A, X, tube(300, 0, 0, 1000, 0));
+    holds(2, B, X, tube(300, 0, 601, 1000, 601), tube(300, 2000, 0));
     assertThat(monitors.report().holds()).isTrue();
     assertThat(monitors.report().checks(TubesSpec.TUBES)).isEqualTo(2);
   }
 
   @Test
   void tubesThatMeetViolateTubesEvenAfterACrash() {
-    holds(1, A, X, "300@0,0>1000,0");
+    holds(1, A, X, tube(300, 0, 0, 1000, 0));
     monitors.observe(new Fault(2, A, Fault.CRASH, ""));
-    holds(3, B, X, "300@500,-900>500,900");
+    holds(3, B, X, tube(300, 500, -900, 500, 900));
     assertThat(monitors.report().violations(TubesSpec.TUBES)).isEqualTo(1);
   }
 
   @Test
   void releasedTubesAreFreeAndInstancesAreIndependent() {
-    holds(1, A, X, "300@0,0>1000,0");
-    holds(2, A, X, "300@1000,0");
-    holds(3, B, X, "300@0,0");
-    holds(4, B, "tubes/y", "300@1000,0");
+    holds(1, A, X, tube(300, 0, 0, 1000, 0));
+    holds(2, A, X, tube(300, 1000, 0));
+    holds(3, B, X, tube(300, 0, 0));
+    holds(4, B, Instance.of(TubeFact.PRIMITIVE, "y"), tube(300, 1000, 0));
     assertThat(monitors.report().holds()).isTrue();
   }
 
   @Test
   void aBodyThatLeavesItsTubeViolatesInsideOnce() {
     monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
-    holds(0, A, X, "300@0,0>1000,0");
+    holds(0, A, X, tube(300, 0, 0, 1000, 0));
     monitors.observe(new Moved(0, A, new Pose(0, 0, StrictMath.PI / 2), 100, 0));
     monitors.observe(new Moved(S, A, new Pose(0, 100, 0), 0, 0));
     assertThat(monitors.report().holds()).isTrue();
@@ -64,19 +68,19 @@ class TubesSpecTest {
   @Test
   void aTubeOverARobotThatHoldsNoneYetViolatesTubes() {
     monitors.observe(new Joined(0, B, new Pose(500, 0, 0), 165));
-    monitors.observe(new Variable(0, B, X, "held", ""));
-    holds(1, A, X, "300@0,600>1000,600");
+    holds(0, B, X);
+    holds(1, A, X, tube(300, 0, 600, 1000, 600));
     assertThat(monitors.report().violations(TubesSpec.TUBES)).isZero();
-    holds(2, A, X, "300@0,400>1000,400");
+    holds(2, A, X, tube(300, 0, 400, 1000, 400));
     assertThat(monitors.report().violations(TubesSpec.TUBES)).isEqualTo(1);
   }
 
   @Test
   void aRobotThatDrivesAfterItsDriveViolatesTold() {
     monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
-    monitors.observe(new Variable(0, A, X, "tubeflag", "MOVING"));
+    monitors.observe(new Variable(0, A, X, TubeFact.FLAG, TubeFlag.MOVING));
     monitors.observe(new Moved(S, A, new Pose(0, 0, 0), 100, 0));
-    monitors.observe(new Variable(2 * S, A, X, "tubeflag", "FAIL"));
+    monitors.observe(new Variable(2 * S, A, X, TubeFact.FLAG, TubeFlag.FAIL));
     monitors.observe(new Moved(2 * S + S / 2, A, new Pose(150, 0, 0), 100, 0));
     assertThat(monitors.report().violations(TubesSpec.TOLD)).isZero();
     monitors.observe(new Moved(4 * S, A, new Pose(300, 0, 0), 0, 0));
@@ -87,7 +91,7 @@ class TubesSpecTest {
   void aGoToThatIsNeitherDoneNorFailedInTimeViolatesTold() {
     goTo(S, A);
     goTo(S, B);
-    monitors.observe(new Variable(9 * S, A, X, "tubeflag", "FAIL"));
+    monitors.observe(new Variable(9 * S, A, X, TubeFact.FLAG, TubeFlag.FAIL));
     monitors.finish(12 * S);
     assertThat(monitors.report().violations(TubesSpec.TOLD)).isEqualTo(1);
     assertThat(monitors.report().violations().get(0).robots()).containsExactly(B);
@@ -95,7 +99,7 @@ class TubesSpecTest {
 
   @Test
   void aCrashedRobotOwesNothing() {
-    holds(0, A, X, "300@0,0");
+    holds(0, A, X, tube(300, 0, 0));
     goTo(S, A);
     monitors.observe(new Fault(2 * S, A, Fault.CRASH, ""));
     monitors.finish(30 * S);
@@ -103,10 +107,21 @@ class TubesSpecTest {
   }
 
   private void goTo(long timeNs, RobotId robot) {
-    monitors.observe(new Action(timeNs, robot, X, "goTo", List.of("goal")));
+    TubeFact goTo = new TubeFact.goTo(new TubeGoal.Place(new ItemPosition("goal", 0, 0)));
+    monitors.observe(Action.of(timeNs, robot, X, TubeFact.SHAPE, goTo));
   }
 
-  private void holds(long timeNs, RobotId robot, String source, String tubes) {
-    monitors.observe(new Variable(timeNs, robot, source, "held", tubes));
+  private void holds(long timeNs, RobotId robot, Instance source, Tube... tubes) {
+    TubeList held = new TubeList(List.of(tubes));
+    monitors.observe(new Variable(timeNs, robot, source, TubeFact.HELD, held));
+  }
+
+  /** A tube along the points x, y, x, y, ... */
+  private static Tube tube(int radiusMm, int... xy) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < xy.length; i += 2) {
+      points.add(new Point(xy[i], xy[i + 1]));
+    }
+    return new Tube(points, radiusMm);
   }
 }

@@ -12,6 +12,7 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -20,7 +21,7 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class TubesWorld {
 
-  private static final String SOURCE = "tubes/world";
+  private static final Instance SOURCE = Instance.of(TubeFact.PRIMITIVE, "world");
   private static final int RADIUS_MM = 240;
   private static final int MESH_MM = 500;
   private static final long STEP_NS = 20_000_000;
@@ -265,7 +266,7 @@ final class TubesWorld {
 
     private void show() {
       monitors.observe(
-          new Variable(nowNs, id, SOURCE, TubeTrace.HELD, Tube.text(claimant.holding().held())));
+          new Variable(nowNs, id, SOURCE, TubeFact.HELD, new TubeList(claimant.holding().held())));
     }
   }
 }

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
 class PendingChangesTest {
@@ -37,8 +38,13 @@ class PendingChangesTest {
     }
 
     @Override
-    public void trace(String action, Object... args) {
+    public void acted(RegistrationAction action) {
       throw new IllegalStateException("traces " + action);
+    }
+
+    @Override
+    public void confines(Confinement confinement) {
+      throw new IllegalStateException("traces " + confinement);
     }
   }
 }

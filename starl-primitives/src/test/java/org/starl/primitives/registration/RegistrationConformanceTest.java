@@ -4,30 +4,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
-import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Variable;
 
 /** Which events are which actions, line by line of the table; and what is no run of the theory. */
 class RegistrationConformanceTest {
 
-  private static final String HERE = "registration/here";
-
   private final ShownRun<States, RegistrationAction> run =
       new ShownRun<>(RegistrationConformance::new);
 
-  private void acts(String robot, String verb, String... args) {
-    run.has(new Action(0, new RobotId(robot), HERE, verb, List.of(args)));
+  private void acts(String robot, String verb, String id) {
+    run.has(Shown.acts(0, robot, verb, id));
+  }
+
+  private void confines(String robot, String who, String sections, String fencers) {
+    run.has(Shown.confines(0, robot, who, sections, fencers));
   }
 
   private void sees(String robot, String view) {
-    run.has(new Variable(0, new RobotId(robot), HERE, "view", view));
+    run.has(Shown.sees(0, robot, view));
   }
 
   private void shows(String robot, String list) {
-    run.has(new Variable(0, new RobotId(robot), HERE, "rList", list));
+    run.has(Shown.shows(0, robot, list));
   }
 
   private List<String> details() {
@@ -52,7 +51,7 @@ class RegistrationConformanceTest {
     sees("b", "1:a#1@1");
     acts("b", "do_register", "b#1");
     sees("b", "2:a#1@1,b#1@2");
-    acts("b", "confine", "a#1", "A B", "b#1");
+    confines("b", "a#1", "A B", "b#1");
     sees("b", "3:b#1@2|a#1@1[A B]");
     acts("b", "unregister", "b#1");
     acts("a", "give_up", "a#1");
@@ -128,7 +127,7 @@ class RegistrationConformanceTest {
     sees("a", "3:a#1@1");
     assertThat(details())
         .containsExactly(
-            HERE
+            Shown.HERE
                 + ": decide([a#1]) is not enabled: list(number) minus gone subset L is"
                 + " false: list(2) = [a#1, b#1], gone = []");
   }
@@ -138,7 +137,7 @@ class RegistrationConformanceTest {
     aAndBAreIn();
     acts("b", "unregister", "a#1");
     acts("b", "give_up", "a#1");
-    acts("b", "confine", "a#1", "", "");
+    confines("b", "a#1", "", "");
     sees("b", "2:b#1@1");
     assertThat(details()).hasSize(1);
   }
@@ -165,14 +164,14 @@ class RegistrationConformanceTest {
     sees("b", "2:a#1@1,b#1@1");
     sees("c", "2:a#1@1");
     assertThat(details())
-        .containsExactly(HERE + ": list(2) is [a#1, b#1], but the trace has [a#1]");
+        .containsExactly(Shown.HERE + ": list(2) is [a#1, b#1], but the trace has [a#1]");
   }
 
   @Test
   void aListShownUnderAnotherNumberDeviates() {
     aAndBAreIn();
     shows("b", "0:[a, b]");
-    assertThat(details()).containsExactly(HERE + ": ts(b#1) is 1, but the trace has 0");
+    assertThat(details()).containsExactly(Shown.HERE + ": ts(b#1) is 1, but the trace has 0");
   }
 
   @Test

@@ -12,6 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.statistics.Statistics;
 import org.starl.id.RobotId;
 import org.starl.primitives.Phases;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.trace.TraceEvent;
 
@@ -42,10 +43,11 @@ class RegistrationPhasesTest {
   private void check(Town town) {
     for (; read < town.trace.size(); read++) {
       TraceEvent event = town.trace.get(read);
-      boolean isStart = event instanceof TraceEvent.Variable start && start.value().equals("0:");
+      boolean isStart =
+          event instanceof TraceEvent.Variable start && start.value().equals(View.NONE);
       if (isStart) {
-        steps.put(event.robot(), RegistrationTrace.PHASES.steps().get());
-        shown.put(event.robot(), RegistrationTrace.PHASES.first());
+        steps.put(event.robot(), RegistrationFact.PHASES.steps().get());
+        shown.put(event.robot(), RegistrationFact.PHASES.first());
       }
       Phases.Step step = Objects.requireNonNull(steps.get(event.robot()));
       shown.compute(event.robot(), (robot, before) -> step.after(before, event));

@@ -5,15 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Short;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
-import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 class RegistrationSpecTest {
-
-  private static final String HERE = "registration/here";
 
   private final Monitors monitors = new Monitors(List.of(new RegistrationSpec(1_000)));
 
@@ -111,14 +110,14 @@ class RegistrationSpecTest {
     acts(0, "b", "do_register", "b#1");
     acts(0, "c", "do_register", "c#1");
     sees(900, "a", "1:a#1@1");
-    monitors.observe(new Variable(950, new RobotId("b"), HERE, "failed", "true"));
+    monitors.observe(Shown.failed(950, "b"));
     sees(960, "c", "0:");
     assertThat(report(5_000).holds()).isTrue();
   }
 
   @Test
   void withoutAMajorityOfAcceptorsTheBoundIsSuspended() {
-    monitors.observe(new Action(0, new RobotId("a"), HERE, "acceptors", List.of("x", "y")));
+    monitors.observe(Shown.acceptors(0, "a", "x", "y"));
     acts(0, "a", "do_register", "a#1");
     fault(100, "x", "crash");
     fault(5_000, "x", "restart");
@@ -188,7 +187,13 @@ class RegistrationSpecTest {
   void instancesAreJudgedSeparately() {
     acts(0, "a", "do_register", "a#1");
     sees(10, "a", "1:a#1@1");
-    monitors.observe(new Variable(20, new RobotId("b"), "registration/there", "view", "1:"));
+    monitors.observe(
+        new Variable(
+            20,
+            new RobotId("b"),
+            Instance.of(RegistrationFact.PRIMITIVE, "there"),
+            RegistrationFact.VIEW,
+            Short.view("1:")));
     assertThat(report(50).holds()).isTrue();
   }
 
@@ -205,7 +210,7 @@ class RegistrationSpecTest {
   void aFailedAttemptThatOthersCompleteMustBeUndone() {
     acts(0, "a", "do_register", "a#1");
     acts(10, "a", "give_up", "a#1");
-    monitors.observe(new Variable(10, new RobotId("a"), HERE, "failed", "true"));
+    monitors.observe(Shown.failed(10, "a"));
     sees(20, "b", "1:a#1@1");
     assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
@@ -220,8 +225,7 @@ class RegistrationSpecTest {
   }
 
   private void confines(long atNs, String robot, String who, String sections, String fencers) {
-    List<String> args = List.of(who, sections, fencers);
-    monitors.observe(new Action(atNs, new RobotId(robot), HERE, "confine", args));
+    monitors.observe(Shown.confines(atNs, robot, who, sections, fencers));
   }
 
   private void fault(long atNs, String robot, String name) {
@@ -229,15 +233,15 @@ class RegistrationSpecTest {
   }
 
   private void acts(long atNs, String robot, String verb, String id) {
-    monitors.observe(new Action(atNs, new RobotId(robot), HERE, verb, List.of(id)));
+    monitors.observe(Shown.acts(atNs, robot, verb, id));
   }
 
   private void sees(long atNs, String robot, String view) {
-    monitors.observe(new Variable(atNs, new RobotId(robot), HERE, "view", view));
+    monitors.observe(Shown.sees(atNs, robot, view));
   }
 
   private void shows(long atNs, String robot, String list) {
-    monitors.observe(new Variable(atNs, new RobotId(robot), HERE, "rList", list));
+    monitors.observe(Shown.shows(atNs, robot, list));
   }
 
   private SpecReport report(long endNs) {

@@ -12,11 +12,12 @@ import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.chaos.FoulNetwork;
 import org.starl.random.Rng;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 
 /** Robots of one registration, over a foul network. */
 final class Town extends FoulNetwork {
 
-  static final String SOURCE = "registration/town";
+  static final Instance SOURCE = Instance.of(RegistrationFact.PRIMITIVE, "town");
 
   /** Makes a robot's protocol; mutants make another one. */
   interface Maker {

@@ -4,10 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
@@ -17,7 +14,10 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.random.Rng;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 /** One robot of a {@link Town}: its disk, which survives, and its program, which may not. */
 final class TownRobot {
@@ -155,7 +155,7 @@ final class TownRobot {
     Program(int itsBoot, byte @Nullable [] record) {
       this.itsBoot = itsBoot;
       this.record = record;
-      show("view", View.NONE.toString());
+      show(RegistrationFact.VIEW, View.NONE);
       protocol =
           town.maker.make(
               name,
@@ -179,15 +179,15 @@ final class TownRobot {
     void settled() {
       if (shownView.number() != protocol.view().number()) {
         shownView = protocol.view();
-        show("view", shownView.toString());
+        show(RegistrationFact.VIEW, shownView);
       }
       if (!shownList.equals(protocol.rList())) {
         shownList = protocol.rList();
-        show("rList", shownList.toString());
+        show(RegistrationFact.R_LIST, shownList);
       }
       if (shownFailed != protocol.hasFailed()) {
         shownFailed = protocol.hasFailed();
-        show("failed", String.valueOf(shownFailed));
+        show(RegistrationFact.FAILED, shownFailed);
       }
       long wakeAtNs = protocol.wakeAtNs();
       if (wakeAtNs != timerSetForNs) {
@@ -283,12 +283,19 @@ final class TownRobot {
     }
 
     @Override
-    public void trace(String action, Object... args) {
-      List<String> texts = Stream.of(args).map(String::valueOf).toList();
-      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, action, texts));
+    public void acted(RegistrationAction action) {
+      town.record(
+          TraceEvent.Action.of(town.nowNs(), name, Town.SOURCE, RegistrationFact.ACTIONS, action));
     }
 
-    private void show(String variable, String value) {
+    @Override
+    public void confines(Confinement confinement) {
+      town.record(
+          TraceEvent.Action.of(
+              town.nowNs(), name, Town.SOURCE, RegistrationFact.CONFINE, confinement));
+    }
+
+    private <T> void show(Var<T> variable, T value) {
       town.record(new TraceEvent.Variable(town.nowNs(), name, Town.SOURCE, variable, value));
     }
   }

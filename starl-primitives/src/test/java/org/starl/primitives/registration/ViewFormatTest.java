@@ -18,13 +18,15 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.WireFormatException;
 
 class ViewFormatTest {
 
@@ -35,8 +37,9 @@ class ViewFormatTest {
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
-  void aViewIsParsedFromItsText(@ForAll("views") View view) {
-    assertThat(View.parse(view.toString())).isEqualTo(view);
+  void aViewIsReadFromItsJson(@ForAll("views") View view) throws JsonFormatException {
+    JsonReader in = new JsonReader("a", 1, View.SHAPE.json(view));
+    assertThat(View.SHAPE.readJson(in)).isEqualTo(view);
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
@@ -91,7 +94,7 @@ class ViewFormatTest {
         });
     assertThatThrownBy(() -> ViewFormat.read(4, value))
         .isInstanceOf(WireFormatException.class)
-        .hasMessageContaining("twice");
+        .hasMessage("bot1#1 after bot1#1");
   }
 
   @Test

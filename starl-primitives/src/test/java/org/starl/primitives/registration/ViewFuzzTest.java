@@ -9,8 +9,6 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
@@ -18,6 +16,8 @@ import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
 import org.starl.sim.check.MalformedBytes;
 
 /** Any bytes as a view, and as a change of one. */

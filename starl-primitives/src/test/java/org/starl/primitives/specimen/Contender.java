@@ -4,20 +4,22 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.random.Rng;
+import org.starl.trace.Instance;
 
 /** A robot that asks for sections again and again; how access is agreed upon is the specimen. */
 abstract class Contender extends LogicThread {
 
   static final String XID = "specimen";
 
-  private static final String SOURCE = "mutex/" + XID;
+  private static final Instance SOURCE = Instance.of(MutexFact.PRIMITIVE, XID);
   private static final int ROUNDS = 12;
   private static final long TICK_MS = 50;
 
@@ -64,18 +66,19 @@ abstract class Contender extends LogicThread {
 
   @Override
   public List<Object> callStarL() {
-    gvh.trace.action(SOURCE, "view", id, View.closed(ids(listed())));
+    tell(new MutexFact.Learned(id, View.closed(ids(listed()))));
     for (int round = 1; round <= ROUNDS; round++) {
       pause(1 + rng.nextInt(8));
       SortedSet<String> sections = draw(rng);
-      gvh.trace.action(SOURCE, "do_mutex", id, round, time(), text(sections), text(ids(asked())));
+      SortedSet<ProcessId> known = new TreeSet<>(ids(asked()));
+      tell(new MutexFact.DoMutex(id, round, time(), sections, known));
       request(sections);
       while (!isIn()) {
         pause(1);
       }
-      gvh.trace.action(SOURCE, "od_mutex", id, round, text(sections));
+      tell(new MutexFact.OdMutex(id, round, sections));
       pause(2 + rng.nextInt(6));
-      gvh.trace.action(SOURCE, "release", id, round, text(sections), "");
+      tell(new MutexFact.Release(id, round, sections, Sections.NONE));
       exit();
     }
     while (true) {
@@ -92,7 +95,11 @@ abstract class Contender extends LogicThread {
 
   /** Tells that this robot consents. */
   final void tellGrant(RobotId to, long number) {
-    gvh.trace.action(SOURCE, "grant", id, id(to), number);
+    tell(new MutexFact.Grant(id, id(to), number));
+  }
+
+  private void tell(MutexFact fact) {
+    gvh.trace.action(SOURCE, MutexFact.SHAPE, fact);
   }
 
   private static List<ProcessId> ids(List<RobotId> robots) {
@@ -101,12 +108,6 @@ abstract class Contender extends LogicThread {
 
   private static ProcessId id(RobotId robot) {
     return new ProcessId(robot, 1);
-  }
-
-  private static String text(Iterable<?> names) {
-    List<String> texts = new ArrayList<>();
-    names.forEach(name -> texts.add(name.toString()));
-    return texts.stream().sorted().collect(Collectors.joining(" "));
   }
 
   static SortedSet<String> sections(String... names) {

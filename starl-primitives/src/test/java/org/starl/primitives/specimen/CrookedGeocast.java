@@ -1,17 +1,20 @@
 package org.starl.primitives.specimen;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
-import org.starl.geometry.RegionText;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.geocast.GeocastFact;
+import org.starl.primitives.geocast.GeocastId;
+import org.starl.primitives.geocast.GeocastMessage;
 import org.starl.random.Rng;
 
 /**
@@ -22,7 +25,8 @@ import org.starl.random.Rng;
 final class CrookedGeocast extends LogicThread {
 
   private static final String XID = "specimen";
-  private static final String SOURCE = "geocast/" + XID;
+  private static final Channel<GeocastMessage<Word>> CHANNEL =
+      new Channel<>(GeocastFact.GEOCAST, XID, GeocastMessage.shape(Word.CODEC));
   private static final int CASTS = 6;
   private static final int COPIES = 8;
   private static final long BETWEEN_COPIES_MS = 200;
@@ -30,8 +34,9 @@ final class CrookedGeocast extends LogicThread {
 
   private final boolean isMended;
   private final Rng rng;
-  private final Endpoint<Word> endpoint;
-  private final Set<String> delivered = new TreeSet<>();
+  private final ProcessId me;
+  private final Endpoint<GeocastMessage<Word>> endpoint;
+  private final Set<GeocastId> delivered = new HashSet<>();
 
   /**
    * @param isMended whether the upper edge is the lower one plus the height
@@ -40,50 +45,63 @@ final class CrookedGeocast extends LogicThread {
     super(gvh);
     this.isMended = isMended;
     rng = gvh.plat.entropy.fork("specimen");
-    endpoint = gvh.comms.open(new Channel<>("geocast", XID, Word.CODEC), this::received);
+    me = new ProcessId(gvh.id.name(), gvh.id.boot());
+    endpoint = gvh.comms.open(CHANNEL, this::received);
   }
 
   @Override
   public List<Object> callStarL() {
-    gvh.trace.action(SOURCE, "open", gvh.id.name());
+    tell(new GeocastFact.Opened(me));
     await(gvh.gps::hasFix);
     sleep(500);
     for (int i = 1; i <= CASTS; i++) {
       sleep(rng.nextInt(1000));
-      cast(gvh.id.name() + "#" + i);
+      cast(new GeocastId(me, i));
     }
     return List.of();
   }
 
-  private void cast(String id) {
+  private void cast(GeocastId id) {
     int x = rng.nextInt(3000);
     int y = rng.nextInt(2000);
     int width = 500 + rng.nextInt(1500);
     int height = 500 + rng.nextInt(1000);
     long dNs = COPIES * BETWEEN_COPIES_MS * NS_PER_MS;
-    long deadlineNs = gvh.plat.clock.nowNs() + dNs;
+    long startNs = gvh.plat.clock.nowNs();
+    long deadlineNs = startNs + dNs;
     Rectangle area = new Rectangle(x, y, x + width, y + height);
-    gvh.trace.action(SOURCE, "do_geocast", id, RegionText.format(area), dNs);
-    List<String> names = new ArrayList<>(List.of(id));
+    tell(new GeocastFact.do_geocast(id, area, dNs));
+    List<String> names = new ArrayList<>();
     for (int number : new int[] {x, y, width, height}) {
       names.add(Integer.toString(number));
     }
+    Word word = new Word("RECT", deadlineNs, names);
     for (int copy = 0; copy < COPIES; copy++) {
-      gvh.trace.action(SOURCE, "copy", id);
-      endpoint.broadcast(new Word("RECT", deadlineNs, names));
+      tell(new GeocastFact.copy(id));
+      endpoint.broadcast(new GeocastMessage.Copy<>(id, area, startNs, deadlineNs, word));
       sleep(BETWEEN_COPIES_MS);
     }
   }
 
-  private void received(RobotId from, Word word) {
-    String id = word.names().get(0);
-    double[] of = word.names().stream().skip(1).mapToDouble(Double::parseDouble).toArray();
+  private void received(RobotId from, GeocastMessage<Word> message) {
+    // It sends nothing else, and does not look at the tags.
+    if (message instanceof GeocastMessage.Copy<Word> copy) {
+      received(copy.id(), copy.message());
+    }
+  }
+
+  private void received(GeocastId id, Word word) {
+    double[] of = word.names().stream().mapToDouble(Double::parseDouble).toArray();
     double maxY = (isMended ? of[1] : of[0]) + of[3];
     Point at = gvh.gps.pose().at();
     boolean isInside =
         of[0] <= at.xMm() && at.xMm() <= of[0] + of[2] && of[1] <= at.yMm() && at.yMm() <= maxY;
     if (isInside && gvh.plat.clock.nowNs() <= word.number() && delivered.add(id)) {
-      gvh.trace.action(SOURCE, "deliver", id);
+      tell(new GeocastFact.deliver(id));
     }
+  }
+
+  private void tell(GeocastFact fact) {
+    gvh.trace.action(CHANNEL.instance(), GeocastFact.SHAPE, fact);
   }
 }

@@ -7,13 +7,19 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementAction;
+import org.starl.primitives.agreement.AgreementFact;
+import org.starl.primitives.agreement.Decision;
+import org.starl.primitives.agreement.Value;
+import org.starl.trace.Instance;
 
 /** Robots that propose a value each, and agree on one in ways that come to mind first. */
 final class NaiveAgreement extends LogicThread {
 
   private static final String XID = "specimen";
-  private static final String SOURCE = "agreement/" + XID;
+  private static final Instance SOURCE = Instance.of(AgreementFact.PRIMITIVE, XID);
   private static final long PATIENCE_MS = 2_000;
 
   /** How they agree. */
@@ -31,11 +37,13 @@ final class NaiveAgreement extends LogicThread {
   private final List<RobotId> all;
   private final Endpoint<Word> endpoint;
   private final SortedMap<RobotId, Long> heard = new TreeMap<>();
+  private final GvhCell<Decision<?>> decided;
   private long first = -1;
 
   NaiveAgreement(GlobalVarHolder gvh, Way way) {
     super(gvh);
     this.way = way;
+    decided = gvh.variable(SOURCE, AgreementFact.DECIDED, new Decision.NoneYet<>());
     me = gvh.id.name();
     all = gvh.id.participants().asList();
     endpoint = gvh.comms.open(new Channel<>("agreement", XID, Word.CODEC), this::received);
@@ -48,10 +56,11 @@ final class NaiveAgreement extends LogicThread {
 
   @Override
   public List<Object> callStarL() {
-    gvh.trace.action(SOURCE, "acceptors", all.toArray());
+    gvh.trace.action(SOURCE, AgreementFact.ACCEPTORS, new AgreementFact.Acceptors(all));
     long mine = 1 + all.indexOf(me);
     heard.put(me, mine);
-    gvh.trace.action(SOURCE, "propose", mine);
+    gvh.trace.action(
+        SOURCE, AgreementFact.PROPOSE, new AgreementAction.propose(me, value(mine).toString()));
     endpoint.broadcast(new Word("PROPOSE", mine));
     switch (way) {
       case FIRST_HEARD -> {
@@ -71,6 +80,10 @@ final class NaiveAgreement extends LogicThread {
   }
 
   private void decide(long value) {
-    gvh.trace.variable(SOURCE, "decided", value);
+    decided.set(new Decision.Decided<>(value, value(value)));
+  }
+
+  private static Value value(long number) {
+    return Value.write(out -> out.i64(number));
   }
 }

@@ -3,8 +3,8 @@ package org.starl.primitives.specimen;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.comms.Codec;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** What specimens say to each other: what it is, a number, and names. */
 record Word(String kind, long number, List<String> names) {

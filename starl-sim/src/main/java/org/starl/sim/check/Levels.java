@@ -5,7 +5,6 @@ import java.util.List;
 import org.starl.input.BadInput;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport;
-import org.starl.trace.MessageText;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -33,12 +32,17 @@ public final class Levels implements SimObserver {
   @Override
   public void observed(TraceEvent event) {
     switch (event) {
-      case TraceEvent.Action action -> happened(action.source(), action.name(), event);
+      case TraceEvent.Action action -> happened(action.source().name(), action.name(), event);
       case TraceEvent.Fault fault -> happened("fault", fault.name(), event);
       case TraceEvent.Delivered delivered ->
-          happened(delivered.channel(), MessageText.type(delivered.message()), event);
+          happened(delivered.channel().name(), type(delivered.message()), event);
       default -> {}
     }
+  }
+
+  /** The name of a record's class; a message that is only a text is its own name. */
+  private static String type(Object message) {
+    return message instanceof Record ? message.getClass().getSimpleName() : message.toString();
   }
 
   private void happened(String source, String name, TraceEvent event) {

@@ -20,7 +20,7 @@ public final class Order implements OrderObserver {
   private final Bounds bounds;
   private final int mostCopies;
   private final List<Copy> copies = new ArrayList<>();
-  private final Map<String, String> messages = new LinkedHashMap<>();
+  private final Map<String, TraceEvent.Sent> messages = new LinkedHashMap<>();
   private final Map<String, List<Long>> events = new LinkedHashMap<>();
   private long untilNs = Long.MAX_VALUE;
   private long steps;
@@ -53,9 +53,7 @@ public final class Order implements OrderObserver {
     if (event instanceof TraceEvent.Sent sent
         && sent.timeNs() >= bounds.fromNs()
         && copies.size() < mostCopies) {
-      messages.put(
-          place(sent.robot().name(), sent.to(), sent.timeNs()),
-          sent.channel() + " " + sent.message());
+      messages.put(place(sent.robot().name(), sent.to(), sent.timeNs()), sent);
     }
   }
 
@@ -65,8 +63,10 @@ public final class Order implements OrderObserver {
 
   /** The message in {@code copy} as text; empty if it is not known. */
   String message(Copy copy) {
-    String one = messages.get(place(copy.from(), copy.to(), copy.sentAtNs()));
-    return one != null ? one : messages.getOrDefault(place(copy.from(), "*", copy.sentAtNs()), "");
+    TraceEvent.Sent one = messages.get(place(copy.from(), copy.to(), copy.sentAtNs()));
+    TraceEvent.Sent sent =
+        one != null ? one : messages.get(place(copy.from(), TraceEvent.Sent.ALL, copy.sentAtNs()));
+    return sent == null ? "" : sent.channel() + " " + sent.message();
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.RunArtifacts;
+import org.starl.trace.Vocabulary;
 
 /**
  * The files that a failing test leaves: the trace of its first bad run and, with the viewer on the
@@ -18,6 +19,14 @@ import org.starl.sim.check.RunArtifacts;
  * @param isShown whether to open the viewer
  */
 record RunFiles(Path folder, boolean isShown) {
+
+  /**
+   * A bad run whose trace is written.
+   *
+   * @param vocabulary the shapes of the values in the trace
+   * @param failure what was wrong
+   */
+  record BadRun(Path trace, Vocabulary vocabulary, SimulationPlan plan, String failure) {}
 
   /** The configuration parameter or system property that names the folder. */
   static final String FOLDER = "starl.artifacts";
@@ -53,18 +62,13 @@ record RunFiles(Path folder, boolean isShown) {
     return test.replace('#', '.') + "-seed-";
   }
 
-  /**
-   * Draws the run of a trace; returns a line for each file.
-   *
-   * @param failure what was wrong with the run
-   */
-  List<String> draw(Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure)
-      throws IOException {
+  /** Draws a run; returns a line for each file. */
+  List<String> draw(Optional<RunArtifacts> viewer, BadRun run) throws IOException {
     if (viewer.isEmpty()) {
       return List.of("for a picture, add org.starl:starl-sim-view to the test's dependencies");
     }
     List<String> lines = new ArrayList<>();
-    for (Path file : viewer.get().write(trace, plan, failure)) {
+    for (Path file : viewer.get().write(run.trace, run.vocabulary, run.plan, run.failure)) {
       lines.add("shown in: " + file);
     }
     return lines;
@@ -73,14 +77,12 @@ record RunFiles(Path folder, boolean isShown) {
   /**
    * Opens the viewer if the user asked for it, until it is closed.
    *
-   * @param failure what was wrong with the run
    * @param atNs the time to begin at; -1 if unknown
    */
-  void showIfAsked(
-      Optional<RunArtifacts> viewer, Path trace, SimulationPlan plan, String failure, long atNs)
+  void showIfAsked(Optional<RunArtifacts> viewer, BadRun run, long atNs)
       throws IOException, InterruptedException {
     if (isShown && viewer.isPresent()) {
-      viewer.get().show(trace, plan, failure, Math.max(0, atNs));
+      viewer.get().show(run.trace, run.vocabulary, run.plan, run.failure, Math.max(0, atNs));
     }
   }
 }

@@ -28,6 +28,9 @@ import org.starl.sim.explore.Strategy;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.junit.RunFiles.BadRun;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.Vocabulary;
 
 /**
  * The runs of one test, for consecutive seeds.
@@ -255,21 +258,32 @@ record SeededRuns(
     List<String> lines = new ArrayList<>();
     try {
       Path trace = files.trace(name, seed);
-      SimulationPlan plan = writeTrace(bad.run(), trace);
+      BadRun run = writeTrace(bad, trace);
       lines.add("trace: " + trace);
-      lines.addAll(files.draw(viewer, trace, plan, bad.what()));
-      files.showIfAsked(viewer, trace, plan, bad.what(), bad.atNs());
+      lines.addAll(files.draw(viewer, run));
+      files.showIfAsked(viewer, run, bad.atNs());
     } catch (IOException e) {
       lines.add("the run of seed " + seed + " cannot be shown: " + e.getMessage());
     }
     return lines;
   }
 
-  private SimulationPlan writeTrace(Run bad, Path trace) throws IOException {
+  private BadRun writeTrace(Bad bad, Path trace) throws IOException {
+    EventShapes shapes = new EventShapes();
     try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(trace))) {
-      Run run = planned(bad.seed, bad.schedule, recorder);
+      Run run = planned(bad.run().seed, bad.run().schedule, recorder, shapes);
       run.go();
-      return run.simulation.plan();
+      return new BadRun(trace, shapes.vocabulary, run.simulation.plan(), bad.what());
+    }
+  }
+
+  /** Collects the shapes of a run's values, which a reader of its trace needs. */
+  private static final class EventShapes implements SimObserver {
+    private Vocabulary vocabulary = Vocabulary.NONE;
+
+    @Override
+    public void observed(TraceEvent event) {
+      vocabulary = vocabulary.with(event);
     }
   }
 

@@ -80,7 +80,9 @@ class DeterminismTest {
         });
     Difference difference = Objects.requireNonNull(check.difference());
     assertThat(difference.secondRun()).isEqualTo(difference.firstRun() + " again");
-    assertThat(difference.firstLine()).contains("\"robot\":\"bot1\"").endsWith("\"args\":[\"y\"]}");
+    assertThat(difference.firstLine())
+        .contains("\"robot\":\"bot1\"")
+        .endsWith("\"texts\":[\"y\"]}}}");
     assertThat(difference.secondLine())
         .isEqualTo(difference.firstLine().replace("[\"y\"]", "[\"x\"]"));
     String[] lines = difference.toString().split("\n", -1);

@@ -85,7 +85,7 @@ class AttackTest {
     for (int from = 0; from < 3; from++) {
       for (int to = 0; to < 3; to++) {
         if (from != to) {
-          List<String> beats =
+          List<Object> beats =
               run.heard(from, to, 0, 12 * S).stream().map(TraceEvent.Delivered::message).toList();
           assertThat(beats).doesNotHaveDuplicates().hasSize(100);
         }

@@ -10,8 +10,8 @@ import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
 import org.starl.id.RobotId;
+import org.starl.shape.WireReader;
 import org.starl.sim.Simulation;
 
 /** The fault crashes a program that sends before its write survives, and no other. */

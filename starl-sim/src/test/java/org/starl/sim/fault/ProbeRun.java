@@ -1,5 +1,9 @@
 package org.starl.sim.fault;
 
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.REAL;
+import static org.starl.shape.Shapes.part;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
@@ -7,13 +11,15 @@ import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.motion.Gps;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
@@ -43,6 +49,30 @@ final class ProbeRun {
             }
           });
 
+  /** What a robot's clock shows. */
+  record Clock(long shownNs) {
+    static final RecordShape<Clock> SHAPE =
+        Shapes.of(Clock.class, part("shownNs", LONG, Clock::shownNs), Clock::new);
+  }
+
+  /** A robot's latest fix. */
+  record Fix(double xMm, double yMm, double errorMm, long ageNs, long contradictions) {
+    static final RecordShape<Fix> SHAPE =
+        Shapes.of(
+            Fix.class,
+            part("xMm", REAL, Fix::xMm),
+            part("yMm", REAL, Fix::yMm),
+            part("errorMm", REAL, Fix::errorMm),
+            part("ageNs", LONG, Fix::ageNs),
+            part("contradictions", LONG, Fix::contradictions),
+            Fix::new);
+  }
+
+  /** A write to stable storage is done. */
+  record Flushed() {
+    static final RecordShape<Flushed> SHAPE = Shapes.of(Flushed.class, Flushed::new);
+  }
+
   /** Sends beats and traces its clock and its fixes; bot0 drives along x meanwhile. */
   private static final class Probe extends LogicThread {
 
@@ -59,25 +89,27 @@ final class ProbeRun {
       }
       for (long beat = 0; beat < 100; beat++) {
         beats.broadcast(beat);
-        gvh.trace.action("app", "clock", gvh.plat.clock.nowNs());
+        gvh.trace.action(Clock.SHAPE, new Clock(gvh.plat.clock.nowNs()));
         if (gvh.gps.hasFix()) {
           Pose pose = gvh.gps.pose();
           Gps gps = gvh.gps;
           gvh.trace.action(
-              "app",
-              "fix",
-              pose.xMm(),
-              pose.yMm(),
-              gps.errorMm(),
-              gps.ageNs(),
-              gps.contradictions());
+              Fix.SHAPE,
+              new Fix(pose.xMm(), pose.yMm(), gps.errorMm(), gps.ageNs(), gps.contradictions()));
         }
-        gvh.plat.stable.put("beat", new byte[1], () -> gvh.trace.action("app", "flushed"));
+        gvh.plat.stable.put("beat", new byte[1], this::flushed);
         sleep(100);
       }
       return List.of();
     }
+
+    private void flushed() {
+      gvh.trace.action(Flushed.SHAPE, new Flushed());
+    }
   }
+
+  /** A fact of a robot's app, at its true time. */
+  record Said<F>(long timeNs, F fact) {}
 
   final List<TraceEvent> events = new ArrayList<>();
 
@@ -157,10 +189,11 @@ final class ProbeRun {
         .toList();
   }
 
-  /** The actions of this name; their times are true. */
-  List<TraceEvent.Action> said(int robot, String name, long fromNs, long untilNs) {
+  /** The facts of this type. */
+  <F> List<Said<F>> said(int robot, Class<F> type, long fromNs, long untilNs) {
     return of(TraceEvent.Action.class, robot, fromNs, untilNs).stream()
-        .filter(action -> action.name().equals(name))
+        .filter(action -> type.isInstance(action.fact()))
+        .map(action -> new Said<>(action.timeNs(), type.cast(action.fact())))
         .toList();
   }
 

@@ -7,8 +7,13 @@ import static org.starl.sim.fault.ProbeRun.S;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.starl.sim.Director;
+import org.starl.sim.fault.ProbeRun.Clock;
+import org.starl.sim.fault.ProbeRun.Fix;
+import org.starl.sim.fault.ProbeRun.Flushed;
+import org.starl.sim.fault.ProbeRun.Said;
 import org.starl.trace.TraceEvent;
 
 /** Every fault of a robot bites while it lasts, and stops. */
@@ -91,18 +96,13 @@ class RobotFaultsTest {
   }
 
   private static double fixError(ProbeRun run, long fromNs, long untilNs) {
-    return run.said(1, "fix", fromNs, untilNs).stream()
-        .mapToDouble(fix ->
-            StrictMath.hypot(
-                Double.parseDouble(fix.args().get(0)),
-                Double.parseDouble(fix.args().get(1)) - 1000))
-        .max()
-        .orElseThrow();
+    return most(run, fix -> StrictMath.hypot(fix.xMm(), fix.yMm() - 1000), fromNs, untilNs);
   }
 
-  private static double said(ProbeRun run, int argument, long fromNs, long untilNs) {
-    return run.said(1, "fix", fromNs, untilNs).stream()
-        .mapToDouble(fix -> Double.parseDouble(fix.args().get(argument)))
+  private static double most(
+      ProbeRun run, ToDoubleFunction<Fix> number, long fromNs, long untilNs) {
+    return run.said(1, Fix.class, fromNs, untilNs).stream()
+        .mapToDouble(said -> number.applyAsDouble(said.fact()))
         .max()
         .orElseThrow();
   }
@@ -111,33 +111,33 @@ class RobotFaultsTest {
   void positioningNoiseIsIncludedInTheBound() {
     ProbeRun run = ProbeRun.of("noise(bot1,40mm,until=3s)");
     assertThat(fixError(run, 0, FROM)).isBetween(5.0, 40.0);
-    assertThat(said(run, 2, 0, 200 * MS)).isBetween(39.0, 41.0);
+    assertThat(most(run, Fix::errorMm, 0, 200 * MS)).isBetween(39.0, 41.0);
     assertThat(fixError(run, FROM + 100 * MS, 12 * S)).isZero();
-    assertThat(said(run, 2, FROM + 100 * MS, 12 * S)).isLessThan(1);
+    assertThat(most(run, Fix::errorMm, FROM + 100 * MS, 12 * S)).isLessThan(1);
   }
 
   @Test
   void fixesAgeDuringADropout() {
     ProbeRun run = ProbeRun.of("dropout(bot1," + FOR_3_S);
-    assertThat(said(run, 3, FROM, UNTIL)).isGreaterThan(2.5 * S);
-    assertThat(said(run, 3, 0, FROM)).isLessThan(0.2 * S);
-    assertThat(said(run, 3, UNTIL + 200 * MS, 12 * S)).isLessThan(0.2 * S);
+    assertThat(most(run, Fix::ageNs, FROM, UNTIL)).isGreaterThan(2.5 * S);
+    assertThat(most(run, Fix::ageNs, 0, FROM)).isLessThan(0.2 * S);
+    assertThat(most(run, Fix::ageNs, UNTIL + 200 * MS, 12 * S)).isLessThan(0.2 * S);
   }
 
   @Test
   void aJumpIsNotIncludedInTheBound() {
     ProbeRun run = ProbeRun.of("jump(bot1,300mm,until=3s)");
     assertThat(fixError(run, 200 * MS, FROM)).isBetween(299.0, 301.0);
-    assertThat(said(run, 2, 200 * MS, FROM)).isLessThan(10);
+    assertThat(most(run, Fix::errorMm, 200 * MS, FROM)).isLessThan(10);
     ProbeRun later = ProbeRun.of("jump(bot1,300mm," + FOR_3_S);
-    assertThat(said(later, 4, 0, FROM)).as("contradictions").isZero();
-    assertThat(said(later, 4, 0, UNTIL)).isBetween(38.0, 41.0);
-    assertThat(said(later, 4, 0, 12 * S)).isBetween(38.0, 41.0);
+    assertThat(most(later, Fix::contradictions, 0, FROM)).as("contradictions").isZero();
+    assertThat(most(later, Fix::contradictions, 0, UNTIL)).isBetween(38.0, 41.0);
+    assertThat(most(later, Fix::contradictions, 0, 12 * S)).isBetween(38.0, 41.0);
   }
 
   private static double clockAheadMs(ProbeRun run, int robot, long atNs) {
-    TraceEvent.Action said = run.said(robot, "clock", atNs, atNs + S).get(0);
-    return (Long.parseLong(said.args().get(0)) - said.timeNs()) / (double) MS;
+    Said<Clock> said = run.said(robot, Clock.class, atNs, atNs + S).get(0);
+    return (said.fact().shownNs() - said.timeNs()) / (double) MS;
   }
 
   @Test
@@ -148,8 +148,8 @@ class RobotFaultsTest {
     assertThat(clockAheadMs(run, 1, 5 * S)).isBetween(39.0, 42.0);
     assertThat(clockAheadMs(run, 1, 8 * S)).isBetween(49.9, 50.1);
     assertThat(clockAheadMs(run, 2, 8 * S)).isBetween(-82.0, -79.0);
-    assertThat(run.said(2, "clock", 0, 12 * S)).as("its sleeps are longer").hasSize(100);
-    long lastNs = run.said(2, "clock", 0, 12 * S).get(99).timeNs();
+    assertThat(run.said(2, Clock.class, 0, 12 * S)).as("its sleeps are longer").hasSize(100);
+    long lastNs = run.said(2, Clock.class, 0, 12 * S).get(99).timeNs();
     assertThat(lastNs).isGreaterThan(9_990 * MS);
   }
 
@@ -161,7 +161,7 @@ class RobotFaultsTest {
     assertThat(clockAheadMs(run, 1, 8 * S)).isZero();
     assertThat(clockAheadMs(run, 2, 8 * S)).isEqualTo(-50);
     List<Long> shown =
-        run.said(1, "clock", 0, 12 * S).stream().map(a -> Long.valueOf(a.args().get(0))).toList();
+        run.said(1, Clock.class, 0, 12 * S).stream().map(said -> said.fact().shownNs()).toList();
     assertThat(shown).hasSize(100).isSorted();
   }
 
@@ -180,7 +180,7 @@ class RobotFaultsTest {
     List<TraceEvent.Delivered> heard = run.heard(0, 1, 0, 12 * S);
     assertThat(heard).hasSize(100);
     assertThat(heard.stream().map(TraceEvent.Delivered::seq).toList()).isSorted();
-    List<TraceEvent.Action> steps = run.said(1, "clock", FROM + S, UNTIL);
+    List<Said<Clock>> steps = run.said(1, Clock.class, FROM + S, UNTIL);
     for (int i = 1; i < steps.size(); i++) {
       assertThat(steps.get(i).timeNs() - steps.get(i - 1).timeNs()).isGreaterThan(100 * MS);
     }
@@ -189,9 +189,9 @@ class RobotFaultsTest {
   @Test
   void aSlowDiskDelaysFlushes() {
     ProbeRun run = ProbeRun.of("disk(bot1,2s," + FOR_3_S);
-    assertThat(run.said(1, "flushed", FROM + 100 * MS, 5 * S)).isEmpty();
-    assertThat(run.said(1, "flushed", 0, 12 * S)).hasSizeBetween(95, 100);
-    assertThat(run.said(0, "flushed", FROM, 5 * S)).hasSize(20);
+    assertThat(run.said(1, Flushed.class, FROM + 100 * MS, 5 * S)).isEmpty();
+    assertThat(run.said(1, Flushed.class, 0, 12 * S)).hasSizeBetween(95, 100);
+    assertThat(run.said(0, Flushed.class, FROM, 5 * S)).hasSize(20);
   }
 
   @Test

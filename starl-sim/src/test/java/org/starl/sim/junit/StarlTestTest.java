@@ -29,15 +29,20 @@ import org.starl.LogicThread;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
+import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
 
 /** {@link StarlTest}, as JUnit's own test kit sees it. */
 class StarlTestTest {
@@ -95,6 +100,8 @@ class StarlTestTest {
     }
   }
 
+  private static final Var<Integer> COUNT = Var.of("count", Shapes.INT);
+
   /** Counts to three, a wait each time; some seeds make it stumble. */
   private static final class Counter extends LogicThread {
     private final boolean stumbles;
@@ -106,12 +113,17 @@ class StarlTestTest {
 
     @Override
     public List<Object> callStarL() {
+      GvhCell<Integer> count = gvh.variable(COUNT, 0);
       for (int i = 0; i < 3; i++) {
         sleep(100);
-        gvh.trace.variable("counter", "count", Integer.toString(stumbles && i == 2 ? 7 : i));
+        count.set(stumbles && i == 2 ? 7 : i);
       }
       return List.of("counted");
     }
+  }
+
+  private static boolean isSeven(TraceEvent.Variable variable) {
+    return Integer.valueOf(7).equals(variable.of(COUNT));
   }
 
   /** The count is never above 2. */
@@ -123,7 +135,7 @@ class StarlTestTest {
 
     @Override
     public void observe(TraceEvent event, Report report) {
-      if (event instanceof TraceEvent.Variable count && count.value().equals("7")) {
+      if (event instanceof TraceEvent.Variable count && isSeven(count)) {
         report.violated("counts_to_three", event.timeNs(), List.of(event.robot()), "it is 7");
       }
     }
@@ -309,14 +321,18 @@ class StarlTestTest {
         .contains("trace: " + trace)
         .contains("for a picture, add org.starl:starl-sim-view to the test's dependencies");
     List<TraceEvent> events = new ArrayList<>();
-    try (TraceReader reader = new TraceReader(trace.toString(), Files.newInputStream(trace))) {
+    try (TraceReader reader =
+        new TraceReader(
+            trace.toString(),
+            Files.newInputStream(trace),
+            Vocabulary.NONE.variables(Instance.APP.primitive(), COUNT))) {
       assertThat(reader.header().scenarioSeed()).isEqualTo(10);
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
         events.add(event);
       }
     }
     assertThat(events)
-        .filteredOn(event -> event instanceof TraceEvent.Variable v && v.value().equals("7"))
+        .filteredOn(event -> event instanceof TraceEvent.Variable v && isSeven(v))
         .hasSize(1);
     assertThat(folder).isDirectoryContaining(trace::equals);
   }

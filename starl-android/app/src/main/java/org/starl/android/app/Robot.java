@@ -30,8 +30,8 @@ import org.starl.robot.file.Wheels;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
-import org.starl.robot.trace.ProcessWord;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.time.Time;
 import org.starl.trace.TraceHeader;
@@ -237,7 +237,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private void logAndTrace(long timeNs, LogSink.Level level, String tag, String line) {
     log.log(timeNs, level, tag, line);
     if (level.compareTo(LogSink.Level.INFO) >= 0) {
-      trace.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
+      trace.report(() -> Math.max(0, timeNs - startNs), new ProcessFact.Log(level, tag, line));
     }
   }
 

@@ -7,12 +7,19 @@ import org.starl.apps.AppFactory;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.geometry.ItemPosition;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /** An app that violates its own specification while its wheels turn. */
 public final class DoorsFactory implements AppFactory {
+
+  /** Fact: a robot enters. */
+  private record Enter() {}
+
+  private static final RecordShape<Enter> ENTER = Shapes.of(Enter.class, Enter::new).named("enter");
 
   @Override
   public String name() {
@@ -40,7 +47,7 @@ public final class DoorsFactory implements AppFactory {
 
     @Override
     public void observe(TraceEvent event, Report report) {
-      if (event instanceof Action action && action.name().equals("enter")) {
+      if (event instanceof Action action && action.fact() instanceof Enter) {
         if (isInside) {
           report.violated("Once", action.timeNs(), List.of(action.robot()), "is inside already");
         }
@@ -58,10 +65,10 @@ public final class DoorsFactory implements AppFactory {
     @Override
     public List<Object> callStarL() {
       await(gvh.gps::hasFix);
-      gvh.trace.action("door", "enter");
+      gvh.trace.action(ENTER, new Enter());
       gvh.plat.moat.doMove(new ItemPosition("far", gvh.gps.pose().xMm() + 9000, 0));
       sleep(1500);
-      gvh.trace.action("door", "enter");
+      gvh.trace.action(ENTER, new Enter());
       gvh.plat.moat.doMove(new ItemPosition("back", gvh.gps.pose().xMm() - 9000, 0));
       sleep(3_600_000);
       return List.of();

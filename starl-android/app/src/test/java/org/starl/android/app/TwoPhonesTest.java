@@ -48,6 +48,7 @@ import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.launch.TraceMerge;
+import org.starl.robot.DeployedRobot;
 import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
@@ -59,6 +60,7 @@ import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.Vocabulary;
 
 /**
  * Two phones cross the paper's intersection: two services in one process, each a robot of the same
@@ -86,7 +88,9 @@ public final class TwoPhonesTest {
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
   private final Application application = RuntimeEnvironment.getApplication();
-  private final Plan plan = figure7();
+  private final IntersectionDemo demo = new IntersectionDemo();
+  private final Request figure7 = figure7(demo);
+  private final Plan plan = demo.plan(figure7, demo.defaultSettings(figure7).build());
   private final SimulationPlan crossing = plan.simulation().build().plan();
   private final SortedMap<String, SimulatedCar> cars = new TreeMap<>();
   private final List<ServiceController<RobotService>> phones = new ArrayList<>();
@@ -94,13 +98,11 @@ public final class TwoPhonesTest {
   private Path worldsTrace;
   private ProcessTrace world;
 
-  private static Plan figure7() {
-    IntersectionDemo demo = new IntersectionDemo();
+  private static Request figure7(IntersectionDemo demo) {
     SortedMap<String, String> parameters = demo.defaults();
     parameters.put("scenario", "figure7");
     parameters.put("debris", "0");
-    Request request = new Request(SEED, OptionalInt.empty(), parameters);
-    return demo.plan(request, demo.defaultSettings(request).build());
+    return new Request(SEED, OptionalInt.empty(), parameters);
   }
 
   /** As that of the phones' traces. */
@@ -276,8 +278,10 @@ public final class TwoPhonesTest {
         .extracting(file -> Path.of(file).getFileName().toString())
         .isEqualTo(Arrays.asList("bot0.1.trace", "bot1.1.trace"));
     traces.add(worldsTrace.toString());
+    Vocabulary vocabulary = demo.vocabulary(figure7).and(DeployedRobot.VOCABULARY);
     TraceMerge.Result result =
-        TraceMerge.of(traces, CLOCK_ERROR_NS, DRIFT_PPM).judge(crossing, crossing.observers());
+        TraceMerge.of(traces, header -> vocabulary, CLOCK_ERROR_NS, DRIFT_PPM)
+            .judge(crossing, crossing.observers());
     assertThat(result.dead()).isEmpty();
     assertThat(result.violations()).isEmpty();
     assertThat(result.possible()).isEmpty();

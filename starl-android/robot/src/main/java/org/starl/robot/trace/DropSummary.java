@@ -1,23 +1,49 @@
 package org.starl.robot.trace;
 
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceSink;
+import org.starl.trace.Vocabulary;
 
 /**
  * A trace whose length a flood of datagrams cannot decide. The first dropped datagram of each sender
  * and reason is recorded, for {@link #MAX_SENDERS} such pairs; the others are counted, and the counts are
- * actions {@code network dropped}, at most one a second for each reason. Other events pass unchanged.
+ * facts {@code network dropped}, at most one a second for each reason. Other events pass unchanged.
  * From any thread.
  */
 public final class DropSummary implements TraceSink {
+
+  /**
+   * So many datagrams were dropped for this reason.
+   *
+   * @param why as in {@link Dropped}
+   */
+  public record Count(String why, long datagrams) {
+
+    /** Its shape. */
+    public static final RecordShape<Count> SHAPE =
+        Shapes.of(
+                Count.class,
+                Shapes.part("why", Shapes.TEXT, Count::why),
+                Shapes.part("datagrams", Shapes.LONG, Count::datagrams),
+                Count::new)
+            .named("dropped");
+  }
+
+  private static final Instance SOURCE = Instance.of("network");
+
+  /** What a reader of traces needs. */
+  public static final Vocabulary VOCABULARY =
+      Vocabulary.NONE.facts(SOURCE.primitive(), Count.SHAPE);
 
   static final int MAX_SENDERS = 64;
   private static final long PERIOD_NS = Time.NS_PER_S;
@@ -56,8 +82,8 @@ public final class DropSummary implements TraceSink {
   /** Records the remaining counts. */
   public synchronized void flush(long timeNs) {
     for (Map.Entry<String, Long> count : counts.entrySet()) {
-      List<String> args = List.of(count.getKey(), count.getValue().toString());
-      trace.record(new Action(timeNs, self, "network", "dropped", args));
+      Count fact = new Count(count.getKey(), count.getValue());
+      trace.record(Action.of(timeNs, self, SOURCE, Count.SHAPE, fact));
     }
     counts.clear();
   }

@@ -21,7 +21,7 @@ public final class MachineClock {
   /** Records the machine's time at the trace's time 0, when {@code clock} shows {@code startNs}. */
   public static void tell(ProcessTrace trace, RealClock clock, long startNs) {
     long machineNs = clock.originNs() + startNs;
-    trace.report(() -> 0, ProcessWord.CLOCK, machine(), machineNs, startNs);
+    trace.report(() -> 0, new ProcessFact.Clock(machine(), machineNs, startNs));
   }
 
   private static String machine() {

@@ -2,14 +2,12 @@ package org.starl.robot.trace;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.Arrays;
-import java.util.List;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceSink;
 import org.starl.trace.TraceWriter;
@@ -70,9 +68,8 @@ public final class ProcessTrace implements TraceSink {
   }
 
   /** Records an event of the process, which merged traces leave out. */
-  public void report(Clock clock, ProcessWord word, Object... args) {
-    List<String> texts = Arrays.stream(args).map(String::valueOf).collect(Collectors.toList());
-    record(word.event(clock.nowNs(), self, texts));
+  public void report(Clock clock, ProcessFact fact) {
+    record(Action.of(clock.nowNs(), self, ProcessFact.SOURCE, ProcessFact.SHAPE, fact));
   }
 
   /** Ends the trace, complete, at this time. */

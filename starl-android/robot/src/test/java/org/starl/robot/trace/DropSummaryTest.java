@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.robot.trace.DropSummary.Count;
+import org.starl.trace.Instance;
+import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Dropped;
@@ -34,8 +38,15 @@ class DropSummaryTest {
     };
   }
 
-  private List<Action> counts() {
-    return recorded.stream().filter(Action.class::isInstance).map(Action.class::cast).toList();
+  private List<Count> counts() {
+    return recorded.stream()
+        .flatMap(event -> event instanceof Action action ? Stream.of(action.fact()) : Stream.of())
+        .map(Count.class::cast)
+        .toList();
+  }
+
+  private static Action said(long timeNs, String word) {
+    return Action.of(timeNs, BOT0, Instance.APP, Note.SHAPE, new Note(word, List.of()));
   }
 
   @Test
@@ -47,9 +58,8 @@ class DropSummaryTest {
     trace.flush(40_000 * MS);
 
     assertThat(recorded).hasSizeLessThan(45).first().isInstanceOf(Dropped.class);
-    assertThat(counts().stream().mapToLong(count -> Long.parseLong(count.args().get(1))).sum())
-        .isEqualTo(flood - 1);
-    assertThat(counts()).allMatch(count -> count.args().get(0).equals("a forged seal"));
+    assertThat(counts().stream().mapToLong(Count::datagrams).sum()).isEqualTo(flood - 1);
+    assertThat(counts()).allMatch(count -> count.why().equals("a forged seal"));
   }
 
   @Test
@@ -62,8 +72,8 @@ class DropSummaryTest {
 
   @Test
   void otherEventsPassInOrderAndCarryTheCounts() {
-    Action go = new Action(5 * MS, BOT0, "app", "go", List.of());
-    Action late = new Action(2000 * MS, BOT0, "app", "late", List.of());
+    Action go = said(5 * MS, "go");
+    Action late = said(2000 * MS, "late");
     Dropped first = new Dropped(0, BOT0, "?", "no message");
     trace.record(first);
     trace.record(new Dropped(1, BOT0, "?", "no message"));
@@ -74,6 +84,7 @@ class DropSummaryTest {
             first,
             go,
             late,
-            new Action(2000 * MS, BOT0, "network", "dropped", List.of("no message", "1")));
+            Action.of(
+                2000 * MS, BOT0, Instance.of("network"), Count.SHAPE, new Count("no message", 1)));
   }
 }

@@ -17,8 +17,6 @@ import org.starl.comms.Codec;
 import org.starl.comms.Comms;
 import org.starl.comms.DropReason;
 import org.starl.comms.Endpoint;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -34,6 +32,8 @@ import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.session.KnownStarts;
 import org.starl.session.Sessions;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 

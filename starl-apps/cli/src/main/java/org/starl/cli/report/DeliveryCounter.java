@@ -7,14 +7,13 @@ import org.starl.id.RobotId;
 import org.starl.primitives.Phases;
 import org.starl.primitives.monitor.PrimitivePhases;
 import org.starl.sim.SimObserver;
-import org.starl.trace.MessageText;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
 /** Counts the deliveries of a run. It sees each message of a run, so it avoids work for each. */
 public final class DeliveryCounter implements SimObserver {
 
-  private static final String APP = "app";
   private static final String LOCATION = "location";
 
   private static final SortedMap<String, Phases> PRIMITIVES = new TreeMap<>();
@@ -27,11 +26,11 @@ public final class DeliveryCounter implements SimObserver {
   private final SortedMap<RobotId, Robot> robots = new TreeMap<>();
 
   /** An instance of a primitive on a robot. */
-  private static final class Instance {
+  private static final class Part {
     private final Phases.@Nullable Step step;
     private String phase;
 
-    Instance(@Nullable Phases phases) {
+    Part(@Nullable Phases phases) {
       step = phases == null ? null : phases.steps().get();
       phase = phases == null ? Deliveries.NO_PHASE : phases.first();
     }
@@ -39,28 +38,28 @@ public final class DeliveryCounter implements SimObserver {
 
   /** A robot's program, from its start to its crash. */
   private final class Robot {
-    private final SortedMap<String, Instance> instances = new TreeMap<>();
+    private final SortedMap<Instance, Part> parts = new TreeMap<>();
 
     /** The counts of each channel in the present phase and location. */
-    private final SortedMap<String, SortedMap<String, Long>> present = new TreeMap<>();
+    private final SortedMap<Instance, SortedMap<String, Long>> present = new TreeMap<>();
 
     private String location = Deliveries.NO_LOCATION;
 
-    Instance instance(String source) {
-      Instance instance = instances.get(source);
-      if (instance == null) {
-        instance = new Instance(PRIMITIVES.get(primitive(source)));
-        instances.put(source, instance);
+    Part part(Instance source) {
+      Part part = parts.get(source);
+      if (part == null) {
+        part = new Part(PRIMITIVES.get(source.primitive()));
+        parts.put(source, part);
       }
-      return instance;
+      return part;
     }
 
-    void changed(String source, TraceEvent event) {
-      Instance instance = instance(source);
-      if (instance.step != null) {
-        String after = instance.step.after(instance.phase, event);
-        if (!after.equals(instance.phase)) {
-          instance.phase = after;
+    void changed(Instance source, TraceEvent event) {
+      Part part = part(source);
+      if (part.step != null) {
+        String after = part.step.after(part.phase, event);
+        if (!after.equals(part.phase)) {
+          part.phase = after;
           present.clear();
         }
       }
@@ -74,23 +73,12 @@ public final class DeliveryCounter implements SimObserver {
     void delivered(TraceEvent.Delivered event) {
       SortedMap<String, Long> types = present.get(event.channel());
       if (types == null) {
-        String channel = event.channel();
-        int slash = channel.indexOf('/');
-        String source = primitive(channel) + (slash < 0 ? "" : channel.substring(slash));
-        String kind = slash < 0 ? channel : channel.substring(0, slash);
-        types = deliveries.in(kind, location, instance(source).phase);
+        Instance channel = event.channel();
+        types = deliveries.in(channel.kind(), location, part(channel.owner()).phase);
         present.put(channel, types);
       }
-      types.merge(MessageText.type(event.message()), 1L, Long::sum);
+      types.merge(event.message().getClass().getSimpleName(), 1L, Long::sum);
     }
-  }
-
-  /** The part before the instance, and before the part of a primitive that has its own channel. */
-  private static String primitive(String source) {
-    int slash = source.indexOf('/');
-    String kind = slash < 0 ? source : source.substring(0, slash);
-    int dot = kind.indexOf('.');
-    return dot < 0 ? kind : kind.substring(0, dot);
   }
 
   @Override
@@ -100,10 +88,10 @@ public final class DeliveryCounter implements SimObserver {
     } else if (event instanceof TraceEvent.Action action) {
       robot(event).changed(action.source(), event);
     } else if (event instanceof TraceEvent.Variable variable) {
-      if (!variable.source().equals(APP)) {
+      if (!variable.source().equals(Instance.APP)) {
         robot(event).changed(variable.source(), event);
       } else if (variable.name().equals(LOCATION)) {
-        robot(event).moveTo(variable.value());
+        robot(event).moveTo(variable.value().toString());
       }
     } else if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
       robots.remove(fault.robot());

@@ -40,8 +40,8 @@ public final class MessageCounts implements SimObserver {
   @Override
   public void observed(TraceEvent event) {
     switch (event) {
-      case TraceEvent.Sent sent -> add(sent.channel(), new Channel(1, sent.bytes(), 0));
-      case TraceEvent.Delivered delivered -> add(delivered.channel(), new Channel(0, 0, 1));
+      case TraceEvent.Sent sent -> add(sent.channel().name(), new Channel(1, sent.bytes(), 0));
+      case TraceEvent.Delivered delivered -> add(delivered.channel().name(), new Channel(0, 0, 1));
       case TraceEvent.Dropped lost -> dropped.merge(lost.why(), 1L, Long::sum);
       default -> {
         // not a message

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport;
@@ -162,7 +163,7 @@ public final class SequenceChart implements SimObserver {
           Integer fromY = sentAt.get(message.from() + "/" + message.seq());
           Integer fromX = lanes.get(message.from().name());
           arrow(svg, fromX == null ? x - LANE / 2 : fromX, fromY == null ? y - ROW : fromY, x, y);
-          label(svg, x + 6, y - 3, message.message());
+          label(svg, x + 6, y - 3, message.message().toString());
         }
         case Dropped dropped -> {
           svg.append("<path class=\"lost\" d=\"M%d %dl8 8m0 -8l-8 8\"/>".formatted(x - 4, y - 4));
@@ -182,7 +183,10 @@ public final class SequenceChart implements SimObserver {
   }
 
   private static void action(StringBuilder svg, int x, int y, Action action) {
-    String words = action.name() + "(" + String.join(", ", action.args()) + ")";
+    String words =
+        action.args().stream()
+            .map(String::valueOf)
+            .collect(Collectors.joining(", ", action.name() + "(", ")"));
     svg.append(
         "<rect class=\"act\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
             .formatted(x - LANE / 2 + 8, y - 8, LANE - 16, ROW - 4));

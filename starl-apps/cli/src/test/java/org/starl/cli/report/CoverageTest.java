@@ -13,6 +13,7 @@ import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Replay;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 class CoverageTest {
@@ -73,7 +74,8 @@ class CoverageTest {
 
   private static SpecReport run(Step... steps) {
     SpecReport report = new SpecReport();
-    Replay<Integer, Step> replay = new Replay<>(new Counter(), "counter", AutomatonListener.none());
+    Replay<Integer, Step> replay =
+        new Replay<>(new Counter(), Instance.of("counter"), AutomatonListener.none());
     TraceEvent event = new TraceEvent.Left(0, new RobotId("bot0"));
     for (Step step : steps) {
       replay.step(event, step, report);

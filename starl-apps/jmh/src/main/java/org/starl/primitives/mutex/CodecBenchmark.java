@@ -5,10 +5,10 @@ import java.util.TreeSet;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** A request of the mutex, written to bytes and read from them. */
 @State(Scope.Thread)
@@ -16,7 +16,6 @@ public class CodecBenchmark {
 
   private static final int DATAGRAM_BYTES = 1200;
 
-  private final MutexCodec codec = new MutexCodec();
   private final byte[] buffer = new byte[DATAGRAM_BYTES];
   private final MutexMessage request =
       new MutexMessage.Req(
@@ -26,19 +25,19 @@ public class CodecBenchmark {
           3,
           123_456,
           new TreeSet<>(List.of("NE", "NW", "SW")));
-  private final byte[] written = WireWriter.toBytes(out -> codec.write(request, out));
+  private final byte[] written = WireWriter.toBytes(out -> MutexMessage.SHAPE.write(request, out));
 
   /** Writes it. */
   @Benchmark
   public int write() {
     WireWriter out = new WireWriter(buffer);
-    codec.write(request, out);
+    MutexMessage.SHAPE.write(request, out);
     return out.length();
   }
 
   /** Reads it. */
   @Benchmark
   public MutexMessage read() {
-    return codec.read(new WireReader(written));
+    return MutexMessage.SHAPE.read(new WireReader(written));
   }
 }

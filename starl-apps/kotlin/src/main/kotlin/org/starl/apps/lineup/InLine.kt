@@ -2,60 +2,40 @@ package org.starl.apps.lineup
 
 import org.starl.id.RobotId
 import org.starl.apps.lineup.logic.LineupApp
-import org.starl.spec.Bodies
-import org.starl.spec.Monitor
-import org.starl.trace.TraceEvent
+import org.starl.primitives.monitor.AppMonitor
 
 /**
  * Specification of the app, by true bodies. `one_line`: all robots learn of the same line.
  * `in_line`: a robot that reports its arrival is at most [toleranceMm] away from the line.
  */
-internal class InLine(private val toleranceMm: Double) : Monitor {
+internal class InLine(private val toleranceMm: Double) : AppMonitor() {
 
-  private val bodies = Bodies()
   private var lineMm: Double? = null
   private val robots = sortedSetOf<RobotId>()
 
-  override fun lemmas(): List<String> = listOf(ONE_LINE, IN_LINE)
-
-  override fun observe(event: TraceEvent, report: Monitor.Report) {
-    bodies.observe(event)
-    val learntMm = LineupApp.lineMm(event)
-    if (learntMm != null && event is TraceEvent.Action) {
-      learns(event, learntMm, report)
-    } else if (event is TraceEvent.Variable && event.isDone()) {
-      arrives(event, report)
+  init {
+    lemma(ONE_LINE, "All robots learn of the same line.")
+    lemma(IN_LINE, "A robot that reports its arrival is at the line.")
+    on(LineupApp.Line::class.java) { robot, line -> learns(robot, line.xMm) }
+    on(LineupApp.LOCATION) { robot, location ->
+      if (location == LineupApp.Location.DONE) {
+        arrives(robot)
+      }
     }
   }
 
-  private fun learns(event: TraceEvent.Action, learntMm: Double, report: Monitor.Report) {
-    report.checked(ONE_LINE)
+  private fun learns(robot: RobotId, learntMm: Double) {
     val knownMm = lineMm ?: learntMm.also { lineMm = it }
-    robots.add(event.robot())
-    if (knownMm != learntMm) {
-      val detail = "lines at $knownMm and at $learntMm mm"
-      report.violated(ONE_LINE, event.timeNs(), robots.toList(), detail)
-    }
+    robots.add(robot)
+    check(ONE_LINE, knownMm == learntMm, robots, "lines at $knownMm and at $learntMm mm")
   }
 
-  private fun arrives(event: TraceEvent.Variable, report: Monitor.Report) {
-    report.checked(IN_LINE)
-    val xMm = bodies.poseAt(event.robot(), event.timeNs()).xMm()
+  private fun arrives(robot: RobotId) {
+    val xMm = bodies().poseAt(robot, nowNs()).xMm()
     val goalMm = lineMm
-    if (goalMm == null || Math.abs(xMm - goalMm) > toleranceMm) {
-      report.violated(
-        IN_LINE,
-        event.timeNs(),
-        listOf(event.robot()),
-        "at $xMm mm, where the line is at $goalMm mm",
-      )
-    }
+    val isThere = goalMm != null && Math.abs(xMm - goalMm) <= toleranceMm
+    check(IN_LINE, isThere, listOf(robot), "at $xMm mm, where the line is at $goalMm mm")
   }
-
-  private fun TraceEvent.Variable.isDone() =
-    source() == LineupApp.SOURCE &&
-      name() == LineupApp.LOCATION &&
-      value() == LineupApp.Location.DONE.name
 
   companion object {
     const val ONE_LINE = "one_line"

@@ -14,6 +14,7 @@ import org.starl.random.Rng
 import org.starl.sim.SimSettings
 import org.starl.sim.Simulation
 import org.starl.sim.fault.Envelope
+import org.starl.trace.Vocabulary
 import org.starl.input.BadInput
 
 /** `starl run lineup`: an app in Kotlin. */
@@ -22,6 +23,8 @@ class LineupDemo : Demo {
   override fun name() = "lineup"
 
   override fun summary() = "robots agree on a line and drive to it, each in its lane (in Kotlin)"
+
+  override fun vocabulary(request: Request): Vocabulary = LineupApp.VOCABULARY
 
   override fun envelope(): Envelope = Envelope.MOVING
 

@@ -4,6 +4,8 @@ import org.assertj.core.api.Assertions.assertThat
 import org.junit.jupiter.api.Test
 import org.starl.id.RobotId
 import org.starl.apps.lineup.LineupDemo.Companion.lanes
+import org.starl.apps.lineup.logic.LineupApp
+import org.starl.apps.lineup.logic.LineupApp.Location
 import org.starl.geometry.Pose
 import org.starl.kotlin.scenario
 import org.starl.sim.Simulation
@@ -11,6 +13,7 @@ import org.starl.sim.fault.Envelope
 import org.starl.sim.junit.RunChecks
 import org.starl.sim.junit.StarlTest
 import org.starl.spec.Monitor
+import org.starl.trace.Instance
 import org.starl.trace.TraceEvent
 
 /** Robots line up on one line, under any faults of the network and with restarts. */
@@ -48,9 +51,9 @@ class LineupTest {
   @Test
   fun twoLinesAreTold() {
     val monitor = InLine(toleranceMm = 150.0)
-    monitor.observe(line(A, "1000.0"), report)
+    monitor.observe(line(A, 1000.0), report)
     assertThat(reported).isEmpty()
-    monitor.observe(line(B, "1001.0"), report)
+    monitor.observe(line(B, 1001.0), report)
     assertThat(reported).containsExactly("${InLine.ONE_LINE} [bot0, bot1] lines at 1000.0 and at 1001.0 mm")
   }
 
@@ -58,16 +61,19 @@ class LineupTest {
   fun whoIsNotInLineAndSaysSoIsTold() {
     val monitor = InLine(toleranceMm = 150.0)
     monitor.observe(TraceEvent.Joined(0, A, Pose(1200.0, 600.0, 0.0), 165.0), report)
-    monitor.observe(line(A, "1000.0"), report)
-    monitor.observe(TraceEvent.Variable(1, A, "app", "location", "DRIVE"), report)
+    monitor.observe(line(A, 1000.0), report)
+    monitor.observe(at(1, Location.DRIVE), report)
     assertThat(reported).isEmpty()
-    monitor.observe(TraceEvent.Variable(2, A, "app", "location", "DONE"), report)
+    monitor.observe(at(2, Location.DONE), report)
     assertThat(reported)
       .containsExactly("${InLine.IN_LINE} [bot0] at 1200.0 mm, where the line is at 1000.0 mm")
   }
 
-  private fun line(robot: RobotId, xMm: String) =
-    TraceEvent.Action(0, robot, "app", "line", listOf(xMm))
+  private fun line(robot: RobotId, xMm: Double) =
+    TraceEvent.Action.of(0, robot, Instance.APP, LineupApp.LINE, LineupApp.Line(xMm))
+
+  private fun at(timeNs: Long, location: Location) =
+    TraceEvent.Variable(timeNs, A, Instance.APP, LineupApp.LOCATION, location)
 
   private companion object {
     val A = RobotId("bot0")

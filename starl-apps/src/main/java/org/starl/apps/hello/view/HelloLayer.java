@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
@@ -20,7 +21,6 @@ import org.starl.trace.TraceEvent.Action;
 public final class HelloLayer implements Layer {
 
   private static final String GOALS = "goals";
-  private static final String MOTION = "motion";
 
   private final SortedMap<RobotId, Point> goals = new TreeMap<>();
 
@@ -33,22 +33,14 @@ public final class HelloLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action
-        && action.source().equals(MOTION)
-        && action.name().equals("doMove")) {
-      goals.put(action.robot(), place(action.args().get(0)));
+    if (event instanceof Action action && action.fact() instanceof MotionFact.doMove move) {
+      goals.put(action.robot(), move.target().at());
     }
   }
 
   @Override
   public List<String> parts() {
     return List.of(GOALS);
-  }
-
-  /** Parses {@code name@x,y}. */
-  private static Point place(String target) {
-    String[] xy = target.substring(target.lastIndexOf('@') + 1).split(",", -1);
-    return new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
   }
 
   @Override
@@ -73,11 +65,11 @@ public final class HelloLayer implements Layer {
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    String flag = scene.variable(robot, MOTION, "motionflag");
-    if (flag.isEmpty()) {
+    MotionFlag flag = scene.variable(robot, MotionFact.SOURCE, MotionFact.FLAG);
+    if (flag == null) {
       return "";
     }
-    return switch (MotionFlag.valueOf(flag)) {
+    return switch (flag) {
       case IDLE -> "waits for its position";
       case MOVING -> "drives one metre to the right";
       case DONE -> "has arrived: DONE";
@@ -90,7 +82,8 @@ public final class HelloLayer implements Layer {
   public double interest(Scene scene) {
     long done =
         scene.robots().stream()
-            .filter(robot -> scene.variable(robot, MOTION, "motionflag").equals("DONE"))
+            .filter(robot ->
+                scene.variable(robot, MotionFact.SOURCE, MotionFact.FLAG) == MotionFlag.DONE)
             .count();
     long others = scene.robots().size() - done;
     return 1 + done * others + scene.nowNs() / 1e18;

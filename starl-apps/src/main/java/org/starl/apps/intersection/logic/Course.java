@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 
@@ -101,7 +102,7 @@ final class Course {
 
   /** Writes the rest of the trip to the trace. */
   void tell() {
-    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), zones());
+    gvh.trace.action(Way.SHAPE, Way.of(trip, zones()));
     onChange.accept(zones());
   }
 }

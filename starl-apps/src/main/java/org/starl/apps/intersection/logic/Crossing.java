@@ -168,7 +168,7 @@ public final class Crossing {
     String departure = route.departure();
     stations.add(station(departure, along(last, last.outward(), DEPARTURE_POINT)));
     ItemPosition exit = station(departure + "-exit", along(last, last.outward(), EXIT_POINT));
-    return new Trip(route.toString(), approach, stations, exit);
+    return new Trip(route.toString(), Optional.of(route), approach, stations, exit);
   }
 
   /** The point of {@code zone}'s lane in {@code direction}, so many widths from the middle. */

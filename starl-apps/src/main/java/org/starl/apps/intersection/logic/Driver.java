@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
 import org.starl.geometry.ItemPosition;
 import org.starl.id.Participants;
 import org.starl.motion.MotionFlag;
@@ -53,10 +54,10 @@ final class Driver {
   Driver(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors, MutexPrim mux) {
     this.gvh = gvh;
     this.mux = mux;
-    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
+    gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
     course = new Course(gvh, trip, zones -> {});
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
-    rng = gvh.plat.entropy.fork(CrossingTrace.SOURCE);
+    rng = gvh.plat.entropy.fork("app");
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
     gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));
     gvh.plat.moat.onContact(contact -> hasBumped = true);

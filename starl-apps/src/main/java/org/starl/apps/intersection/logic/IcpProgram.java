@@ -10,7 +10,10 @@ import org.starl.id.Participants;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.Registration;
+import org.starl.shape.Shapes;
 import org.starl.spec.automaton.Sets;
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
 
 /** One car at the automatic intersection: Figure 3 of the StarL paper, repaired. */
 public final class IcpProgram extends LogicThread {
@@ -32,6 +35,15 @@ public final class IcpProgram extends LogicThread {
     }
   }
 
+  /** Where it is. */
+  public static final Var<Location> LOCATION = Var.of("location", Location.class);
+
+  /** The variable plist. */
+  public static final Var<Participants> PLIST = Var.of("plist", Shapes.PARTICIPANTS);
+
+  /** the zones that the car has not left */
+  public static final Var<List<String>> MYSEQ = Var.of("myseq", Shapes.list(Shapes.TEXT, 0xFFFF));
+
   private final Trip trip;
   private final Registration reg;
   private final MutexPrim mux;
@@ -49,10 +61,10 @@ public final class IcpProgram extends LogicThread {
     reg = new Registration(gvh, xid, acceptors);
     mux = new M_Mutex(gvh, xid, reg);
     car = new Driver(gvh, xid, trip, acceptors, mux);
-    location = gvh.variable("app", "location", Location.S0);
-    plist = gvh.variable("app", "plist", Participants.of());
-    myseq = gvh.variable("app", "myseq", Driver.way(trip));
-    gvh.explain(() -> isOver() ? null : new Wait("app", where(), List.of()));
+    location = gvh.variable(LOCATION, Location.S0);
+    plist = gvh.variable(PLIST, Participants.of());
+    myseq = gvh.variable(MYSEQ, Driver.way(trip));
+    gvh.explain(() -> isOver() ? null : new Wait(Instance.APP, where(), List.of()));
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
 import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
@@ -96,12 +97,11 @@ public final class IntersectionApp extends LogicThread {
     reg = registration;
     mutex = rule.apply(new M_Mutex(gvh, xid, registration));
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
-    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
-    location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));
-    GvhCell<List<String>> zonesAhead =
-        gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
+    gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
+    location = gvh.variable(CrossingFact.LOCATION, start(trip));
+    GvhCell<List<String>> zonesAhead = gvh.variable(CrossingFact.MYSEQ, trip.zones());
     myseq = new Course(gvh, trip, zonesAhead::set);
-    rng = gvh.plat.entropy.fork(CrossingTrace.SOURCE);
+    rng = gvh.plat.entropy.fork("app");
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
     gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));
     gvh.plat.moat.onContact(contact -> hasBumped = true);

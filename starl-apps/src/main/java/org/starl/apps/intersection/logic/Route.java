@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * One of the twelve routes through the intersection: from arrival zone {@code from}0 through {@code
@@ -29,6 +31,14 @@ public record Route(Zone from, Turn turn) {
         .flatMap(from -> Arrays.stream(Turn.values()).map(turn -> new Route(from, turn)))
         .collect(Collectors.toList());
   }
+
+  /** The shape of routes. */
+  public static final Shape<Route> SHAPE =
+      Shapes.of(
+          Route.class,
+          Shapes.part("from", Shapes.constant(Zone.class), Route::from),
+          Shapes.part("turn", Shapes.constant(Turn.class), Route::turn),
+          Route::new);
 
   /** The route that is written {@code text}, as by {@link #toString}. */
   public static Optional<Route> parse(String text) {

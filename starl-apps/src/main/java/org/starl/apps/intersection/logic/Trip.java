@@ -1,6 +1,7 @@
 package org.starl.apps.intersection.logic;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.starl.geometry.ItemPosition;
 
@@ -9,11 +10,16 @@ import org.starl.geometry.ItemPosition;
  * past it. Each station has its zone's name. A parked car's trip has no stations.
  *
  * @param label for people: {@code A0 A C D D1}
+ * @param route if it is one of the twelve
  * @param approach the places of its arm to which it drives first, the arrival zone last; empty for a
  *     car that starts there
  */
 public record Trip(
-    String label, List<ItemPosition> approach, List<ItemPosition> stations, ItemPosition exit) {
+    String label,
+    Optional<Route> route,
+    List<ItemPosition> approach,
+    List<ItemPosition> stations,
+    ItemPosition exit) {
 
   public Trip {
     approach = List.copyOf(approach);
@@ -22,7 +28,7 @@ public record Trip(
 
   /** The trip of a car that stays at {@code place} and takes no part. */
   public static Trip parked(ItemPosition place) {
-    return new Trip("parked", List.of(), List.of(), place);
+    return new Trip("parked", Optional.empty(), List.of(), List.of(), place);
   }
 
   /** The zones to be held, in order: the stations' names. */

@@ -6,6 +6,7 @@ import org.starl.apps.AppFactory;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.ListCrit;
 import org.starl.input.BadInput;
@@ -15,6 +16,7 @@ import org.starl.input.Quantity;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.random.Rng;
+import org.starl.trace.Vocabulary;
 
 /** Paper, section 3, with a fixed set of cars: the first robot by name is the first car. */
 public final class IntersectionFactory implements AppFactory {
@@ -56,6 +58,14 @@ public final class IntersectionFactory implements AppFactory {
   @Override
   public String name() {
     return "intersection";
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return switch (CarProgram.of(request)) {
+      case APP -> CrossingFact.FIGURE_4;
+      case PROGRAM -> CrossingFact.FIGURE_3;
+    };
   }
 
   @Override

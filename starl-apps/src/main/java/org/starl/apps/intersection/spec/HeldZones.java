@@ -10,8 +10,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.mutex.MutexEvent;
-import org.starl.primitives.mutex.MutexTrace;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -23,7 +23,7 @@ public final class HeldZones {
 
   private final Map<RobotId, SortedMap<String, Hold>> held = new TreeMap<>();
 
-  private record Hold(String mutex, ProcessId process) {}
+  private record Hold(Instance mutex, ProcessId process) {}
 
   /** An independent copy of the present state. */
   public HeldZones copy() {
@@ -34,22 +34,22 @@ public final class HeldZones {
 
   /** Takes the next event of the trace. */
   public void observe(TraceEvent event) {
-    if (event instanceof Action action && MutexTrace.isOfAccess(action)) {
-      MutexTrace.read(event).ifPresent(e -> observe(action.source(), e));
+    if (event instanceof Action action && action.fact() instanceof MutexFact fact) {
+      observe(action.source(), fact);
     }
   }
 
-  private void observe(String mutex, MutexEvent event) {
+  private void observe(Instance mutex, MutexFact event) {
     SortedMap<String, Hold> zones =
         held.computeIfAbsent(event.who().robot(), robot -> new TreeMap<>());
     switch (event) {
-      case MutexEvent.OdMutex grant -> {
+      case MutexFact.OdMutex grant -> {
         zones.values().removeIf(hold -> hold.mutex.equals(mutex));
         grant.held().forEach(zone -> zones.put(zone, new Hold(mutex, grant.who())));
       }
-      case MutexEvent.Release release -> zones.keySet().removeAll(release.given());
+      case MutexFact.Release release -> zones.keySet().removeAll(release.given());
       // The robot keeps only those sections of its earlier processes that it is in.
-      case MutexEvent.StandsIn declared ->
+      case MutexFact.StandsIn declared ->
           zones
               .entrySet()
               .removeIf(zone ->

@@ -6,12 +6,12 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
-import org.starl.primitives.mutex.MutexEvent;
-import org.starl.primitives.mutex.MutexTrace;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.LemmaMonitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -34,7 +34,7 @@ public final class ListCrit extends LemmaMonitor {
   private static final String LEMMA = "Inv_list_crit";
 
   private final SortedMap<RobotId, State> states = new TreeMap<>();
-  private final String mutex;
+  private final Instance mutex;
   private final HeldZones zones = new HeldZones();
   private @Nullable TraceEvent last;
 
@@ -57,7 +57,7 @@ public final class ListCrit extends LemmaMonitor {
 
   /** Of the mutex {@code xid}. */
   public ListCrit(String xid) {
-    mutex = MutexTrace.source(xid);
+    mutex = MutexFact.source(xid);
     lemma(
         LEMMA,
         "A car holds the zones ahead of it while it moves, and has requested them while it waits.");
@@ -88,20 +88,18 @@ public final class ListCrit extends LemmaMonitor {
   }
 
   private void acted(Action action) {
-    if (MutexTrace.isOfAccess(action)) {
+    if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {
       zones.observe(action);
       states.values().forEach(state -> state.wrong = null);
     }
     // A restarted program writes another trip, from where the car stands.
-    CrossingTrace.trip(action)
+    CrossingFact.trip(action)
         .ifPresent(
             trip -> states.computeIfAbsent(action.robot(), r -> new State()).path = trip.zones());
     State state = states.get(action.robot());
     if (state != null) {
       state.wrong = null;
-      if (action.source().equals(mutex)
-          && MutexTrace.isOfAccess(action)
-          && MutexTrace.read(action).orElseThrow() instanceof MutexEvent.DoMutex request) {
+      if (action.fact() instanceof MutexFact.DoMutex request && action.source().equals(mutex)) {
         state.requested = request.want();
       }
     }
@@ -109,10 +107,10 @@ public final class ListCrit extends LemmaMonitor {
 
   private void changed(Variable variable) {
     State state = states.get(variable.robot());
-    if (state != null && variable.source().equals(CrossingTrace.SOURCE)) {
+    if (state != null && variable.source().equals(Instance.APP)) {
       state.wrong = null;
-      CrossingTrace.location(variable).ifPresent(location -> state.location = location);
-      CrossingTrace.myseq(variable).ifPresent(state::setMyseq);
+      CrossingFact.location(variable).ifPresent(location -> state.location = location);
+      CrossingFact.myseq(variable).ifPresent(state::setMyseq);
     }
   }
 

@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
@@ -64,7 +64,7 @@ final class TrafficProgress extends LemmaMonitor {
       case Fault fault when faults.isUp(robot) -> dead.remove(robot);
       case Fault fault -> dead.add(robot);
       case Action action -> {
-        if (CrossingTrace.trip(action).filter(trip -> !trip.zones().isEmpty()).isPresent()) {
+        if (CrossingFact.trip(action).filter(trip -> !trip.zones().isEmpty()).isPresent()) {
           cars.add(robot);
         }
       }
@@ -86,7 +86,7 @@ final class TrafficProgress extends LemmaMonitor {
 
   private static boolean isDone(TraceEvent event) {
     return event instanceof Variable
-        && CrossingTrace.location(event).filter(Location.DONE::equals).isPresent();
+        && CrossingFact.location(event).filter(Location.DONE::equals).isPresent();
   }
 
   @Override

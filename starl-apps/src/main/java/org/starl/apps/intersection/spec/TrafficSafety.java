@@ -11,7 +11,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
-import org.starl.primitives.mutex.MutexTrace;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
 import org.starl.time.Time;
@@ -133,7 +133,7 @@ final class TrafficSafety extends LemmaMonitor {
         clearances.remove(left.robot());
         hasChanged = true;
       }
-      case Action action when MutexTrace.isOfAccess(action) -> accessed(action, report);
+      case Action action when action.fact() instanceof MutexFact -> accessed(action, report);
       default -> {
         // Neither the bodies nor the zones that a robot holds.
       }

@@ -12,8 +12,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.CrossingTrace;
-import org.starl.apps.intersection.logic.Route;
+import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.HeldZones;
 import org.starl.geometry.Point;
@@ -25,6 +24,7 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /** Draws each zone in the colour of the car that holds it, and each car's intended route dotted. */
@@ -67,8 +67,8 @@ public final class IntersectionLayer implements Layer {
   public void observe(TraceEvent event) {
     zones.observe(event);
     if (isOpen()) {
-      CrossingTrace.trip(event)
-          .flatMap(trip -> Route.parse(trip.label()))
+      CrossingFact.trip(event)
+          .flatMap(CrossingFact.Way::route)
           .ifPresent(route -> trips.put(event.robot(), Crossing.trip(route, 0)));
       if (event instanceof TraceEvent.Left) {
         trips.remove(event.robot());
@@ -167,7 +167,7 @@ public final class IntersectionLayer implements Layer {
     }
     Trip trip = trips.get(robot);
     String route = trip == null ? "" : trip.label();
-    String location = scene.variable(robot, CrossingTrace.SOURCE, CrossingTrace.LOCATION);
+    String location = scene.text(robot, Instance.APP, CrossingFact.LOCATION.name());
     String held = String.join(" ", zones.held(robot));
     return route + "\n" + location + (held.isEmpty() ? "" : ", holds " + held);
   }

@@ -8,12 +8,13 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Decision;
 import org.starl.primitives.agreement.SetAgreement;
 import org.starl.primitives.geocast.Broadcast;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.time.Time;
 
 /**
@@ -23,9 +24,7 @@ import org.starl.time.Time;
  */
 final class Assignment {
 
-  private static final String XID = "lightpaint";
-  private static final Codec<RobotId> PAINTER =
-      Codec.of((painter, out) -> out.text(painter.name()), in -> new RobotId(in.text()));
+  private static final Shape<RobotId> PAINTER = Shapes.text("robot", RobotId::name, RobotId::new);
   private static final long HINT_PERIOD_MS = 4_000;
   private static final long HINT_LIFETIME_NS = 15 * Time.NS_PER_S;
   private static final long POSTPONE_NS = 20 * Time.NS_PER_S;
@@ -58,9 +57,10 @@ final class Assignment {
     this.strokes = strokes;
     this.apartMm = apartMm;
     for (Stroke stroke : strokes) {
-      agreements.add(new SetAgreement<>(gvh, XID + ".stroke" + stroke.number(), PAINTER));
+      String xid = LightPaintApp.XID + ".stroke" + stroke.number();
+      agreements.add(new SetAgreement<>(gvh, xid, PAINTER));
     }
-    hints = new Broadcast<>(gvh, XID, new Hint.HintCodec(), this::received);
+    hints = new Broadcast<>(gvh, LightPaintApp.XID, Hint.SHAPE, this::received);
     progressNs = nowNs();
   }
 

@@ -1,12 +1,19 @@
 package org.starl.apps.lightpaint.logic;
 
+import static org.starl.shape.Shapes.BOOL;
+import static org.starl.shape.Shapes.INT;
+import static org.starl.shape.Shapes.REAL;
+import static org.starl.shape.Shapes.part;
+
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.platform.StableStorage;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /**
  * The stroke that a painter works on, if any, its progress, and the note of both on stable storage:
@@ -18,7 +25,6 @@ final class CurrentWork {
   static final int NONE = -1;
 
   private static final String KEY = "lightpaint/work";
-  private static final int NOTE_BYTES = 14;
   private static final double NOTE_EVERY_MM = 10;
 
   /** A shorter remainder counts as done: the painter stands at its end already. */
@@ -26,6 +32,18 @@ final class CurrentWork {
 
   /** Upper bound of what a painter paints between two notes. */
   private static final double MAX_UNNOTED_MM = 150;
+
+  /** What is on stable storage. */
+  private record Note(int stroke, boolean isReversed, double doneMm, boolean isAtWork) {
+    private static final Shape<Note> SHAPE =
+        Shapes.of(
+            Note.class,
+            part("stroke", INT, Note::stroke),
+            part("isReversed", BOOL, Note::isReversed),
+            part("doneMm", REAL, Note::doneMm),
+            part("isAtWork", BOOL, Note::isAtWork),
+            Note::new);
+  }
 
   private final List<Stroke> strokes;
   private final StableStorage stable;
@@ -41,7 +59,7 @@ final class CurrentWork {
   CurrentWork(GlobalVarHolder gvh, List<Stroke> strokes) {
     this.strokes = strokes;
     stable = gvh.plat.stable;
-    number = gvh.variable(PaintTrace.SOURCE, PaintTrace.STROKE, NONE);
+    number = gvh.variable(PaintFact.STROKE, NONE);
   }
 
   boolean isNone() {
@@ -113,14 +131,9 @@ final class CurrentWork {
    * @param isAtWork whether the painter stays on the stroke, where the work continues
    */
   void note(boolean isAtWork) {
-    byte[] bytes = new byte[NOTE_BYTES];
-    WireWriter out = new WireWriter(bytes);
-    out.i32(number());
-    out.bool(isReversed);
-    out.f64(doneMm);
-    out.bool(isAtWork);
+    Note note = new Note(number(), isReversed, doneMm, isAtWork);
     notedMm = doneMm;
-    put(bytes);
+    put(WireWriter.toBytes(out -> Note.SHAPE.write(note, out)));
   }
 
   /** Whether the latest note would survive a crash. */
@@ -142,11 +155,11 @@ final class CurrentWork {
   void resume(Point here) {
     byte[] bytes = stable.get(KEY);
     if (bytes != null && bytes.length > 0) {
-      WireReader in = new WireReader(bytes);
-      number.set(in.i32());
-      isReversed = in.bool();
-      doneMm = in.f64();
-      if (in.bool()) {
+      Note note = Note.SHAPE.read(new WireReader(bytes));
+      number.set(note.stroke());
+      isReversed = note.isReversed();
+      doneMm = note.doneMm();
+      if (note.isAtWork()) {
         paintedTo(here);
       }
     }

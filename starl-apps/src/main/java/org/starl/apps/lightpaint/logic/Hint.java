@@ -1,9 +1,11 @@
 package org.starl.apps.lightpaint.logic;
 
-import org.starl.comms.Codec;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
+import static org.starl.shape.Shapes.BOOL;
+import static org.starl.shape.Shapes.INT;
+import static org.starl.shape.Shapes.part;
+
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * What a painter works on, broadcast so that others choose other strokes. Correctness does not
@@ -15,23 +17,21 @@ import org.starl.comms.WireWriter;
  */
 record Hint(int stroke, boolean paints, int finished) {
 
+  /** The shape of hints. */
+  static final Shape<Hint> SHAPE =
+      Shapes.of(
+          Hint.class,
+          part("stroke", INT, Hint::stroke),
+          part("paints", BOOL, Hint::paints),
+          part("finished", INT, Hint::finished),
+          Hint::new);
+
   static final Hint INITIAL = new Hint(CurrentWork.NONE, false, 0);
 
-  static final class HintCodec implements Codec<Hint> {
-    @Override
-    public void write(Hint hint, WireWriter out) {
-      out.i32(hint.stroke());
-      out.bool(hint.paints());
-      out.i32(hint.finished());
-    }
-
-    @Override
-    public Hint read(WireReader in) {
-      Hint hint = new Hint(in.i32(), in.bool(), in.i32());
-      if (hint.stroke() < CurrentWork.NONE || hint.finished() < 0) {
-        throw new WireFormatException("hint " + hint);
-      }
-      return hint;
+  Hint {
+    if (stroke < CurrentWork.NONE || finished < 0) {
+      throw new IllegalArgumentException(
+          "hint of stroke " + stroke + ", " + finished + " finished");
     }
   }
 }

@@ -1,6 +1,12 @@
 package org.starl.apps.lightpaint.logic;
 
+import static org.starl.shape.Shapes.INT;
+import static org.starl.shape.Shapes.part;
+
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * State of a painter's light.
@@ -9,6 +15,14 @@ import org.jspecify.annotations.Nullable;
  * @param ink while it is on
  */
 public record Light(int stroke, @Nullable Ink ink) {
+
+  /** Its shape. */
+  static final Shape<Light> SHAPE =
+      Shapes.of(
+          Light.class,
+          part("stroke", INT, Light::stroke),
+          part("ink", Shapes.optional(Ink.SHAPE), light -> Optional.ofNullable(light.ink())),
+          (stroke, ink) -> new Light(stroke, ink.orElse(null)));
 
   public static final Light OFF = new Light(-1, null);
 
@@ -32,22 +46,5 @@ public record Light(int stroke, @Nullable Ink ink) {
   @Override
   public String toString() {
     return ink == null ? "off" : stroke + " " + ink.colour() + " " + ink.widthMm();
-  }
-
-  /**
-   * Parses the format of {@link #toString}.
-   *
-   * @throws IllegalArgumentException on any other text
-   */
-  public static Light parse(String text) {
-    if (text.equals("off")) {
-      return OFF;
-    }
-    String[] parts = text.split(" ", -1);
-    if (parts.length != 3 || parts[1].length() != 7) {
-      throw new IllegalArgumentException("light '" + text + "': expected off, or 7 #ff8800 25");
-    }
-    int rgb = Integer.parseInt(parts[1].substring(1), 16);
-    return new Light(Integer.parseInt(parts[0]), new Ink(rgb, Double.parseDouble(parts[2])));
   }
 }

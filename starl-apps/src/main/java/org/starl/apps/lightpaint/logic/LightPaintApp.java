@@ -24,6 +24,9 @@ import org.starl.primitives.paths.TubeFlag;
  */
 public final class LightPaintApp extends LogicThread {
 
+  /** Instance of the tubes and of the hints. */
+  public static final String XID = "lightpaint";
+
   private static final long PERIOD_MS = 100;
   private static final long PAUSE_MS = 1_000;
   private static final double HOME_MM = 100;
@@ -45,14 +48,14 @@ public final class LightPaintApp extends LogicThread {
     paths =
         new DistributedPathPlanning(
             gvh,
-            "lightpaint",
+            XID,
             gvh.id.participants(),
             new OptimalPlanner(),
             painting.floor(),
             Painting.TUBES);
     assignment = new Assignment(gvh, painting.strokes(), 2.0 * paths.radiusMm());
-    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
-    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
+    location = gvh.variable(PaintFact.LOCATION, Location.RESUME);
+    light = gvh.variable(PaintFact.LIGHT, Light.OFF);
     this.home = new ItemPosition("home", home.xMm(), home.yMm());
     work = new CurrentWork(gvh, painting.strokes());
   }

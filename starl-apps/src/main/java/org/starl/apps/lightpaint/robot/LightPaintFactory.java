@@ -7,6 +7,7 @@ import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
 import org.starl.apps.lightpaint.logic.Line;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
@@ -14,6 +15,7 @@ import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
+import org.starl.trace.Vocabulary;
 
 /** The paper's light painting, of the default drawing. */
 public final class LightPaintFactory implements AppFactory {
@@ -44,6 +46,11 @@ public final class LightPaintFactory implements AppFactory {
   @Override
   public List<Parameter> parameters() {
     return List.of(DRAWING, STARTS, SCALE, FLATNESS, STROKE);
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return PaintFact.VOCABULARY;
   }
 
   @Override

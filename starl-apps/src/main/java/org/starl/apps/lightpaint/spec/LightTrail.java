@@ -7,7 +7,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.starl.apps.lightpaint.logic.Light;
-import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
@@ -73,9 +73,12 @@ public final class LightTrail {
   public void observe(TraceEvent event) {
     advance(event.timeNs());
     switch (event) {
-      case Variable variable when PaintTrace.is(variable, PaintTrace.LIGHT) -> {
-        end(variable.robot(), variable.timeNs());
-        begin(variable.robot(), Light.parse(variable.value()), variable.timeNs());
+      case Variable variable -> {
+        Light light = variable.of(PaintFact.LIGHT);
+        if (light != null) {
+          end(variable.robot(), variable.timeNs());
+          begin(variable.robot(), light, variable.timeNs());
+        }
       }
       case Fault fault when fault.name().equals(Fault.CRASH) -> end(fault.robot(), fault.timeNs());
       case TraceEvent.Left left -> end(left.robot(), left.timeNs());

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.lightpaint.logic.Location;
-import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.id.RobotId;
@@ -101,8 +101,8 @@ public final class PaintSpec implements Monitor {
         ended.putIfAbsent(joined.robot(), false);
         progress.start(ALL, nowNs);
       }
-      case Variable variable when PaintTrace.is(variable, PaintTrace.LOCATION) -> {
-        boolean isDone = variable.value().equals(Location.DONE.name());
+      case Variable variable when variable.of(PaintFact.LOCATION) != null -> {
+        boolean isDone = variable.of(PaintFact.LOCATION) == Location.DONE;
         ended.put(variable.robot(), isDone);
         if (isDone && !ended.containsValue(false)) {
           allHaveEnded(to);

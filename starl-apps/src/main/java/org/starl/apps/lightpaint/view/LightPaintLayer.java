@@ -6,7 +6,9 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
 import org.starl.apps.lightpaint.logic.Light;
-import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.Location;
+import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.spec.LightTrail;
@@ -15,16 +17,19 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
 import org.starl.primitives.paths.Tube;
+import org.starl.primitives.paths.TubeFact;
+import org.starl.primitives.paths.TubeList;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /** Draws what is still to be painted dotted, what is painted in its colour, and the tubes. */
 public final class LightPaintLayer implements Layer {
 
-  private static final String TUBES = "tubes/lightpaint";
+  private static final Instance TUBES = Instance.of(TubeFact.PRIMITIVE, LightPaintApp.XID);
   private static final double MIN_WIDTH_MM = 24;
   private static final int TUBE_ALPHA = 40;
   private static final String DRAWING = "drawing";
@@ -74,7 +79,8 @@ public final class LightPaintLayer implements Layer {
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     trail.advance(scene.nowNs());
     for (RobotId robot : look.shows(REACH_TUBES) ? scene.robots() : List.<RobotId>of()) {
-      for (Tube tube : Tube.parse(scene.variable(robot, TUBES, "held"))) {
+      TubeList held = scene.variable(robot, TUBES, TubeFact.HELD);
+      for (Tube tube : held == null ? List.<Tube>of() : held.tubes()) {
         floor.setColor(Theme.faded(look.robot(scene, robot), TUBE_ALPHA));
         floor.setStroke(look.line(2 * tube.radiusMm()));
         floor.draw(line(tube.points()));
@@ -101,26 +107,27 @@ public final class LightPaintLayer implements Layer {
   }
 
   private static Light light(RobotId robot, Scene scene) {
-    String text = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.LIGHT);
-    return text.isEmpty() ? Light.OFF : Light.parse(text);
+    Light light = scene.variable(robot, PaintFact.LIGHT);
+    return light == null ? Light.OFF : light;
   }
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    String location = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.LOCATION);
-    String stroke = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.STROKE);
+    Location known = scene.variable(robot, PaintFact.LOCATION);
+    Location location = known == null ? Location.RESUME : known;
+    String stroke = scene.text(robot, Instance.APP, PaintFact.STROKE.name());
     Light light = light(robot, scene);
     String doing =
         switch (location) {
-          case "PAINT" ->
+          case PAINT ->
               light.ink() == null
                   ? "waits for its tube along stroke " + stroke
                   : "paints stroke " + stroke + " in " + light.ink().colour();
-          case "GO" -> "goes to stroke " + stroke;
-          case "ASK" -> "asks for stroke " + stroke;
-          case "RETREAT" -> "gives way, at its home";
-          case "PARK", "DONE" -> "is done";
-          default -> "looks for a stroke";
+          case GO -> "goes to stroke " + stroke;
+          case ASK -> "asks for stroke " + stroke;
+          case RETREAT -> "gives way, at its home";
+          case PARK, DONE -> "is done";
+          case RESUME, PICK -> "looks for a stroke";
         };
     return doing + String.format(Locale.ROOT, "%nhas painted %.2f m", trail.paintedMm(robot) / 1e3);
   }

@@ -21,17 +21,17 @@ final class Knowledge {
   private final GlobalVarHolder gvh;
   private final MazeTask task;
   private final Ride ride;
-  private final MazeTrace trace;
+  private final Diary diary;
   private final double bodyMm;
   private final Obstacles map;
   private final List<Mark> marks = new ArrayList<>();
   private long feltMs;
 
-  Knowledge(GlobalVarHolder gvh, MazeTask task, Ride ride, MazeTrace trace) {
+  Knowledge(GlobalVarHolder gvh, MazeTask task, Ride ride, Diary diary) {
     this.gvh = gvh;
     this.task = task;
     this.ride = ride;
-    this.trace = trace;
+    this.diary = diary;
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     map = gvh.gps.knownObstacles().all();
   }
@@ -73,7 +73,7 @@ final class Knowledge {
     if (!task.mayBeOther(contact, bodyMm)) {
       List<Mark> proven = Mark.of(contact, bodyMm);
       marks.addAll(proven);
-      trace.marks(proven);
+      diary.marks(proven);
     }
   }
 }

@@ -49,7 +49,7 @@ public final class MazeApp extends LogicThread {
   private final MutexPrim mutex;
   private final Ride ride;
   private final GvhCell<Location> location;
-  private final MazeTrace trace;
+  private final Diary diary;
   private final Knowledge known;
   private final Agenda agenda;
 
@@ -61,9 +61,9 @@ public final class MazeApp extends LogicThread {
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     mutex = new M_Mutex(gvh, FLOOR, M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
     ride = new Ride(gvh);
-    location = gvh.variable(MazeTrace.SOURCE, MazeTrace.LOCATION, Location.START);
-    trace = new MazeTrace(gvh);
-    known = new Knowledge(gvh, task, ride, trace);
+    location = gvh.variable(MazeFact.LOCATION, Location.START);
+    diary = new Diary(gvh);
+    known = new Knowledge(gvh, task, ride, diary);
     agenda = new Agenda(task);
     path = new Path(List.of(task.start(), task.start()));
   }
@@ -100,7 +100,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void choose() {
-    trace.toward(agenda.isDone() ? "" : agenda.goal().name());
+    diary.toward(agenda.isDone() ? "" : agenda.goal().name());
     if (agenda.isDone()) {
       location.set(Location.DONE);
       return;
@@ -108,7 +108,7 @@ public final class MazeApp extends LogicThread {
     switch (found(known.searchTo(agenda.to())::anywhere)) {
       case Search.Outcome.Way way -> {
         path = way.path();
-        trace.way(path);
+        diary.way(path);
         location.set(Location.ASK);
       }
       case Search.Outcome.NoWay no -> answer(Answer.NO_WAY);
@@ -117,7 +117,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void drive(Path way) {
-    trace.way(way);
+    diary.way(way);
     CollisionMode mode = agenda.goesBack() ? task.mode().goingBack() : task.mode();
     ride.along(way, agenda.toleranceMm(), mode);
     location.set(Location.DRIVE);
@@ -140,7 +140,7 @@ public final class MazeApp extends LogicThread {
 
   private void arrived() {
     mutex.release(mutex.held());
-    trace.noWay();
+    diary.noWay();
     Answer answer = agenda.arrived();
     if (answer != null) {
       answer(answer);
@@ -180,7 +180,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void answer(Answer answer) {
-    trace.answer(agenda.answer(answer), answer);
+    diary.answer(agenda.answer(answer), answer);
     location.set(Location.CHOOSE);
   }
 

@@ -10,10 +10,12 @@ import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.logic.MazeFact;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.random.Rng;
+import org.starl.trace.Vocabulary;
 
 /** The paper's maze, drawn from the seed. */
 public final class MazeFactory implements AppFactory {
@@ -51,6 +53,11 @@ public final class MazeFactory implements AppFactory {
   @Override
   public List<Parameter> parameters() {
     return List.of(SCENARIO, FILES, MAP, CELL, HIDDEN, COLLISION);
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return MazeFact.VOCABULARY;
   }
 
   @Override

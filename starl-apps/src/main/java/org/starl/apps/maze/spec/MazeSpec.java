@@ -6,15 +6,13 @@ import java.util.Objects;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeFact;
 import org.starl.apps.maze.logic.MazeTask;
-import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
@@ -107,10 +105,11 @@ public final class MazeSpec implements Monitor {
       for (Goal goal : goals(joined.robot())) {
         answers.start(new GoalOf(joined.robot(), goal.name()), joined.timeNs());
       }
-    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.MARK)) {
-      checkMark(action, report);
-    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.ANSWER)) {
-      checkAnswer(action, report);
+    } else if (event instanceof Action action && action.fact() instanceof MazeFact fact) {
+      switch (fact) {
+        case MazeFact.Marked marked -> checkMark(action, marked.place(), report);
+        case MazeFact.Answered answered -> checkAnswer(action, answered, report);
+      }
     }
   }
 
@@ -142,9 +141,9 @@ public final class MazeSpec implements Monitor {
     return task == null ? List.of() : task.goals();
   }
 
-  private void checkAnswer(Action action, Report report) {
+  private void checkAnswer(Action action, MazeFact.Answered answered, Report report) {
     RobotId robot = action.robot();
-    String name = action.args().get(0);
+    String name = answered.goal();
     if (answers.stop(new GoalOf(robot, name))) {
       report.checked(ANSWERED);
     }
@@ -153,12 +152,11 @@ public final class MazeSpec implements Monitor {
       violated(REACHED, action, name + " is not its goal", report);
       return;
     }
-    switch (Answer.valueOf(action.args().get(1))) {
+    switch (answered.answer()) {
       case REACHED -> {
         report.checked(REACHED);
-        double errorMm = Double.parseDouble(action.args().get(2));
         double offMm = bodies.poseAt(robot, action.timeNs()).distanceMm(goal.at());
-        if (!(offMm <= goal.toleranceMm() + errorMm + ROUNDING_MM)) {
+        if (!(offMm <= goal.toleranceMm() + answered.errorMm() + ROUNDING_MM)) {
           String detail = "answers that it is at " + name + ", but is " + Math.round(offMm);
           violated(REACHED, action, detail + " mm off", report);
         }
@@ -174,9 +172,8 @@ public final class MazeSpec implements Monitor {
     }
   }
 
-  private void checkMark(Action action, Report report) {
+  private void checkMark(Action action, Polygon mark, Report report) {
     report.checked(BELIEF);
-    Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
     List<Point> points = new ArrayList<>(mark.vertices());
     Rectangle box = Rectangle.around(mark.vertices());
     for (double x = box.xMinMm(); x <= box.xMaxMm(); x += GRAIN_MM) {

@@ -8,6 +8,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
@@ -15,16 +16,16 @@ import java.util.StringJoiner;
 import java.util.TreeMap;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeFact;
 import org.starl.apps.maze.logic.MazeTask;
-import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -42,7 +43,9 @@ public final class MazeLayer implements Layer {
 
   private final SortedMap<RobotId, MazeTask> tasks;
   private final Map<RobotId, List<Polygon>> marks = new TreeMap<>();
-  private final Map<String, Answer> answers = new TreeMap<>();
+  private final Map<GoalOf, Answer> answers = new HashMap<>();
+
+  private record GoalOf(RobotId robot, String goal) {}
 
   public MazeLayer(SortedMap<RobotId, MazeTask> tasks) {
     this.tasks = new TreeMap<>(tasks);
@@ -58,12 +61,13 @@ public final class MazeLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action && MazeTrace.is(action, MazeTrace.MARK)) {
-      Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
-      marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(mark);
-    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.ANSWER)) {
-      String goal = action.robot() + " " + action.args().get(0);
-      answers.put(goal, Answer.valueOf(action.args().get(1)));
+    if (event instanceof Action action && action.fact() instanceof MazeFact fact) {
+      switch (fact) {
+        case MazeFact.Marked marked ->
+            marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(marked.place());
+        case MazeFact.Answered answered ->
+            answers.put(new GoalOf(action.robot(), answered.goal()), answered.answer());
+      }
     }
   }
 
@@ -96,11 +100,11 @@ public final class MazeLayer implements Layer {
       }
     }
     for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
-      String way = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.WAY);
-      if (!way.isEmpty()) {
+      MazeFact.Way way = scene.variable(robot, MazeFact.WAY);
+      if (way != null && !way.points().isEmpty()) {
         floor.setColor(look.robot(scene, robot));
         floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
-        floor.draw(line(points(way)));
+        floor.draw(line(way.points()));
       }
     }
   }
@@ -125,15 +129,6 @@ public final class MazeLayer implements Layer {
     floor.draw(outline);
   }
 
-  private static List<Point> points(String way) {
-    List<Point> points = new ArrayList<>();
-    for (String point : way.split(">", -1)) {
-      String[] xy = point.split(",", -1);
-      points.add(new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1])));
-    }
-    return points;
-  }
-
   private static Path2D line(List<Point> points) {
     Path2D line = new Path2D.Double();
     line.moveTo(points.get(0).xMm(), points.get(0).yMm());
@@ -156,7 +151,7 @@ public final class MazeLayer implements Layer {
     flag.lineTo(x, y + 1.2 * size);
     flag.closePath();
     floor.fill(flag);
-    Answer answer = answers.get(robot + " " + goal.name());
+    Answer answer = answers.get(new GoalOf(robot, goal.name()));
     if (answer == Answer.NO_WAY || answer == Answer.GAVE_UP) {
       floor.setColor(look.theme().alarm());
       floor.setStroke(new BasicStroke((float) (3.5 * px)));
@@ -180,7 +175,7 @@ public final class MazeLayer implements Layer {
     StringJoiner answered = new StringJoiner(", ", "\n", "");
     answered.setEmptyValue("");
     for (Goal goal : task.goals()) {
-      Answer answer = answers.get(robot + " " + goal.name());
+      Answer answer = answers.get(new GoalOf(robot, goal.name()));
       if (answer != null) {
         answered.add(
             goal.name()
@@ -191,9 +186,9 @@ public final class MazeLayer implements Layer {
                 });
       }
     }
-    String toward = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.TOWARD);
+    String toward = scene.text(robot, Instance.APP, MazeFact.TOWARD.name());
     int learned = marks.getOrDefault(robot, List.of()).size();
-    return scene.variable(robot, MazeTrace.SOURCE, MazeTrace.LOCATION)
+    return scene.text(robot, Instance.APP, MazeFact.LOCATION.name())
         + (toward.isEmpty() ? "" : ", to " + toward)
         + (learned == 0 ? "" : ", " + learned + " marks")
         + answered;

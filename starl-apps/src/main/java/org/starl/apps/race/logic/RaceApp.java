@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.apps.race.logic.RaceFact.Arrived;
 import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 import org.starl.motion.Location.Known;
@@ -55,8 +56,8 @@ public final class RaceApp extends LogicThread {
     super(gvh);
     this.points = List.copyOf(points);
     drive = new Drive(gvh);
-    location = gvh.variable(RaceTrace.SOURCE, RaceTrace.LOCATION, Location.START);
-    racingTo = gvh.variable(RaceTrace.SOURCE, RaceTrace.POINT, "");
+    location = gvh.variable(RaceFact.LOCATION, Location.START);
+    racingTo = gvh.variable(RaceFact.POINT, "");
     board = new Scoreboard(gvh, xid, points);
     way = new RightOfWay(gvh, xid);
     point = points.get(0);
@@ -159,13 +160,13 @@ public final class RaceApp extends LogicThread {
 
   private void arrive(int keptOffMm) {
     gvh.trace.action(
-        RaceTrace.SOURCE,
-        RaceTrace.ARRIVE,
-        number,
-        point.name(),
-        gvh.gps.pose().distanceMm(point.at()),
-        gvh.gps.errorMm(),
-        Math.max(point.radiusMm(), keptOffMm));
+        Arrived.SHAPE,
+        new Arrived(
+            number,
+            point.name(),
+            gvh.gps.pose().distanceMm(point.at()),
+            gvh.gps.errorMm(),
+            Math.max(point.radiusMm(), keptOffMm)));
     board.claim(number, keptOffMm);
     location.set(Location.PICK);
   }

@@ -3,13 +3,12 @@ package org.starl.apps.race.logic;
 import java.util.Comparator;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.Geocast;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.time.Time;
 
 /**
@@ -34,14 +33,21 @@ final class RightOfWay {
   private long askedNs = -LASTS_NS;
 
   /** A robot at this distance from a point asks for the way to it. */
-  private record Ask(int point, int distanceMm) {}
+  record Ask(int point, int distanceMm) {
+    static final Shape<Ask> SHAPE =
+        Shapes.of(
+            Ask.class,
+            Shapes.part("point", Shapes.U16, Ask::point),
+            Shapes.part("distanceMm", Shapes.INT, Ask::distanceMm),
+            Ask::new);
+  }
 
   private record Held(RobotId robot, Ask ask, long sinceNs) {}
 
   RightOfWay(GlobalVarHolder gvh, String xid) {
     this.gvh = gvh;
     areaMm = AREA_RADII * gvh.plat.moat.parameters().robotRadiusMm();
-    geocast = new Geocast<>(gvh, xid, new AskCodec(), this::heard, Scoreboard.SETTINGS);
+    geocast = new Geocast<>(gvh, xid, Ask.SHAPE, this::heard, Scoreboard.SETTINGS);
   }
 
   /** This robot, at this distance from {@code point}, gets no nearer. */
@@ -76,19 +82,6 @@ final class RightOfWay {
     Held wanted = new Held(robot, ask, gvh.plat.clock.nowNs());
     if (held == null || !isHeld(ask.point) || NEAREST.compare(wanted, held) < 0) {
       held = wanted;
-    }
-  }
-
-  private static final class AskCodec implements Codec<Ask> {
-    @Override
-    public void write(Ask ask, WireWriter out) {
-      out.u16(ask.point);
-      out.i32(ask.distanceMm);
-    }
-
-    @Override
-    public Ask read(WireReader in) {
-      return new Ask(in.u16(), in.i32());
     }
   }
 }

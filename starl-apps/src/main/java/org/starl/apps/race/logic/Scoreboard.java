@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.race.logic.RaceFact.Taken;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.id.RobotSet;
@@ -83,8 +84,7 @@ public final class Scoreboard {
     this.gvh = gvh;
     this.points = List.copyOf(points);
     points.forEach(point -> entries.add(new Entry(gvh.id.participants())));
-    RaceMessage.Wire wire = new RaceMessage.Wire(points.size());
-    broadcast = new Broadcast<>(gvh, xid, wire, this::heard, SETTINGS);
+    broadcast = new Broadcast<>(gvh, xid, RaceMessage.shape(points.size()), this::heard, SETTINGS);
     rng = gvh.plat.entropy.fork("scoreboard");
     rounds = gvh.plat.timers.timer(this::round);
     if (gvh.id.boot() > 1) {
@@ -168,7 +168,7 @@ public final class Scoreboard {
       entry.best = claim;
       entry.cast = null;
       entry.informed.clear();
-      RaceTrace.taken(gvh, claim, points.get(claim.point()));
+      gvh.trace.action(Taken.SHAPE, Taken.of(claim, points.get(claim.point())));
       announce(entry);
     }
   }

@@ -7,12 +7,14 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.random.Rng;
+import org.starl.trace.Vocabulary;
 
 /** The paper's race, to points drawn from the seed. */
 public final class RaceFactory implements AppFactory {
@@ -41,6 +43,11 @@ public final class RaceFactory implements AppFactory {
   @Override
   public String name() {
     return "race";
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return RaceFact.VOCABULARY;
   }
 
   @Override

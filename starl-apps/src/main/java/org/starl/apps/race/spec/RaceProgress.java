@@ -3,8 +3,8 @@ package org.starl.apps.race.spec;
 import java.util.List;
 import java.util.Objects;
 import org.starl.apps.race.logic.Claim;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
@@ -92,7 +92,10 @@ public final class RaceProgress extends LemmaMonitor {
       fairSinceNs = isFair ? nowNs : Long.MAX_VALUE;
     }
     records.observe(event);
-    RaceTrace.taken(event).ifPresent(claim -> update(claim.point(), nowNs, report));
+    Claim claim = RaceFact.taken(event);
+    if (claim != null) {
+      update(claim.point(), nowNs, report);
+    }
     if (event instanceof Joined || event instanceof Left || event instanceof Fault) {
       for (int point = 0; point < points.size(); point++) {
         update(point, nowNs, report);

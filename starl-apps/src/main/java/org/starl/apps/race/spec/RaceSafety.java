@@ -8,9 +8,12 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
+import org.starl.apps.race.logic.RaceFact;
+import org.starl.apps.race.logic.RaceFact.Arrived;
+import org.starl.apps.race.logic.RaceFact.Taken;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
@@ -59,22 +62,25 @@ public final class RaceSafety extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     bodies.observe(event);
     switch (event) {
-      case Action arrived when RaceTrace.is(arrived, RaceTrace.ARRIVE) -> arrived(arrived, report);
-      case Variable point when RaceTrace.is(point, RaceTrace.POINT) -> inVain.put(point.robot(), 0);
-      case Variable flag
-          when flag.name().equals("motionflag") && flag.value().equals(MotionFlag.FAIL.name()) ->
-          inVain.merge(flag.robot(), 1, Integer::sum);
-      default -> RaceTrace.taken(event).ifPresent(claim -> taken(event, claim, report));
+      case Action action when action.fact() instanceof Arrived arrived ->
+          arrived(action, arrived, report);
+      case Action action when action.fact() instanceof Taken taken ->
+          taken(action, taken.claim(), report);
+      case Variable variable when variable.of(RaceFact.POINT) != null ->
+          inVain.put(variable.robot(), 0);
+      case Variable variable when variable.of(MotionFact.FLAG) == MotionFlag.FAIL ->
+          inVain.merge(variable.robot(), 1, Integer::sum);
+      default -> {}
     }
     records.observe(event);
   }
 
-  private void arrived(Action action, Report report) {
+  private void arrived(Action action, Arrived arrived, Report report) {
     RobotId robot = action.robot();
-    int number = Integer.parseInt(action.args().get(0));
+    int number = arrived.point();
     RacePoint point = points.get(number);
-    double errorMm = Double.parseDouble(action.args().get(3));
-    double saidMm = Double.parseDouble(action.args().get(4));
+    double errorMm = arrived.errorMm();
+    double saidMm = arrived.withinMm();
     arrivedAt.put(robot, number);
     report.checked(AT_THE_POINT);
     double truthMm = Double.POSITIVE_INFINITY;

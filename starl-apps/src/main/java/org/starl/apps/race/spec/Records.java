@@ -8,9 +8,10 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
-import org.starl.apps.race.logic.RaceTrace;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
@@ -34,11 +35,11 @@ final class Records {
         forget(robot);
         of(robot);
       }
-      case Variable location
-          when RaceTrace.is(location, RaceTrace.LOCATION)
-              && location.value().equals(Location.DONE.name()) ->
+      case Variable variable when variable.of(RaceFact.LOCATION) == Location.DONE ->
           done.add(robot);
-      default -> RaceTrace.taken(event).ifPresent(claim -> of(robot).put(claim.point(), claim));
+      case Action action when action.fact() instanceof RaceFact.Taken taken ->
+          of(robot).put(taken.point(), taken.claim());
+      default -> {}
     }
   }
 

@@ -16,8 +16,8 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
+import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.apps.race.logic.RaceTrace;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
@@ -25,6 +25,7 @@ import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -56,9 +57,10 @@ public final class RaceLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    RaceTrace.taken(event)
-        .ifPresent(claim ->
-            winners.merge(claim.point(), claim, BinaryOperator.minBy(Comparator.naturalOrder())));
+    Claim claim = RaceFact.taken(event);
+    if (claim != null) {
+      winners.merge(claim.point(), claim, BinaryOperator.minBy(Comparator.naturalOrder()));
+    }
   }
 
   @Override
@@ -107,7 +109,7 @@ public final class RaceLayer implements Layer {
   }
 
   private void way(Graphics2D floor, RobotId robot, Scene scene, Look look) {
-    String name = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
+    String name = scene.variable(robot, Instance.APP, RaceFact.POINT);
     for (RacePoint point : points) {
       if (point.name().equals(name) && scene.pose(robot).isPresent()) {
         floor.setColor(look.robot(scene, robot));
@@ -139,12 +141,12 @@ public final class RaceLayer implements Layer {
   }
 
   private static String activity(RobotId robot, Scene scene) {
-    String location = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.LOCATION);
-    String point = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
-    if (location.isEmpty()) {
+    Location location = scene.variable(robot, Instance.APP, RaceFact.LOCATION);
+    String point = scene.variable(robot, Instance.APP, RaceFact.POINT);
+    if (location == null) {
       return "";
     }
-    return switch (Location.valueOf(location)) {
+    return switch (location) {
       case START -> "waits for its position";
       case PICK, RACE -> "races to " + point;
       case MAKE_WAY -> "makes way to " + point;

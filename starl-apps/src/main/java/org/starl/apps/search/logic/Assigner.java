@@ -87,7 +87,7 @@ final class Assigner {
   }
 
   /** Assigns rooms by what the robots report; returns the end of the search, if this is it. */
-  Optional<String> work(Knowledge known, long nowNs) {
+  Optional<Answer> work(Knowledge known, long nowNs) {
     List<RobotId> up = new ArrayList<>();
     for (RobotId robot : participants) {
       if (!suspicion.suspects(anyLife(robot), nowNs)) {
@@ -170,7 +170,7 @@ final class Assigner {
     }
   }
 
-  private String conclusion(Knowledge known) {
+  private Answer conclusion(Knowledge known) {
     List<String> left = new ArrayList<>();
     for (Room room : house.rooms()) {
       if (!known.swept().contains(room.index())) {

@@ -21,7 +21,7 @@ final class Knowledge {
   private final SortedMap<Integer, BitSet> seen = new TreeMap<>();
   private final SortedSet<Integer> swept = new TreeSet<>();
   private Optional<Report.Duty> duty = Optional.empty();
-  private Optional<String> answer = Optional.empty();
+  private Optional<Answer> answer = Optional.empty();
 
   Knowledge(House house) {
     this.house = house;
@@ -76,12 +76,12 @@ final class Knowledge {
   }
 
   /** The first answer that this robot has heard or found. */
-  Optional<String> answer() {
+  Optional<Answer> answer() {
     return answer;
   }
 
   /** Notes an answer unless there is one already. */
-  void conclude(String newAnswer) {
+  void conclude(Answer newAnswer) {
     if (answer.isEmpty()) {
       answer = Optional.of(newAnswer);
     }

@@ -1,20 +1,27 @@
 package org.starl.apps.search.logic;
 
+import static org.starl.shape.Shapes.INT;
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.ROBOT;
+import static org.starl.shape.Shapes.U16;
+import static org.starl.shape.Shapes.U8;
+import static org.starl.shape.Shapes.part;
+
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.comms.Codec;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.shape.Geometry;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 
 /**
  * All that a robot tells the others. Each report is complete and replaces the one before, so loss,
@@ -39,18 +46,23 @@ record Report(
     SortedSet<Integer> swept,
     List<Integer> tries,
     Optional<Duty> duty,
-    Optional<String> answer) {
+    Optional<Answer> answer) {
 
   static final int NO_ROOM = -1;
+
+  /** No house has more rooms. */
+  static final int MAX_ROOMS = 200;
 
   /** More tries than this are reported as this. */
   static final int MAX_TRIES = 255;
 
   private static final int NO_ROOM_BYTE = 255;
+  private static final int MAX_LIST = 255;
 
   Report {
     tries = List.copyOf(tries);
     seen = List.copyOf(seen);
+    swept = Collections.unmodifiableSortedSet(new TreeSet<>(swept));
   }
 
   /**
@@ -59,7 +71,11 @@ record Report(
    * @param term in which it leads; those of a later term count
    * @param tasks the task of each robot
    */
-  record Duty(long term, SortedMap<RobotId, Task> tasks) {}
+  record Duty(long term, SortedMap<RobotId, Task> tasks) {
+    Duty {
+      tasks = Collections.unmodifiableSortedMap(new TreeMap<>(tasks));
+    }
+  }
 
   /**
    * One room for one robot.
@@ -77,98 +93,119 @@ record Report(
     return from.inc() == other.from.inc() ? number > other.number : from.inc() > other.from.inc();
   }
 
+  /** The parts of a report that are about rooms. */
+  private record Rooms(
+      int room, List<Integer> seen, SortedSet<Integer> swept, List<Integer> tries) {}
+
   /**
-   * The bytes of a report, in the order of its components. An optional one begins with a bool; a
-   * list with its length (u8). Numbers: number and term i64; x, y and a task's number i32; run
-   * lengths u16; a room u8, 255 for none; for each room of the house {@code swept} has a bool and
-   * {@code tries} a u8; the answer is bytes in UTF-8.
+   * The shape of reports. Bytes, in the order of the components: an optional one begins with a
+   * bool; a list with its length (u8). Numbers: number and term i64; x, y (in whole mm) and a
+   * task's number i32; run lengths u16; a room u8, 255 for none; for each room of the house {@code
+   * swept} has a bool and {@code tries} a u8; the answer is bytes in UTF-8.
    *
    * @param rooms how many the house has
    */
-  record Wire(int rooms) implements Codec<Report> {
-
-    private static final int MAX_ROOMS = 200;
-
-    Wire {
-      if (rooms > MAX_ROOMS) {
-        throw new IllegalArgumentException(rooms + " rooms: expected at most " + MAX_ROOMS);
-      }
+  static Shape<Report> shape(int rooms) {
+    if (rooms > MAX_ROOMS) {
+      throw new IllegalArgumentException(rooms + " rooms: expected at most " + MAX_ROOMS);
     }
+    Shape<Integer> room = U8.where(number -> checkRoom(number, rooms));
+    return Shapes.of(
+        Report.class,
+        part("from", PROCESS, Report::from),
+        part("number", LONG, Report::number),
+        part("at", Shapes.optional(place()), Report::at),
+        part("rooms", rooms(room, rooms), r -> new Rooms(r.room, r.seen, r.swept, r.tries)),
+        part("duty", Shapes.optional(duties(room)), Report::duty),
+        part("answer", Shapes.optional(answers()), Report::answer),
+        (from, number, at, of, duty, answer) ->
+            new Report(from, number, at, of.room, of.seen, of.swept, of.tries, duty, answer));
+  }
 
-    @Override
-    public void write(Report report, WireWriter out) {
-      out.process(report.from);
-      out.i64(report.number);
-      out.bool(report.at.isPresent());
-      report.at.ifPresent(at -> {
-        out.i32((int) Math.round(at.xMm()));
-        out.i32((int) Math.round(at.yMm()));
-      });
-      out.u8(report.isIdle() ? NO_ROOM_BYTE : report.room);
-      out.u8(report.seen.size());
-      report.seen.forEach(out::u16);
-      for (int room = 0; room < rooms; room++) {
-        out.bool(report.swept.contains(room));
-      }
-      report.tries.forEach(out::u8);
-      out.bool(report.duty.isPresent());
-      report.duty.ifPresent(duty -> {
-        out.i64(duty.term);
-        out.u8(duty.tasks.size());
-        duty.tasks.forEach((robot, task) -> {
-          out.robot(robot);
-          out.u8(task.room);
-          out.i32(task.number);
-        });
-      });
-      out.bool(report.answer.isPresent());
-      report.answer.ifPresent(answer -> out.bytes(answer.getBytes(StandardCharsets.UTF_8)));
+  private static void checkRoom(int room, int rooms) {
+    if (room >= rooms) {
+      throw new IllegalArgumentException("room " + room + " of " + rooms);
     }
+  }
 
-    @Override
-    public Report read(WireReader in) {
-      ProcessId from = in.process();
-      long number = in.i64();
-      Optional<Point> at =
-          in.bool() ? Optional.of(new Point(in.i32(), in.i32())) : Optional.empty();
-      int roomByte = in.u8();
-      int room = roomByte == NO_ROOM_BYTE ? NO_ROOM : known(roomByte);
-      List<Integer> seen = new ArrayList<>();
-      for (int left = in.u8(); left > 0; left--) {
-        seen.add(in.u16());
-      }
-      SortedSet<Integer> swept = new TreeSet<>();
-      for (int i = 0; i < rooms; i++) {
-        if (in.bool()) {
-          swept.add(i);
-        }
-      }
-      List<Integer> tries = new ArrayList<>();
-      for (int i = 0; i < rooms; i++) {
-        tries.add(in.u8());
-      }
-      Optional<Duty> duty = in.bool() ? Optional.of(duty(in)) : Optional.empty();
-      Optional<String> answer =
-          in.bool()
-              ? Optional.of(new String(in.bytes(), StandardCharsets.UTF_8))
-              : Optional.empty();
-      return new Report(from, number, at, room, seen, swept, tries, duty, answer);
-    }
+  private static Shape<Point> place() {
+    return Geometry.POINT.bytes(
+        (at, out) -> {
+          out.i32((int) Math.round(at.xMm()));
+          out.i32((int) Math.round(at.yMm()));
+        },
+        in -> new Point(in.i32(), in.i32()));
+  }
 
-    private Duty duty(WireReader in) {
-      long term = in.i64();
-      SortedMap<RobotId, Task> tasks = new TreeMap<>();
-      for (int left = in.u8(); left > 0; left--) {
-        tasks.put(in.robot(), new Task(known(in.u8()), in.i32()));
-      }
-      return new Duty(term, tasks);
-    }
+  private static Shape<Rooms> rooms(Shape<Integer> room, int rooms) {
+    return Shapes.of(
+        Rooms.class,
+        part("room", roomOrNone(room, rooms), Rooms::room),
+        part("seen", Shapes.list(U16, MAX_LIST), Rooms::seen),
+        part("swept", swept(room, rooms), Rooms::swept),
+        part("tries", tries(rooms), Rooms::tries),
+        Rooms::new);
+  }
 
-    private int known(int room) {
-      if (room >= rooms) {
-        throw new WireFormatException("room " + room + " of " + rooms);
-      }
-      return room;
-    }
+  private static Shape<Integer> roomOrNone(Shape<Integer> room, int rooms) {
+    return Shapes.optional(room)
+        .<Integer>as(
+            "room or null",
+            number -> number == NO_ROOM ? Optional.empty() : Optional.of(number),
+            number -> number.orElse(NO_ROOM))
+        .bytes(
+            (number, out) -> out.u8(number == NO_ROOM ? NO_ROOM_BYTE : number),
+            in -> {
+              int number = in.u8();
+              if (number == NO_ROOM_BYTE) {
+                return NO_ROOM;
+              }
+              checkRoom(number, rooms);
+              return number;
+            });
+  }
+
+  private static Shape<SortedSet<Integer>> swept(Shape<Integer> room, int rooms) {
+    return Shapes.set(room, MAX_ROOMS)
+        .bytes(
+            (swept, out) -> {
+              for (int i = 0; i < rooms; i++) {
+                out.bool(swept.contains(i));
+              }
+            },
+            in -> {
+              SortedSet<Integer> swept = new TreeSet<>();
+              for (int i = 0; i < rooms; i++) {
+                if (in.bool()) {
+                  swept.add(i);
+                }
+              }
+              return swept;
+            });
+  }
+
+  private static Shape<List<Integer>> tries(int rooms) {
+    return Shapes.list(U8, MAX_ROOMS)
+        .bytes((tries, out) -> tries.forEach(out::u8), in -> in.list(rooms, U8::read));
+  }
+
+  private static Shape<Duty> duties(Shape<Integer> room) {
+    Shape<Task> task =
+        Shapes.of(
+            Task.class,
+            part("room", room, Task::room),
+            part("number", INT, Task::number),
+            Task::new);
+    return Shapes.of(
+        Duty.class,
+        part("term", LONG, Duty::term),
+        part("tasks", Shapes.map(ROBOT, task, MAX_LIST), Duty::tasks),
+        Duty::new);
+  }
+
+  private static Shape<Answer> answers() {
+    return Answer.SHAPE.bytes(
+        (answer, out) -> out.bytes(answer.toString().getBytes(StandardCharsets.UTF_8)),
+        in -> AnswerText.parse(new String(in.bytes(), StandardCharsets.UTF_8)));
   }
 }

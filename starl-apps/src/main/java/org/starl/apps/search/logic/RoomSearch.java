@@ -11,6 +11,7 @@ import org.starl.Computation;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
+import org.starl.trace.Instance;
 
 /**
  * The search of one room by one robot: drives the legs of a {@link Sweep}, skips those on which
@@ -143,9 +144,10 @@ final class RoomSearch {
     sweeps++;
     legs.addAll(sweep.legs());
     if (gvh.trace.isOn()) {
-      List<String> texts =
-          sweep.legs().stream().map(SearchTrace::text).collect(Collectors.toList());
-      gvh.trace.action(SearchTrace.SOURCE, SearchTrace.SWEEP, room.name(), texts);
+      List<SearchFact.Leg> planned =
+          sweep.legs().stream().map(SearchFact.Leg::of).collect(Collectors.toList());
+      gvh.trace.action(
+          Instance.APP, SearchFact.SHAPE, new SearchFact.Planned(room.name(), planned));
     }
     if (sweeps == 1) {
       coverage.forget(sweep.hidden()); // this sweep may use all places of the room

@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.platform.Sighting;
+import org.starl.trace.Instance;
 
 /**
  * A robot that searches a house with others (paper, section 5.4). The robots elect a leader; the
@@ -49,8 +49,8 @@ public final class SearchApp extends LogicThread {
     super(gvh);
     gvh.plat.objects.require(house.rangeMm());
     this.house = house;
-    location = gvh.variable(SearchTrace.SOURCE, SearchTrace.LOCATION, Location.ELECT);
-    roomName = gvh.variable(SearchTrace.SOURCE, SearchTrace.ROOM, "");
+    location = gvh.variable(SearchFact.LOCATION, Location.ELECT);
+    roomName = gvh.variable(SearchFact.ROOM, "");
     team = new Team(gvh, xid, house);
     drive = new Drive(gvh, xid, house.bounds());
     parking = new Parking(gvh, house, drive, team::isSwept);
@@ -86,7 +86,7 @@ public final class SearchApp extends LogicThread {
     }
     drive.stop();
     team.tellDecision();
-    gvh.trace.action(SearchTrace.SOURCE, SearchTrace.ANSWER, team.decision());
+    write(new SearchFact.Ended(team.decision()));
     return returnResults();
   }
 
@@ -102,9 +102,8 @@ public final class SearchApp extends LogicThread {
     if (gvh.gps.hasFix()) {
       for (Sighting thing : gvh.plat.objects.sensed()) {
         if (!team.hasAnswer()) {
-          Point at = thing.at();
-          gvh.trace.action(SearchTrace.SOURCE, SearchTrace.FOUND, found(thing));
-          team.conclude(Answer.found(thing.name(), at, gvh.id.name()));
+          write(SearchFact.Found.of(thing, gvh.gps.errorMm()));
+          team.conclude(Answer.found(thing.name(), thing.at(), gvh.id.name()));
         }
       }
     }
@@ -114,13 +113,8 @@ public final class SearchApp extends LogicThread {
     }
   }
 
-  /** Name and place; if the place has an error, also the bound of its distance from the robot's. */
-  private Object[] found(Sighting thing) {
-    long x = Math.round(thing.at().xMm());
-    long y = Math.round(thing.at().yMm());
-    return thing.errorMm() == 0
-        ? new Object[] {thing.name(), x, y}
-        : new Object[] {thing.name(), x, y, (long) Math.ceil(thing.errorMm() + gvh.gps.errorMm())};
+  private void write(SearchFact fact) {
+    gvh.trace.action(Instance.APP, SearchFact.SHAPE, fact);
   }
 
   private void takeRoomOrPark() {

@@ -3,11 +3,11 @@ package org.starl.apps.search.logic;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.TreeSet;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.comms.Codec;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.ProcessId;
@@ -17,6 +17,7 @@ import org.starl.primitives.agreement.SetAgreement;
 import org.starl.primitives.election.Election;
 import org.starl.primitives.election.Leader;
 import org.starl.primitives.geocast.Broadcast;
+import org.starl.trace.Instance;
 
 /**
  * One robot's part in the team: broadcasts once a second what the robot does and knows, leads while
@@ -34,12 +35,12 @@ final class Team {
   private final House house;
   private final Knowledge known;
   private final Election election;
-  private final SetAgreement<String> agreement;
+  private final SetAgreement<Answer> agreement;
   private final Broadcast<Report> broadcast;
   private final ProcessId me;
   private final Integer[] tries;
-  private final GvhCell<String> duty;
-  private final GvhCell<String> swept;
+  private final GvhCell<SearchFact.Assigned> duty;
+  private final GvhCell<SearchFact.Rooms> swept;
   private @Nullable Assigner assigner;
   private int room = Report.NO_ROOM;
   private long reports;
@@ -56,11 +57,11 @@ final class Team {
     me = gvh.id.freshProcess();
     tries = new Integer[house.rooms().size()];
     Arrays.fill(tries, 0);
-    duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
-    swept = gvh.variable(SearchTrace.SOURCE, SearchTrace.SWEPT, "");
+    duty = gvh.variable(SearchFact.DUTY, SearchFact.Assigned.NONE);
+    swept = gvh.variable(SearchFact.SWEPT, new SearchFact.Rooms(List.of()));
     election = new Election(gvh, xid);
-    agreement = new SetAgreement<>(gvh, xid, Codec.text());
-    broadcast = new Broadcast<>(gvh, xid, new Report.Wire(tries.length), this::heard);
+    agreement = new SetAgreement<>(gvh, xid, Answer.SHAPE);
+    broadcast = new Broadcast<>(gvh, xid, Report.shape(tries.length), this::heard);
   }
 
   void begin() {
@@ -77,7 +78,7 @@ final class Team {
     if (gvh.plat.clock.nowNs() >= tellAtNs) {
       tell(TELL_MS);
     }
-    Optional<String> answer = known.answer();
+    Optional<Answer> answer = known.answer();
     if (answer.isPresent() && !isDecided() && (!isProposing || agreement.failed().get())) {
       isProposing = true;
       agreement.propose(answer.get());
@@ -94,8 +95,8 @@ final class Team {
   }
 
   /** The answer that the robots have agreed on; {@link #isDecided} must hold. */
-  String decision() {
-    if (agreement.decided().get() instanceof Decision.Decided<String> decided) {
+  Answer decision() {
+    if (agreement.decided().get() instanceof Decision.Decided<Answer> decided) {
       return decided.value();
     }
     throw new IllegalStateException("nothing is decided yet");
@@ -106,7 +107,7 @@ final class Team {
     return known.answer().isPresent();
   }
 
-  void conclude(String answer) {
+  void conclude(Answer answer) {
     known.conclude(answer);
     tellSoon();
   }
@@ -142,7 +143,7 @@ final class Team {
   /** This robot has searched its room in full. */
   void sweptRoom() {
     known.addSwept(room);
-    gvh.trace.action(SearchTrace.SOURCE, SearchTrace.SWEPT, house.room(room).name());
+    gvh.trace.action(Instance.APP, SearchFact.SHAPE, new SearchFact.Swept(name(room)));
     leaveRoom();
   }
 
@@ -173,7 +174,7 @@ final class Team {
   private void lead() {
     if (!election.isLeader() || !(election.Leader().get() instanceof Leader.Name name)) {
       assigner = null;
-      duty.set("");
+      duty.set(SearchFact.Assigned.NONE);
       return;
     }
     long nowNs = gvh.plat.clock.nowNs();
@@ -184,9 +185,9 @@ final class Team {
       leadAtNs = nowNs + LEAD_PERIOD_NS;
       known.hear(report());
       assigner.work(known, nowNs).ifPresent(this::conclude);
-      String text = text(assigner.duty());
-      if (!text.equals(duty.get())) {
-        duty.set(text);
+      SearchFact.Assigned now = assigned(assigner.duty());
+      if (!now.equals(duty.get())) {
+        duty.set(now);
         tellSoon();
       }
     }
@@ -209,7 +210,7 @@ final class Team {
         at,
         room,
         room == Report.NO_ROOM ? List.of() : RunLengths.of(known.seen(room), house.room(room)),
-        new TreeSet<>(known.swept()),
+        known.swept(),
         List.of(tries),
         Optional.ofNullable(assigner).map(Assigner::duty),
         known.answer());
@@ -233,16 +234,16 @@ final class Team {
 
   private void showSwept() {
     swept.set(
-        known.swept().stream().map(house::room).map(Room::name).collect(Collectors.joining(" ")));
+        new SearchFact.Rooms(known.swept().stream().map(this::name).collect(Collectors.toList())));
   }
 
-  /** {@code 3 bot1=A bot2=C}. */
-  private String text(Report.Duty latest) {
-    StringBuilder text = new StringBuilder().append(latest.term());
-    latest
-        .tasks()
-        .forEach((robot, task) ->
-            text.append(' ').append(robot).append('=').append(house.room(task.room()).name()));
-    return text.toString();
+  private SearchFact.Assigned assigned(Report.Duty latest) {
+    SortedMap<RobotId, String> rooms = new TreeMap<>();
+    latest.tasks().forEach((robot, task) -> rooms.put(robot, name(task.room())));
+    return new SearchFact.Assigned(latest.term(), rooms);
+  }
+
+  private String name(int index) {
+    return house.room(index).name();
   }
 }

@@ -11,12 +11,14 @@ import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchFact;
 import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.random.Rng;
+import org.starl.trace.Vocabulary;
 
 /**
  * The paper's search, of a house drawn from the seed. A robot needs an object sensor; where the thing
@@ -60,6 +62,11 @@ public final class SearchFactory implements AppFactory {
   @Override
   public List<Parameter> parameters() {
     return List.of(SCENARIO, ROOMS, OBJECT, FILES);
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return SearchFact.VOCABULARY;
   }
 
   @Override

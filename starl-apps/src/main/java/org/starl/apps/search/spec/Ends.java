@@ -1,6 +1,5 @@
 package org.starl.apps.search.spec;
 
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -8,11 +7,13 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.Answer;
+import org.starl.apps.search.logic.SearchFact;
 import org.starl.id.RobotId;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -31,7 +32,7 @@ final class Ends extends InstanceSpec<Ends.Search> {
   private final Deadlines assigned;
 
   Ends(long endedWithinNs, long assignedWithinNs) {
-    super(SearchTrace.SOURCE::equals);
+    super(Instance.APP::equals);
     lemma(AGREED, "All robots that end have one answer.");
     ends =
         progress(
@@ -44,29 +45,29 @@ final class Ends extends InstanceSpec<Ends.Search> {
             ASSIGNED,
             "A leader takes its room from a robot that is down, within the bound.",
             assignedWithinNs,
-            sinceNs -> "is down, and still has its room: " + String.join(" ", latestDuty()));
+            sinceNs -> "is down, and still has its room: " + latestDuty());
   }
 
   /** What the robots have told. */
   static final class Search {
     private final SortedSet<RobotId> robots = new TreeSet<>();
-    private final SortedMap<RobotId, String> answers = new TreeMap<>();
+    private final SortedMap<RobotId, Answer> answers = new TreeMap<>();
 
-    /** What each leader has told last: its term, then {@code robot=room} for each assignment. */
-    private final SortedMap<RobotId, List<String>> duties = new TreeMap<>();
+    /** What each leader has assigned last. */
+    private final SortedMap<RobotId, SearchFact.Assigned> duties = new TreeMap<>();
   }
 
   @Override
-  protected Search begin(String source) {
+  protected Search begin(Instance source) {
     return new Search();
   }
 
   private Search search() {
-    return instance(SearchTrace.SOURCE);
+    return instance(Instance.APP);
   }
 
   private static ProcessKey key(RobotId robot) {
-    return new ProcessKey(SearchTrace.SOURCE, robot);
+    return new ProcessKey(Instance.APP, robot);
   }
 
   @Override
@@ -76,24 +77,25 @@ final class Ends extends InstanceSpec<Ends.Search> {
     if (!search().answers.containsKey(robot)) {
       ends.start(key(robot), variable.timeNs());
     }
-    if (variable.name().equals(SearchTrace.DUTY)) {
+    SearchFact.Assigned duty = variable.of(SearchFact.DUTY);
+    if (duty != null) {
       report.checked(ASSIGNED);
-      if (variable.value().isEmpty()) {
-        search().duties.remove(robot);
+      if (duty.isLeading()) {
+        search().duties.put(robot, duty);
       } else {
-        search().duties.put(robot, Arrays.asList(variable.value().split(" ", -1)));
+        search().duties.remove(robot);
       }
     }
   }
 
   @Override
   protected void acted(Action action, Report report) {
-    if (!action.name().equals(SearchTrace.ANSWER)) {
+    if (!(action.fact() instanceof SearchFact.Ended end)) {
       return;
     }
     ends.meet(key(action.robot()), report);
     report.checked(AGREED);
-    String answer = action.args().get(0);
+    Answer answer = end.answer();
     search()
         .answers
         .forEach((other, theirs) -> {
@@ -122,9 +124,9 @@ final class Ends extends InstanceSpec<Ends.Search> {
 
   @Override
   protected void review(long nowNs, Report report) {
-    List<String> duty = latestDuty();
+    SearchFact.Assigned duty = latestDuty();
     for (RobotId robot : search().robots) {
-      boolean hasRoom = duty.stream().anyMatch(entry -> entry.startsWith(robot + "="));
+      boolean hasRoom = duty.rooms().containsKey(robot);
       if (hasRoom && !faults.isUp(robot)) {
         assigned.start(key(robot), nowNs);
       } else {
@@ -137,12 +139,12 @@ final class Ends extends InstanceSpec<Ends.Search> {
     ends.assumeEach(robot -> isFaultFree && isMajorityUp, nowNs);
   }
 
-  /** What the leader of the latest term has told, if it is up and no robot has ended. */
-  private List<String> latestDuty() {
+  /** What the leader of the latest term has assigned, if it is up and no robot has ended. */
+  private SearchFact.Assigned latestDuty() {
     return search().duties.entrySet().stream()
-        .max(Comparator.comparingLong(told -> Long.parseLong(told.getValue().get(0))))
+        .max(Comparator.comparingLong(told -> told.getValue().term()))
         .filter(told -> faults.isUp(told.getKey()) && search().answers.isEmpty())
         .map(Map.Entry::getValue)
-        .orElse(List.of());
+        .orElse(SearchFact.Assigned.NONE);
   }
 }

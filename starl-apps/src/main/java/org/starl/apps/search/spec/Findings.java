@@ -6,11 +6,12 @@ import java.util.stream.Stream;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.SearchFact;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.InstanceMonitor;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -33,7 +34,7 @@ final class Findings extends InstanceMonitor<Findings> {
    * @param staysDown whether a robot may crash for good
    */
   Findings(House house, List<ItemPosition> things, boolean staysDown) {
-    super(SearchTrace.SOURCE::equals);
+    super(Instance.APP::equals);
     this.house = house;
     this.things = List.copyOf(things);
     view = new TrueView(house);
@@ -58,7 +59,7 @@ final class Findings extends InstanceMonitor<Findings> {
   }
 
   @Override
-  protected Findings begin(String source) {
+  protected Findings begin(Instance source) {
     return this;
   }
 
@@ -71,35 +72,35 @@ final class Findings extends InstanceMonitor<Findings> {
 
   @Override
   protected void acted(Action action, Report report) {
-    String first = action.args().isEmpty() ? "" : action.args().get(0);
-    if (action.name().equals(SearchTrace.FOUND)) {
-      checkFound(action, report);
-    } else if (action.name().equals(SearchTrace.ANSWER) && first.equals(Answer.NOTHING)) {
-      checkNothing(action, report);
-    } else if (action.name().equals(SearchTrace.ANSWER) && first.startsWith(Answer.GAVE_UP)) {
-      String rooms = first.substring(Answer.GAVE_UP.length());
-      checkGaveUp(action, List.of(rooms.split(" ", -1)), report);
+    if (action.fact() instanceof SearchFact.Found found) {
+      checkFound(action, found, report);
+    } else if (action.fact() instanceof SearchFact.Ended ended) {
+      switch (ended.answer()) {
+        case Answer.Nothing nothing -> checkNothing(action, report);
+        case Answer.GaveUp gaveUp -> checkGaveUp(action, gaveUp.rooms(), report);
+        case Answer.Found found -> {
+          // Checked when its finder announced it.
+        }
+      }
     }
   }
 
-  private void checkFound(Action action, Report report) {
+  private void checkFound(Action action, SearchFact.Found found, Report report) {
     report.checked(FOUND);
     RobotId robot = action.robot();
-    List<String> args = action.args();
-    Point told = new Point(Double.parseDouble(args.get(1)), Double.parseDouble(args.get(2)));
     // A real sensor and a real position have errors.
-    double offMm = ROUNDING_MM + (args.size() > 3 ? Double.parseDouble(args.get(3)) : 0);
+    double offMm = ROUNDING_MM + found.withinMm();
     Point at = view.robots().contains(robot) ? view.at(robot, action.timeNs()) : null;
     for (ItemPosition thing : things) {
-      if (thing.name().equals(args.get(0))
-          && thing.at().distanceMm(told) <= offMm
+      if (thing.name().equals(found.thing())
+          && thing.at().distanceMm(found.at()) <= offMm
           && at != null
           && at.distanceMm(thing.at()) <= house.rangeMm() + offMm
-          && maySee(at, thing.at(), args.size() > 3 ? offMm : 0)) {
+          && maySee(at, thing.at(), found.withinMm() > 0 ? offMm : 0)) {
         return;
       }
     }
-    violated(FOUND, action, "announces " + args + ", and is at " + at, report);
+    violated(FOUND, action, "announces " + action.args() + ", and is at " + at, report);
   }
 
   /** Whether one point within {@code offMm} of {@code at} along each axis sees {@code thing}. */

@@ -11,6 +11,8 @@ import org.starl.apps.search.logic.Room;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.paths.Tube;
+import org.starl.primitives.paths.TubeFact;
+import org.starl.primitives.paths.TubeList;
 import org.starl.spec.FaultState;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
@@ -28,9 +30,6 @@ final class Reach {
   /** Planners need some room beside a tube, and robots stop beside their goals. */
   private static final double MARGIN_MM = 100;
 
-  private static final String TUBES = "tubes/";
-  private static final String HELD = "held";
-
   private final House house;
   private final FaultState faults = new FaultState();
   private final SortedMap<RobotId, List<Tube>> held = new TreeMap<>();
@@ -43,10 +42,9 @@ final class Reach {
 
   void observe(TraceEvent event) {
     faults.observe(event);
-    if (event instanceof Variable variable
-        && variable.source().startsWith(TUBES)
-        && variable.name().equals(HELD)) {
-      held.put(variable.robot(), Tube.parse(variable.value()));
+    TubeList tubes = event instanceof Variable variable ? variable.of(TubeFact.HELD) : null;
+    if (tubes != null) {
+      held.put(event.robot(), tubes.tubes());
     } else if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
       heldWhenDown.put(fault.robot(), held.getOrDefault(fault.robot(), List.of()));
     } else if (event instanceof Fault fault && fault.name().equals(Fault.RESTART)) {

@@ -14,10 +14,12 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.Grid;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
-import org.starl.apps.search.logic.SearchTrace;
+import org.starl.apps.search.logic.SearchApp.Location;
+import org.starl.apps.search.logic.SearchFact;
 import org.starl.apps.search.spec.TrueView;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -26,6 +28,7 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -49,10 +52,10 @@ public final class SearchLayer implements Layer {
   private final List<ItemPosition> things;
   private final TrueView view;
   private final SortedMap<String, RobotId> searchers = new TreeMap<>();
-  private final SortedMap<String, String> sweeps = new TreeMap<>();
+  private final SortedMap<String, List<SearchFact.Leg>> sweeps = new TreeMap<>();
   private final SortedMap<RobotId, String> rooms = new TreeMap<>();
   private final SortedSet<String> done = new TreeSet<>();
-  private final SortedMap<RobotId, String> ends = new TreeMap<>();
+  private final SortedMap<RobotId, Answer> ends = new TreeMap<>();
   private final SortedSet<RobotId> down = new TreeSet<>();
 
   public SearchLayer(House house, List<ItemPosition> things) {
@@ -81,18 +84,29 @@ public final class SearchLayer implements Layer {
   public void observe(TraceEvent event) {
     view.observe(event);
     switch (event) {
-      case Variable room when SearchTrace.is(room, SearchTrace.ROOM) ->
-          tookRoom(room.robot(), room.value());
-      case Action swept when SearchTrace.is(swept, SearchTrace.SWEPT) ->
-          done.add(swept.args().get(0));
-      case Action sweep when SearchTrace.is(sweep, SearchTrace.SWEEP) ->
-          sweeps.putIfAbsent(sweep.args().get(0), sweep.args().get(1));
-      case Action answer when SearchTrace.is(answer, SearchTrace.ANSWER) ->
-          ends.put(answer.robot(), answer.args().get(0));
+      case Variable variable -> {
+        String room = variable.of(SearchFact.ROOM);
+        if (room != null) {
+          tookRoom(variable.robot(), room);
+        }
+      }
+      case Action action when action.fact() instanceof SearchFact fact ->
+          acted(action.robot(), fact);
       case Fault fault when fault.name().equals(Fault.CRASH) -> down.add(fault.robot());
       case Fault fault when fault.name().equals(Fault.RESTART) -> down.remove(fault.robot());
       default -> {
         // Changes nothing in the picture.
+      }
+    }
+  }
+
+  private void acted(RobotId robot, SearchFact fact) {
+    switch (fact) {
+      case SearchFact.Swept swept -> done.add(swept.room());
+      case SearchFact.Planned planned -> sweeps.putIfAbsent(planned.room(), planned.legs());
+      case SearchFact.Ended ended -> ends.put(robot, ended.answer());
+      case SearchFact.Found found -> {
+        // The things are drawn from the start.
       }
     }
   }
@@ -185,21 +199,13 @@ public final class SearchLayer implements Layer {
     floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, before);
   }
 
-  /**
-   * Paints the legs, and the straight ways between them where nothing is in the way.
-   *
-   * @param legs as text: {@code [500,1500>900,1500, 700,700]}
-   */
-  private void paintSweep(Graphics2D floor, String legs, Color colour, Look look) {
+  /** Paints the legs, and the straight ways between them where nothing is in the way. */
+  private void paintSweep(Graphics2D floor, List<SearchFact.Leg> legs, Color colour, Look look) {
     Path2D path = new Path2D.Double();
     Point last = null;
-    for (String end : legs.substring(1, legs.length() - 1).split(", |>", -1)) {
-      int comma = end.indexOf(',');
-      if (comma > 0) {
-        Point point =
-            new Point(
-                Integer.parseInt(end.substring(0, comma)),
-                Integer.parseInt(end.substring(comma + 1)));
+    for (SearchFact.Leg leg : legs) {
+      boolean isStop = leg.from().equals(leg.to());
+      for (Point point : isStop ? List.of(leg.to()) : List.of(leg.from(), leg.to())) {
         if (last == null || !house.sight().sees(last, point)) {
           path.moveTo(point.xMm(), point.yMm());
         } else {
@@ -269,8 +275,8 @@ public final class SearchLayer implements Layer {
   }
 
   private boolean isLeader(RobotId robot, Scene scene) {
-    return !down.contains(robot)
-        && !scene.variable(robot, SearchTrace.SOURCE, SearchTrace.DUTY).isEmpty();
+    SearchFact.Assigned duty = scene.variable(robot, SearchFact.DUTY);
+    return !down.contains(robot) && duty != null && duty.isLeading();
   }
 
   @Override
@@ -278,26 +284,32 @@ public final class SearchLayer implements Layer {
     if (down.contains(robot)) {
       return "crashed";
     }
-    String room = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.ROOM);
-    String location = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.LOCATION);
-    String what =
-        switch (location) {
-          case "ELECT" -> "elects a leader";
-          case "WAIT" -> "waits for a room";
-          case "GO" -> "drives to room " + room;
-          case "SWEEP" -> "sweeps room " + room;
-          case "ANSWER" -> "agrees on the answer";
-          default -> ends.getOrDefault(robot, location);
-        };
+    Location location = scene.variable(robot, SearchFact.LOCATION);
+    String what = location == null ? "" : doing(robot, location, scene);
     return what + (isLeader(robot, scene) ? "\nleads (crown): assigns the rooms" : "");
+  }
+
+  private String doing(RobotId robot, Location location, Scene scene) {
+    String room = scene.text(robot, Instance.APP, SearchFact.ROOM.name());
+    return switch (location) {
+      case ELECT -> "elects a leader";
+      case WAIT -> "waits for a room";
+      case GO -> "drives to room " + room;
+      case SWEEP -> "sweeps room " + room;
+      case ANSWER -> "agrees on the answer";
+      case DONE -> {
+        Answer end = ends.get(robot);
+        yield end == null ? location.name() : end.toString();
+      }
+    };
   }
 
   @Override
   public double interest(Scene scene) {
     double interest = 0;
     for (RobotId robot : scene.robots()) {
-      String location = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.LOCATION);
-      interest += location.equals("SWEEP") ? 2 : location.equals("GO") ? 1 : 0;
+      Location location = scene.variable(robot, SearchFact.LOCATION);
+      interest += location == Location.SWEEP ? 2 : location == Location.GO ? 1 : 0;
     }
     return interest;
   }

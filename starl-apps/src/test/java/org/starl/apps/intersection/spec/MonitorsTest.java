@@ -4,16 +4,27 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 
 /** Each monitor reports a violation exactly where its lemma does not hold. */
 class MonitorsTest {
@@ -21,7 +32,8 @@ class MonitorsTest {
   private static final RobotId BOT0 = new RobotId("bot0");
   private static final RobotId BOT1 = new RobotId("bot1");
   private static final long SECOND_NS = 1_000_000_000;
-  private static final String MUTEX = "mutex/crossing";
+  private static final Instance MUTEX = Instance.of("mutex", "crossing");
+  private static final Instance QUEUE = Instance.of("mutex", "crossing.queue1");
 
   private final List<TraceEvent> events = new ArrayList<>();
   private long nowNs;
@@ -30,14 +42,40 @@ class MonitorsTest {
     nowNs += (long) (seconds * SECOND_NS);
   }
 
-  private void mutex(RobotId robot, String name, String... args) {
-    List<String> all = new ArrayList<>(List.of(robot + "#1", "1"));
-    all.addAll(List.of(args));
-    events.add(new TraceEvent.Action(nowNs, robot, MUTEX, name, all));
+  private static ProcessId process(RobotId robot) {
+    return new ProcessId(robot, 1);
   }
 
-  private void app(RobotId robot, String name, String value) {
-    events.add(new TraceEvent.Variable(nowNs, robot, "app", name, value));
+  private static SortedSet<String> zones(String... names) {
+    return Sections.copyOf(List.of(names));
+  }
+
+  private void mutex(Instance mutex, RobotId robot, MutexFact fact) {
+    events.add(Action.of(nowNs, robot, mutex, MutexFact.SHAPE, fact));
+  }
+
+  private void asks(RobotId robot, String... want) {
+    ProcessId who = process(robot);
+    SortedSet<ProcessId> known = new TreeSet<>(List.of(who));
+    mutex(MUTEX, robot, new MutexFact.DoMutex(who, 1, 5, zones(want), known));
+  }
+
+  private void holds(RobotId robot, String... held) {
+    mutex(MUTEX, robot, new MutexFact.OdMutex(process(robot), 1, zones(held)));
+  }
+
+  private void releases(RobotId robot, SortedSet<String> given, SortedSet<String> left) {
+    mutex(MUTEX, robot, new MutexFact.Release(process(robot), 1, given, left));
+  }
+
+  private void app(RobotId robot, Location location) {
+    events.add(
+        new TraceEvent.Variable(nowNs, robot, Instance.APP, CrossingFact.LOCATION, location));
+  }
+
+  private void ahead(RobotId robot, String... zones) {
+    events.add(
+        new TraceEvent.Variable(nowNs, robot, Instance.APP, CrossingFact.MYSEQ, List.of(zones)));
   }
 
   private void joins(RobotId robot, double xMm, double yMm) {
@@ -73,13 +111,13 @@ class MonitorsTest {
   @Test
   void oneCarAfterTheOtherIsSafe() {
     joins(BOT0, 1700, 2250);
-    mutex(BOT0, "od_mutex", "C D D1");
+    holds(BOT0, "C", "D", "D1");
     drives(BOT0, 1700, 2250, 250);
     after(7.4);
     drives(BOT0, 3550, 2250, 0);
-    mutex(BOT0, "release", "C D", "D1");
+    releases(BOT0, zones("C", "D"), zones("D1"));
     joins(BOT1, 1700, 2250);
-    mutex(BOT1, "od_mutex", "C");
+    holds(BOT1, "C");
     drives(BOT1, 1700, 2250, 250);
     after(2);
     drives(BOT1, 2200, 2250, 0);
@@ -90,7 +128,7 @@ class MonitorsTest {
   @Test
   void twoBodiesInOneZoneAreReportedDuringMotion() {
     joins(BOT0, 2250, 2250);
-    mutex(BOT0, "od_mutex", "C");
+    holds(BOT0, "C");
     joins(BOT1, 1600, 2250);
     drives(BOT1, 1600, 2250, 250);
     after(5);
@@ -103,9 +141,9 @@ class MonitorsTest {
   @Test
   void aZoneReleasedTooEarlyIsReportedEvenIfNoOtherCarEnters() {
     joins(BOT0, 2250, 2250);
-    mutex(BOT0, "od_mutex", "C D1");
+    holds(BOT0, "C", "D1");
     after(1);
-    mutex(BOT0, "release", "C", "D1");
+    releases(BOT0, zones("C"), zones("D1"));
     after(1);
     SpecReport report = report(trafficSafety());
     assertThat(report.violations("traffic_safety")).isZero();
@@ -115,7 +153,7 @@ class MonitorsTest {
   @Test
   void aCarThatIsCarriedIntoAZoneAndStandsThereIsReported() {
     joins(BOT0, 500, 500);
-    mutex(BOT0, "od_mutex", "A");
+    holds(BOT0, "A");
     after(1);
     drives(BOT0, 2250, 2250, 0);
     after(1);
@@ -125,30 +163,26 @@ class MonitorsTest {
   @Test
   void aCarThatHasLeftTheFloorOccupiesNoZone() {
     joins(BOT0, 2250, 2250);
-    mutex(BOT0, "od_mutex", "C");
+    holds(BOT0, "C");
     after(1);
     events.add(new TraceEvent.Left(nowNs, BOT0));
     after(1);
     joins(BOT1, 2250, 2250);
-    mutex(BOT1, "od_mutex", "C");
+    holds(BOT1, "C");
     assertThat(report(trafficSafety()).violations("traffic_safety")).isZero();
   }
 
   @Test
   void aPlaceIsHeldThroughTheMutexOfItsRank() {
     joins(BOT0, 1100, 2250);
-    events.add(
-        new TraceEvent.Action(
-            nowNs, BOT0, "mutex/crossing.queue1", "od_mutex", List.of("bot0#1", "1", "C0.1")));
+    mutex(QUEUE, BOT0, new MutexFact.OdMutex(process(BOT0), 1, zones("C0.1")));
     after(1);
-    mutex(BOT0, "od_mutex", "C C1");
-    mutex(BOT0, "release", "C C1", "");
+    holds(BOT0, "C", "C1");
+    releases(BOT0, zones("C", "C1"), zones());
     after(1);
     assertThat(report(new TrafficSafety(Crossing.regions(Crossing.CLAIMED_PLACES))).holds())
         .isTrue();
-    events.add(
-        new TraceEvent.Action(
-            nowNs, BOT0, "mutex/crossing.queue1", "release", List.of("bot0#1", "1", "C0.1", "")));
+    mutex(QUEUE, BOT0, new MutexFact.Release(process(BOT0), 1, zones("C0.1"), zones()));
     after(1);
     SpecReport report = report(new TrafficSafety(Crossing.regions(Crossing.CLAIMED_PLACES)));
     assertRed(report, "occupied_is_held", 2, BOT0);
@@ -156,35 +190,36 @@ class MonitorsTest {
 
   @Test
   void disjointCritSetsAreSafe() {
-    mutex(BOT0, "od_mutex", "A A1");
-    mutex(BOT1, "od_mutex", "B B1 D");
-    mutex(BOT1, "release", "D", "B B1");
+    holds(BOT0, "A", "A1");
+    holds(BOT1, "B", "B1", "D");
+    releases(BOT1, zones("D"), zones("B", "B1"));
     assertThat(report(trafficSafety()).holds()).isTrue();
   }
 
   @Test
   void overlappingCritSetsAreReported() {
-    mutex(BOT0, "od_mutex", "A C C1");
+    holds(BOT0, "A", "C", "C1");
     after(1);
-    mutex(BOT0, "release", "A", "C C1");
+    releases(BOT0, zones("A"), zones("C", "C1"));
     after(1);
-    mutex(BOT1, "od_mutex", "B C");
+    holds(BOT1, "B", "C");
     assertRed(report(trafficSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
   }
 
-  private void sets(RobotId robot, String trip) {
-    events.add(new TraceEvent.Action(nowNs, robot, "app", "trip", List.of("route", trip)));
+  private void sets(RobotId robot, String... trip) {
+    Way way = new Way("route", Optional.empty(), List.of(trip));
+    events.add(Action.of(nowNs, robot, Instance.APP, Way.SHAPE, way));
   }
 
   private void asksForAAndA1() {
-    sets(BOT0, "[A, A1]");
-    app(BOT0, "location", "S_0");
-    app(BOT0, "myseq", "[A, A1]");
+    sets(BOT0, "A", "A1");
+    app(BOT0, Location.S_0);
+    ahead(BOT0, "A", "A1");
     after(1);
-    app(BOT0, "location", "REGISTER_WAIT");
+    app(BOT0, Location.REGISTER_WAIT);
     after(1);
-    mutex(BOT0, "do_mutex", "5", "A A1", "");
-    app(BOT0, "location", "MUTEX_WAIT");
+    asks(BOT0, "A", "A1");
+    app(BOT0, Location.MUTEX_WAIT);
     after(1);
   }
 
@@ -195,15 +230,15 @@ class MonitorsTest {
   @Test
   void aMovingCarMayHoldTheRestOfItsPath() {
     asksForAAndA1();
-    mutex(BOT0, "od_mutex", "A A1");
+    holds(BOT0, "A", "A1");
     after(0.1);
-    app(BOT0, "location", "MOVE_WAIT");
+    app(BOT0, Location.MOVE_WAIT);
     after(5);
-    mutex(BOT0, "release", "A", "A1");
-    app(BOT0, "myseq", "[A1]");
+    releases(BOT0, zones("A"), zones("A1"));
+    ahead(BOT0, "A1");
     after(5);
-    app(BOT0, "myseq", "[]");
-    app(BOT0, "location", "S_1");
+    ahead(BOT0);
+    app(BOT0, Location.S_1);
     after(1);
     assertThat(report(listCrit()).holds()).isTrue();
   }
@@ -211,7 +246,7 @@ class MonitorsTest {
   @Test
   void aCarThatMovesWithoutHoldingIsReported() {
     asksForAAndA1();
-    app(BOT0, "location", "MOVE_WAIT");
+    app(BOT0, Location.MOVE_WAIT);
     after(1);
     assertRed(report(listCrit()), "Inv_list_crit", 3, BOT0);
   }
@@ -219,10 +254,10 @@ class MonitorsTest {
   @Test
   void aCarThatReleasesAZoneAheadIsReported() {
     asksForAAndA1();
-    mutex(BOT0, "od_mutex", "A A1");
-    app(BOT0, "location", "MOVE_WAIT");
+    holds(BOT0, "A", "A1");
+    app(BOT0, Location.MOVE_WAIT);
     after(1);
-    mutex(BOT0, "release", "A1", "A");
+    releases(BOT0, zones("A1"), zones("A"));
     after(1);
     assertRed(report(listCrit()), "Inv_list_crit", 4, BOT0);
   }
@@ -230,32 +265,32 @@ class MonitorsTest {
   @Test
   void aLostCopyDoesNotPartAReleaseFromTheRestOfItsAction() {
     asksForAAndA1();
-    mutex(BOT0, "od_mutex", "A A1");
+    holds(BOT0, "A", "A1");
     after(0.1);
-    app(BOT0, "location", "MOVE_WAIT");
+    app(BOT0, Location.MOVE_WAIT);
     after(5);
-    mutex(BOT0, "release", "A", "A1");
+    releases(BOT0, zones("A"), zones("A1"));
     events.add(new TraceEvent.Dropped(nowNs, BOT1, "bot0", "loss"));
-    app(BOT0, "myseq", "[A1]");
+    ahead(BOT0, "A1");
     after(5);
     assertThat(report(listCrit()).holds()).isTrue();
   }
 
   @Test
   void aCarThatRequestsLessThanItsPathIsReported() {
-    sets(BOT0, "[A, A1]");
-    app(BOT0, "location", "S_0");
-    app(BOT0, "myseq", "[A, A1]");
+    sets(BOT0, "A", "A1");
+    app(BOT0, Location.S_0);
+    ahead(BOT0, "A", "A1");
     after(2);
-    mutex(BOT0, "do_mutex", "5", "A", "");
-    app(BOT0, "location", "MUTEX_WAIT");
+    asks(BOT0, "A");
+    app(BOT0, Location.MUTEX_WAIT);
     after(1);
     assertRed(report(listCrit()), "Inv_list_crit", 2, BOT0);
   }
 
   @Test
   void aCarThatDepartsWithinTheBoundMakesProgress() {
-    sets(BOT0, "[A, A1]");
+    sets(BOT0, "A", "A1");
     joins(BOT0, 0, 0);
     after(20);
     events.add(new TraceEvent.Left(nowNs, BOT0));
@@ -266,7 +301,7 @@ class MonitorsTest {
   @Test
   void aRobotWithoutATripNeedNotDepart() {
     joins(BOT1, 1000, 1000);
-    sets(BOT0, "[]");
+    sets(BOT0);
     joins(BOT0, 0, 0);
     after(1000);
     Monitors monitors = new Monitors(List.of(new TrafficProgress(80 * SECOND_NS, List.of())));
@@ -278,8 +313,8 @@ class MonitorsTest {
   @Test
   void aCarThatNeverDepartsIsReportedAtTheBound() {
     joins(BOT0, 0, 0);
-    sets(BOT0, "[A, A1]");
-    sets(BOT1, "[B, B1]");
+    sets(BOT0, "A", "A1");
+    sets(BOT1, "B", "B1");
     joins(BOT1, 0, 1000);
     after(10);
     events.add(new TraceEvent.Left(nowNs, BOT1));

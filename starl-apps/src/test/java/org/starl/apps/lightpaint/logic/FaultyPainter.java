@@ -34,8 +34,8 @@ public final class FaultyPainter extends LogicThread {
     super(gvh);
     this.strokes = strokes;
     this.bug = bug;
-    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
-    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
+    light = gvh.variable(PaintFact.LIGHT, Light.OFF);
+    location = gvh.variable(PaintFact.LOCATION, Location.RESUME);
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
   }
 

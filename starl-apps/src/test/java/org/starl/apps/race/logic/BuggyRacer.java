@@ -36,12 +36,12 @@ public final class BuggyRacer extends LogicThread {
     super(gvh);
     this.points = points;
     this.bug = bug;
-    location = gvh.variable(RaceTrace.SOURCE, RaceTrace.LOCATION, RaceApp.Location.RACE);
+    location = gvh.variable(RaceFact.LOCATION, RaceApp.Location.RACE);
     broadcast =
         new Broadcast<>(
             gvh,
             "race",
-            new RaceMessage.Wire(points.size()),
+            RaceMessage.shape(points.size()),
             (from, message) -> heard((Claim) message),
             Scoreboard.SETTINGS);
   }
@@ -71,7 +71,8 @@ public final class BuggyRacer extends LogicThread {
   }
 
   private void arrive(int point, RacePoint next) {
-    gvh.trace.action(RaceTrace.SOURCE, RaceTrace.ARRIVE, point, next.name(), 0, 0, next.radiusMm());
+    gvh.trace.action(
+        RaceFact.Arrived.SHAPE, new RaceFact.Arrived(point, next.name(), 0, 0, next.radiusMm()));
     Claim claim = new Claim(point, gvh.id.name(), gvh.plat.clock.nowNs(), 0);
     record(claim);
     if (bug != Bug.ANNOUNCES_NOTHING) {
@@ -100,6 +101,6 @@ public final class BuggyRacer extends LogicThread {
 
   private void record(Claim claim) {
     best.put(claim.point(), claim);
-    RaceTrace.taken(gvh, claim, points.get(claim.point()));
+    gvh.trace.action(RaceFact.Taken.SHAPE, RaceFact.Taken.of(claim, points.get(claim.point())));
   }
 }

@@ -10,17 +10,18 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.shape.Shape;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class RaceMessagesTest {
 
   private static final int POINTS = 5;
 
-  private final RaceMessage.Wire codec = new RaceMessage.Wire(POINTS);
+  private final Shape<RaceMessage> codec = RaceMessage.shape(POINTS);
 
   @Provide
   Arbitrary<Claim> claims() {
@@ -33,7 +34,7 @@ class RaceMessagesTest {
             new Claim(point, new RobotId("bot" + robot), atNs, offMm));
   }
 
-  private static byte[] bytes(RaceMessage.Wire codec, RaceMessage message) {
+  private static byte[] bytes(Shape<RaceMessage> codec, RaceMessage message) {
     byte[] buffer = new byte[200];
     WireWriter out = new WireWriter(buffer);
     codec.write(message, out);
@@ -72,7 +73,7 @@ class RaceMessagesTest {
     assertThat(codec.read(new WireReader(bytes(codec, question)))).isEqualTo(question);
     assertThatThrownBy(() -> codec.read(new WireReader(new byte[] {7})))
         .isInstanceOf(WireFormatException.class);
-    byte[] another = bytes(new RaceMessage.Wire(9), new Claim(POINTS, new RobotId("bot0"), 1, 0));
+    byte[] another = bytes(RaceMessage.shape(9), new Claim(POINTS, new RobotId("bot0"), 1, 0));
     assertThatThrownBy(() -> codec.read(new WireReader(another)))
         .isInstanceOf(WireFormatException.class)
         .hasMessageContaining("point 5 of a race of 5");

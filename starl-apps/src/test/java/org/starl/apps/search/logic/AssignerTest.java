@@ -120,6 +120,6 @@ class AssignerTest {
     hear(OTHER, 5_500, 1, List.of(0), 0, 2);
     assertThat(later.work(known, 61 * SECOND_NS)).as("it tries").isEmpty();
     hear(OTHER, 5_500, Report.NO_ROOM, List.of(0), 0, 3);
-    assertThat(later.work(known, 61 * SECOND_NS)).contains(Answer.GAVE_UP + "B");
+    assertThat(later.work(known, 61 * SECOND_NS)).contains(new Answer.GaveUp(List.of("B")));
   }
 }

@@ -1,13 +1,14 @@
 package org.starl.apps.search.logic;
 
 import java.util.List;
-import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 
 /** A searcher with one planted bug, which a monitor must report. */
 public final class BuggySearcher extends LogicThread {
@@ -30,12 +31,12 @@ public final class BuggySearcher extends LogicThread {
   }
 
   private final Fault fault;
-  private final GvhCell<String> duty;
+  private final GvhCell<SearchFact.Assigned> duty;
 
   public BuggySearcher(GlobalVarHolder gvh, Fault fault) {
     super(gvh);
     this.fault = fault;
-    duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
+    duty = gvh.variable(SearchFact.DUTY, SearchFact.Assigned.NONE);
   }
 
   @Override
@@ -43,20 +44,19 @@ public final class BuggySearcher extends LogicThread {
     RobotId me = gvh.id.name();
     boolean isFirst = me.equals(gvh.id.participants().asList().get(0));
     switch (fault) {
-      case SEES_THROUGH_WALLS ->
-          gvh.trace.action(SearchTrace.SOURCE, SearchTrace.FOUND, "object", 1, 2);
+      case SEES_THROUGH_WALLS -> write(new SearchFact.Found("object", 1, 2, 0));
       case DOES_NOT_LOOK -> answer(Answer.NOTHING);
-      case IS_LAZY -> answer(Answer.GAVE_UP + "A");
+      case IS_LAZY -> answer(new Answer.GaveUp(List.of("A")));
       case IS_TIMID -> {
         sleep(5_000);
-        answer(Answer.GAVE_UP + "A");
+        answer(new Answer.GaveUp(List.of("A")));
       }
       case IS_STUBBORN -> answer(Answer.found("object", new Point(1, 2), me));
       case FORGETS_THE_DEAD -> {
         if (isFirst) {
-          Map<String, String> rooms = new TreeMap<>();
-          gvh.id.participants().forEach(robot -> rooms.put(robot.name(), "A"));
-          duty.set("1 " + rooms.toString().replaceAll("[{},]", ""));
+          SortedMap<RobotId, String> rooms = new TreeMap<>();
+          gvh.id.participants().forEach(robot -> rooms.put(robot, "A"));
+          duty.set(new SearchFact.Assigned(1, rooms));
         }
         sleep(60_000);
       }
@@ -65,7 +65,11 @@ public final class BuggySearcher extends LogicThread {
     return List.of();
   }
 
-  private void answer(String answer) {
-    gvh.trace.action(SearchTrace.SOURCE, SearchTrace.ANSWER, answer);
+  private void answer(Answer answer) {
+    write(new SearchFact.Ended(answer));
+  }
+
+  private void write(SearchFact fact) {
+    gvh.trace.action(Instance.APP, SearchFact.SHAPE, fact);
   }
 }

@@ -3,8 +3,10 @@ package org.starl.apps.search.logic;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,13 +15,15 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.WireFormatException;
-import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 /** Reports are read as they were written, and may be heard in any order. */
 class ReportTest {
@@ -42,13 +46,13 @@ class ReportTest {
         new TreeSet<>(swept),
         List.of(0, 255),
         Optional.of(duty),
-        Optional.of(Answer.GAVE_UP + "A B"));
+        Optional.of(new Answer.GaveUp(List.of("A", "B"))));
   }
 
   private static byte[] bytes(Report report) {
     byte[] buffer = new byte[1_000];
     WireWriter out = new WireWriter(buffer);
-    new Report.Wire(ROOMS).write(report, out);
+    Report.shape(ROOMS).write(report, out);
     return Arrays.copyOf(buffer, out.length());
   }
 
@@ -58,14 +62,45 @@ class ReportTest {
         List.of(
             report(1, Report.NO_ROOM, List.of(), List.of()),
             report(2, 1, List.of(0, 65_535), List.of(0, 1)))) {
-      assertThat(new Report.Wire(ROOMS).read(new WireReader(bytes(report)))).isEqualTo(report);
+      assertThat(Report.shape(ROOMS).read(new WireReader(bytes(report)))).isEqualTo(report);
+    }
+  }
+
+  /** Robots of several versions must understand each other. */
+  @Test
+  void theBytesOfAReportStayTheSame() {
+    Report report = report(2, 1, List.of(0, 65_535), List.of(0));
+    String from = "04626f7431" + "0000000000000005";
+    String number = "0000000000000002";
+    String at = "01" + "0000000c" + "fffffff9";
+    String rooms = "01" + "02" + "0000" + "ffff" + "0100" + "00ff";
+    String duty = "01" + "0000000000000007" + "01" + "04626f7431" + "01" + "00000003";
+    String answer = "01" + "001d" + utf8("gave up, could not search A B");
+    assertThat(HexFormat.of().formatHex(bytes(report)))
+        .isEqualTo(from + number + at + rooms + duty + answer);
+  }
+
+  private static String utf8(String text) {
+    return HexFormat.of().formatHex(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** A reader of traces does not know how many rooms the house has. */
+  @Test
+  void aReportIsReadFromJson() throws JsonFormatException {
+    for (Report report :
+        List.of(
+            report(1, Report.NO_ROOM, List.of(), List.of()),
+            report(2, 1, List.of(3), List.of(0)))) {
+      String json = Report.shape(ROOMS).json(report);
+      assertThat(Report.shape(Report.MAX_ROOMS).readJson(new JsonReader("trace", 1, json)))
+          .isEqualTo(report);
     }
   }
 
   @Test
   void aReportOfAnUnknownRoomIsRefused() {
     byte[] bytes = bytes(report(1, 1, List.of(), List.of()));
-    assertThatThrownBy(() -> new Report.Wire(1).read(new WireReader(bytes)))
+    assertThatThrownBy(() -> Report.shape(1).read(new WireReader(bytes)))
         .isInstanceOf(WireFormatException.class);
   }
 

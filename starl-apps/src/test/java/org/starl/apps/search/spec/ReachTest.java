@@ -7,7 +7,12 @@ import org.junit.jupiter.api.Test;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
 import org.starl.apps.search.logic.TwoRooms;
+import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.primitives.paths.Tube;
+import org.starl.primitives.paths.TubeFact;
+import org.starl.primitives.paths.TubeList;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -22,8 +27,10 @@ class ReachTest {
 
   private final Reach reach = new Reach(HOUSE);
 
-  private void holds(String tube) {
-    reach.observe(new Variable(SECOND_NS, DEAD, "tubes/house", "held", tube));
+  private void holds(double xMm, double yMm) {
+    TubeList held = new TubeList(List.of(new Tube(List.of(new Point(xMm, yMm)), 244)));
+    Instance tubes = Instance.of(TubeFact.PRIMITIVE, "house");
+    reach.observe(new Variable(SECOND_NS, DEAD, tubes, TubeFact.HELD, held));
   }
 
   private void crashes() {
@@ -36,13 +43,13 @@ class ReachTest {
 
   @Test
   void aRobotThatIsUpBarsNothing() {
-    holds("244@2000,1500");
+    holds(2_000, 1_500);
     assertThat(isInReach(A, 3)).isTrue();
   }
 
   @Test
   void aTubeInTheDoorBarsTheRoomBehindIt() {
-    holds("244@2000,1500");
+    holds(2_000, 1_500);
     crashes();
     assertThat(isInReach(A, 3)).isFalse();
     assertThat(isInReach(B, 3)).isTrue();
@@ -50,7 +57,7 @@ class ReachTest {
 
   @Test
   void aTubeInTheHallBarsNothingIfAWayLeadsPastIt() {
-    holds("244@4000,300");
+    holds(4_000, 300);
     crashes();
     assertThat(isInReach(A, 3)).isTrue();
     assertThat(isInReach(B, 3)).isTrue();
@@ -58,14 +65,14 @@ class ReachTest {
 
   @Test
   void aTubeInACornerBarsTheCellsThatCanOnlyBeSeenFromThere() {
-    holds("244@300,300");
+    holds(300, 300);
     crashes();
     assertThat(isInReach(A, 3)).isFalse();
   }
 
   @Test
   void aRobotThatIsBackBarsNothingAfterAWhile() {
-    holds("244@2000,1500");
+    holds(2_000, 1_500);
     crashes();
     reach.observe(new Fault(10 * SECOND_NS, DEAD, Fault.RESTART, ""));
     assertThat(isInReach(A, 11)).as("others do not know yet").isFalse();

@@ -2,6 +2,7 @@ package org.starl.sim.export;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.util.RawValue;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -11,10 +12,12 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
+import org.starl.shape.Shape;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.spec.Bodies;
@@ -32,13 +35,18 @@ import org.starl.trace.TraceHeader;
  *   <li>{@code /pose/ROBOT}, {@code foxglove.PoseInFrame}, every 50 ms while the robot moves;
  *   <li>{@code /log}, {@code foxglove.Log}: actions, faults, log lines of robots, and violations of
  *       specifications;
- *   <li>{@code /variables}, {@code starl.Variable}: each change of a variable;
- *   <li>{@code /messages}, {@code starl.Message}: each datagram sent, delivered or dropped.
+ *   <li>{@code /variables/ROBOT/SOURCE/NAME}, {@code starl.Variable}: each change of a variable,
+ *       with its value as JSON, so that numbers can be plotted;
+ *   <li>{@code /messages}, {@code starl.Message}: each datagram sent, delivered or dropped, with its
+ *       message as text and as JSON.
  * </ul>
  */
 public final class McapRecorder implements SimObserver, Closeable {
 
   private static final long STEP_NS = 50_000_000;
+
+  /** In Foxglove's paths, other characters need quotes, or begin the name of a field. */
+  private static final Pattern NOT_IN_TOPICS = Pattern.compile("[^A-Za-z0-9_/-]");
 
   private final OutputStream out;
   private final Obstacles obstacles;
@@ -46,11 +54,12 @@ public final class McapRecorder implements SimObserver, Closeable {
   private final FoxgloveScene scene = new FoxgloveScene(json);
   private final Bodies bodies = new Bodies();
   private final SortedMap<RobotId, Integer> poseChannels = new TreeMap<>();
+  private final SortedMap<String, Integer> variableChannels = new TreeMap<>();
+  private final SortedMap<String, Integer> variableSchemas = new TreeMap<>();
   private final Set<RobotId> moved = new TreeSet<>();
   private @Nullable McapWriter writer;
   private int sceneChannel;
   private int logChannel;
-  private int variables;
   private int messages;
   private int poseSchema;
   private long nextStepNs;
@@ -73,7 +82,6 @@ public final class McapRecorder implements SimObserver, Closeable {
       sceneChannel =
           begun.channel(begun.schema("foxglove.SceneUpdate", McapSchemas.SCENE), "/scene");
       logChannel = begun.channel(begun.schema("foxglove.Log", McapSchemas.LOG), "/log");
-      variables = begun.channel(begun.schema("starl.Variable", McapSchemas.VARIABLE), "/variables");
       messages = begun.channel(begun.schema("starl.Message", McapSchemas.MESSAGE), "/messages");
       poseSchema = begun.schema("foxglove.PoseInFrame", McapSchemas.POSE);
     } catch (IOException e) {
@@ -96,33 +104,39 @@ public final class McapRecorder implements SimObserver, Closeable {
     switch (event) {
       case TraceEvent.Action action ->
           log(timeNs, Level.INFO, robot, action.source() + " " + action.name() + action.args());
-      case TraceEvent.Variable variable ->
-          write(
-              variables,
-              timeNs,
-              json.createObjectNode()
-                  .put("robot", robot)
-                  .put("source", variable.source())
-                  .put("name", variable.name())
-                  .put("value", variable.value()));
+      case TraceEvent.Variable variable -> {
+        String value = jsonOf(variable.variable().shape(), variable.value());
+        write(
+            variableChannel(variable, value),
+            timeNs,
+            json.createObjectNode()
+                .put("robot", robot)
+                .put("source", variable.source().name())
+                .put("name", variable.name())
+                .putRawValue("value", new RawValue(value)));
+      }
       case TraceEvent.Sent sent ->
           write(
               messages,
               timeNs,
-              message("sent", robot, sent.to(), sent.channel(), sent.seq())
-                  .put("bytes", sent.bytes())
-                  .put("text", sent.message()));
+              withContent(
+                  message("sent", robot, sent.to(), sent.channel().name(), sent.seq())
+                      .put("bytes", sent.bytes()),
+                  sent.shape(),
+                  sent.message()));
       case TraceEvent.Delivered delivered ->
           write(
               messages,
               timeNs,
-              message(
+              withContent(
+                  message(
                       "delivered",
                       delivered.from().name(),
                       robot,
-                      delivered.channel(),
-                      delivered.seq())
-                  .put("text", delivered.message()));
+                      delivered.channel().name(),
+                      delivered.seq()),
+                  delivered.shape(),
+                  delivered.message()));
       case TraceEvent.Dropped dropped ->
           write(
               messages,
@@ -199,6 +213,31 @@ public final class McapRecorder implements SimObserver, Closeable {
         robot, id -> begun().channel(poseSchema, "/pose/" + id.name()));
   }
 
+  /** A topic of its own for each variable: a tool that plots one need not read the others. */
+  private int variableChannel(TraceEvent.Variable variable, String value) {
+    String path =
+        "/variables/" + variable.robot() + "/" + variable.source() + "/" + variable.name();
+    return variableChannels.computeIfAbsent(
+        NOT_IN_TOPICS.matcher(path).replaceAll("_"),
+        topic -> begun().channel(variableSchema(value), topic));
+  }
+
+  /** Of variables whose values are written like {@code value}. */
+  private int variableSchema(String value) {
+    try {
+      return variableSchemas.computeIfAbsent(
+          McapSchemas.variable(json.readTree(value)),
+          schema -> begun().schema("starl.Variable", schema));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @SuppressWarnings("unchecked") // an event has values of its shapes only
+  private static <T> String jsonOf(Shape<T> shape, Object value) {
+    return shape.json((T) value);
+  }
+
   private ObjectNode message(String fate, String from, String to, String channel, long seq) {
     return json.createObjectNode()
         .put("fate", fate)
@@ -206,6 +245,13 @@ public final class McapRecorder implements SimObserver, Closeable {
         .put("to", to)
         .put("channel", channel)
         .put("seq", seq);
+  }
+
+  /** As text, and as JSON if it is an object: what is a string in JSON is that text. */
+  private static ObjectNode withContent(ObjectNode node, Shape<?> shape, Object message) {
+    node.put("text", message.toString());
+    String value = jsonOf(shape, message);
+    return value.startsWith("{") ? node.putRawValue("message", new RawValue(value)) : node;
   }
 
   private void log(long timeNs, Level level, String name, String text) {

@@ -1,5 +1,7 @@
 package org.starl.sim.export;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -8,12 +10,16 @@ import java.util.stream.Collectors;
 /** The JSON schemas of the messages in an MCAP file. */
 final class McapSchemas {
 
+  // Foxglove refuses an object without properties; it shows more than are named.
+  private static final String ANY_OBJECT = "{\"type\":\"object\",\"properties\":{}}";
+
   private static final Map<String, String> TYPES = new LinkedHashMap<>();
 
   static {
-    for (String type : new String[] {"number", "integer", "string", "boolean", "object"}) {
-      TYPES.put(type, "{\"type\":\"" + type + "\"}");
+    for (String type : new String[] {"number", "integer", "string", "boolean"}) {
+      TYPES.put(type, type(type));
     }
+    TYPES.put("object", ANY_OBJECT);
     define("Time", "sec integer, nsec integer");
     define("Xyz", "x number, y number, z number");
     define("Turn", "x number, y number, z number, w number");
@@ -46,14 +52,39 @@ final class McapSchemas {
   static final String LOG =
       schema(
           "timestamp Time, level integer, message string, name string, file string, line integer");
-  static final String VARIABLE = schema("robot string, source string, name string, value string");
   static final String MESSAGE =
       schema(
           "fate string, from string, to string, channel string, seq integer, bytes integer,"
-              + " text string, why string");
+              + " text string, message object, why string");
   static final String SCENE = schema("deletions Deletion[], entities Entity[]");
 
   private McapSchemas() {}
+
+  /** Of a variable whose values are like {@code value}: Foxglove needs a type for each field. */
+  static String variable(JsonNode value) {
+    String known = schema("robot string, source string, name string");
+    String fields = known.substring(0, known.length() - "}}".length());
+    return fields + ",\"value\":" + like(value) + "}}";
+  }
+
+  private static String like(JsonNode value) {
+    if (value.isObject()) {
+      return value.properties().stream()
+          .map(part -> TextNode.valueOf(part.getKey()) + ":" + like(part.getValue()))
+          .collect(Collectors.joining(",", "{\"type\":\"object\",\"properties\":{", "}}"));
+    }
+    if (value.isArray()) {
+      // Foxglove refuses lists of lists, and leaves an object without named properties as it is.
+      boolean isPlain = !value.isEmpty() && !value.get(0).isArray();
+      String items = isPlain ? like(value.get(0)) : ANY_OBJECT;
+      return "{\"type\":\"array\",\"items\":" + items + "}";
+    }
+    return type(value.isNumber() ? "number" : value.isBoolean() ? "boolean" : "string");
+  }
+
+  private static String type(String name) {
+    return "{\"type\":\"" + name + "\"}";
+  }
 
   private static void define(String type, String fields) {
     TYPES.put(type, schema(fields));

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.trace.Instance;
 
 /**
  * Writes names and locations of robots, where there is room: below, above, right or left of the
@@ -97,7 +98,7 @@ final class Labels {
       }
     }
     boolean isSelected = robot.equals(look.selected());
-    String location = scene.variable(robot, "app", "location");
+    String location = scene.text(robot, Instance.APP, "location");
     if (look.shows(Part.LOCATIONS) && (isSelected || hasLocations) && !location.isEmpty()) {
       lines.add(line(PLACE, location));
     }

@@ -11,7 +11,7 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
+import org.starl.LightColour;
 import org.starl.LightControl;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -33,7 +33,6 @@ public final class Painter {
   private static final double LARGE_PX = 40;
   private static final double LIGHT_RADII = 1.5;
   private static final int LIGHT_ALPHA = 110;
-  private static final Pattern COLOUR = Pattern.compile("#[0-9a-f]{6}");
   private static final double SPECK_PX = 1.5;
   private static final long BUMP_SHOWN_NS = 10 * Time.NS_PER_S;
 
@@ -186,12 +185,14 @@ public final class Painter {
     }
     Theme theme = look.theme();
     scene.forEachBody((robot, number, pose, radiusMm) -> {
-      String colour = scene.variable(robot, LightControl.SOURCE, LightControl.COLOUR);
-      if (viewport.shows(pose.at(), LIGHT_RADII * radiusMm) && COLOUR.matcher(colour).matches()) {
+      LightColour colour = scene.variable(robot, LightControl.SOURCE, LightControl.COLOUR);
+      if (colour != null
+          && !colour.equals(LightColour.OFF)
+          && viewport.shows(pose.at(), LIGHT_RADII * radiusMm)) {
         double radiusPx = LIGHT_RADII * radiusMm * viewport.pxPerMm();
         double x = viewport.xPx(pose.at()) - radiusPx;
         double y = viewport.yPx(pose.at()) - radiusPx;
-        page.setColor(Theme.faded(theme.visible(Color.decode(colour)), LIGHT_ALPHA));
+        page.setColor(Theme.faded(theme.visible(new Color(colour.rgb())), LIGHT_ALPHA));
         page.fill(new Ellipse2D.Double(x, y, 2 * radiusPx, 2 * radiusPx));
       }
     });

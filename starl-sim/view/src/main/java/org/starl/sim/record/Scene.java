@@ -1,7 +1,6 @@
 package org.starl.sim.record;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.Iterator;
@@ -13,14 +12,19 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFailure;
 import org.starl.spec.Bodies;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 /**
  * The visible state of a run at one moment, computed from its events. Of the robots that have left
@@ -32,16 +36,8 @@ public final class Scene {
   private static final int KEPT_GONE = 12;
   private static final int KEPT_BUMPS = 64;
 
-  // Words of the motion automaton's trace.
-  private static final String MOTION = "motion";
-  private static final String FAILED = "failed";
-  private static final String BUMPED = "bumped into something";
-
   /** A robot reported that it bumped into something. */
   public record Bump(long timeNs, RobotId robot, Point at) {}
-
-  /** A variable of a robot and its latest value. */
-  public record Value(String source, String name, String value) {}
 
   /** Visits the bodies on the floor. */
   public interface Visitor {
@@ -56,7 +52,7 @@ public final class Scene {
   private final Obstacles obstacles;
   private final Bodies bodies;
   private final SortedMap<RobotId, Trail> trails = new TreeMap<>();
-  private final Map<RobotId, Map<String, String>> variables = new TreeMap<>();
+  private final Map<RobotId, SortedMap<String, Variable>> variables = new TreeMap<>();
   private final Map<RobotId, Integer> numbers = new TreeMap<>();
   private final Set<RobotId> gone = new LinkedHashSet<>();
   private final Set<RobotId> down = new TreeSet<>();
@@ -110,7 +106,7 @@ public final class Scene {
     if (event instanceof Variable variable) {
       variables
           .computeIfAbsent(variable.robot(), robot -> new TreeMap<>())
-          .put(key(variable.source(), variable.name()), variable.value());
+          .put(key(variable.source(), variable.name()), variable);
     } else if (event instanceof TraceEvent.Joined joined) {
       gone.remove(joined.robot());
       numbers.computeIfAbsent(joined.robot(), robot -> came++);
@@ -135,9 +131,8 @@ public final class Scene {
   }
 
   private void noteBump(TraceEvent.Action action) {
-    if (action.source().equals(MOTION)
-        && action.name().equals(FAILED)
-        && action.args().contains(BUMPED)
+    if (action.fact() instanceof MotionFact.failed end
+        && end.reason() == MotionFailure.BUMPED
         && bodies.isOnFloor(action.robot())) {
       Pose pose = bodies.poseAt(action.robot(), action.timeNs());
       double radiusMm = bodies.radiusMm(action.robot());
@@ -260,24 +255,35 @@ public final class Scene {
     return trail == null ? 0 : trail.steps();
   }
 
-  /** The latest value of a variable as text; empty if it has none. */
-  public String variable(RobotId robot, String source, String name) {
-    return variables.getOrDefault(robot, Map.of()).getOrDefault(key(source, name), "");
+  /** The latest value of a variable of the robot's app; null if it has none. */
+  public <T> @Nullable T variable(RobotId robot, Var<T> declaration) {
+    return variable(robot, Instance.APP, declaration);
   }
 
-  /** All variables of a robot, sorted by source and name. */
-  public List<Value> variables(RobotId robot) {
-    List<Value> values = new ArrayList<>();
-    variables
-        .getOrDefault(robot, Map.of())
-        .forEach((key, value) -> {
-          int space = key.indexOf(' ');
-          values.add(new Value(key.substring(0, space), key.substring(space + 1), value));
-        });
-    return values;
+  /** The latest value of a variable of the robot; null if it has none. */
+  public <T> @Nullable T variable(RobotId robot, Instance source, Var<T> declaration) {
+    Variable latest = latest(robot, source, declaration.name());
+    return latest == null ? null : latest.of(declaration);
   }
 
-  private static String key(String source, String name) {
+  /** The latest value of a variable, as people read it; empty if it has none. */
+  public String text(RobotId robot, Instance source, String name) {
+    Variable latest = latest(robot, source, name);
+    return latest == null ? "" : latest.value().toString();
+  }
+
+  private @Nullable Variable latest(RobotId robot, Instance source, String name) {
+    SortedMap<String, Variable> all = variables.get(robot);
+    return all == null ? null : all.get(key(source, name));
+  }
+
+  /** The latest changes of all variables of a robot, sorted by source and name. */
+  public List<Variable> variables(RobotId robot) {
+    SortedMap<String, Variable> all = variables.get(robot);
+    return all == null ? List.of() : List.copyOf(all.values());
+  }
+
+  private static String key(Instance source, String name) {
     return source + " " + name;
   }
 }

@@ -1,8 +1,10 @@
 package org.starl.sim.replay;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
+import org.starl.shape.JsonWriter;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -11,19 +13,24 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Saves memory: equal texts in events share one string, such as names, and the text of a message at
- * each of its receivers. Estimates the memory that the events take.
+ * Saves memory: equal values in events share one object, such as a message at each of its receivers.
+ * Estimates the memory that the events take.
  */
 final class EventInterner {
 
-  private static final int MOST_TEXTS = 1 << 13;
-  private static final int TEXT_BYTES = 48;
+  private static final int MOST_VALUES = 1 << 13;
   private static final int EVENT_BYTES = 56;
   private static final int MOTION_BYTES = 96;
-  private static final int LIST_BYTES = 48;
 
-  // Cleared when it is full; frequent texts return soon.
-  private final Map<String, String> texts = new LinkedHashMap<>();
+  // Of a value's objects, and for each character of its JSON text: numbers take less, sets up to
+  // twice
+  // as much.
+  private static final int VALUE_BYTES = 32;
+  private static final int CHARACTER_BYTES = 5;
+
+  // Cleared when it is full; frequent values return soon.
+  private final Map<Object, Object> values = new LinkedHashMap<>();
+  private final JsonWriter json = new JsonWriter();
   private long bytes;
 
   /** Estimated memory of all events so far. */
@@ -31,26 +38,38 @@ final class EventInterner {
     return bytes;
   }
 
-  /** An equal event with shared texts. */
+  /** An equal event with shared values. */
   TraceEvent intern(TraceEvent event) {
     bytes += EVENT_BYTES;
     return switch (event) {
       case Action e ->
-          new Action(e.timeNs(), e.robot(), one(e.source()), one(e.name()), all(e.args()));
+          new Action(e.timeNs(), e.robot(), e.source(), e.shape(), one(e.shape(), e.fact()));
       case Variable e ->
-          new Variable(e.timeNs(), e.robot(), one(e.source()), one(e.name()), one(e.value()));
+          new Variable(
+              e.timeNs(),
+              e.robot(),
+              e.source(),
+              e.variable(),
+              one(e.variable().shape(), e.value()));
       case Sent e ->
           new Sent(
               e.timeNs(),
               e.robot(),
               one(e.to()),
-              one(e.channel()),
+              e.channel(),
               e.seq(),
               e.bytes(),
-              one(e.message()));
+              e.shape(),
+              one(e.shape(), e.message()));
       case Delivered e ->
           new Delivered(
-              e.timeNs(), e.robot(), e.from(), one(e.channel()), e.seq(), one(e.message()));
+              e.timeNs(),
+              e.robot(),
+              e.from(),
+              e.channel(),
+              e.seq(),
+              e.shape(),
+              one(e.shape(), e.message()));
       case Dropped e -> new Dropped(e.timeNs(), e.robot(), one(e.from()), one(e.why()));
       case TraceEvent.Moved e -> {
         bytes += MOTION_BYTES - EVENT_BYTES;
@@ -60,20 +79,22 @@ final class EventInterner {
     };
   }
 
-  private List<String> all(List<String> several) {
-    bytes += several.isEmpty() ? 0 : LIST_BYTES;
-    return several.stream().map(this::one).toList();
+  private String one(String text) {
+    return (String) one(Shapes.TEXT, text);
   }
 
-  private String one(String text) {
-    String known = texts.putIfAbsent(text, text);
+  @SuppressWarnings("unchecked") // an event has values of its shapes only
+  private <T> Object one(Shape<T> shape, Object value) {
+    Object known = values.putIfAbsent(value, value);
     if (known != null) {
       return known;
     }
-    bytes += TEXT_BYTES + text.length();
-    if (texts.size() > MOST_TEXTS) {
-      texts.clear();
+    json.clear();
+    shape.writeJson((T) value, json);
+    bytes += VALUE_BYTES + (long) CHARACTER_BYTES * json.length();
+    if (values.size() > MOST_VALUES) {
+      values.clear();
     }
-    return text;
+    return value;
   }
 }

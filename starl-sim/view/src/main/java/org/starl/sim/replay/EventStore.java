@@ -21,6 +21,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceReader;
 import org.starl.trace.TraceWriter;
+import org.starl.trace.Vocabulary;
 
 /**
  * A list of events to which one thread appends while others read the first {@link #size} events. It
@@ -53,6 +54,8 @@ final class EventStore {
   private final AppendOnlyList<Chunk> chunks = new AppendOnlyList<>();
   private final Map<Long, TraceEvent[]> read = new LinkedHashMap<>(MOST_READ, 0.75f, true);
   private TraceEvent[] last = {};
+  // The shapes of all events in the file.
+  private Vocabulary vocabulary = Vocabulary.NONE;
   // Not a FileChannel, which an interrupt of a thread that reads or writes would close.
   private @Nullable RandomAccessFile file;
 
@@ -135,6 +138,7 @@ final class EventStore {
     try (TraceWriter out = new TraceWriter(new DeflaterOutputStream(bytes, deflater), HEADER)) {
       for (TraceEvent event : last) {
         out.record(event);
+        vocabulary = vocabulary.with(event);
       }
     } finally {
       deflater.end();
@@ -178,7 +182,7 @@ final class EventStore {
       source.seek(chunk.fileOffset);
       source.readFully(bytes);
       InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(bytes));
-      try (TraceReader reader = new TraceReader("the temporary file of events", in)) {
+      try (TraceReader reader = new TraceReader("the temporary file of events", in, vocabulary)) {
         for (int i = 0; i < CHUNK; i++) {
           events[i] = reader.next();
         }

@@ -6,17 +6,21 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.sim.record.Scene;
 import org.starl.sim.replay.LogLine;
 import org.starl.sim.replay.Recording;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
 
 /** State, messages and log of one robot at a moment of a recording, computed on demand. */
 public final class Inspection {
@@ -53,22 +57,23 @@ public final class Inspection {
       rows.add(new Row(false, "position", "not on the floor"));
     }
     rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "running"));
-    String source = "";
-    List<Scene.Value> values = new ArrayList<>(scene.variables(robot));
-    values.sort(Comparator.comparingInt(Inspection::rank));
-    for (Scene.Value value : values) {
-      if (!value.source().equals(source)) {
-        source = value.source();
-        rows.add(new Row(true, source, ""));
+    Instance source = null;
+    List<Variable> variables = new ArrayList<>(scene.variables(robot));
+    variables.sort(Comparator.comparingInt(Inspection::rank));
+    for (Variable variable : variables) {
+      if (!variable.source().equals(source)) {
+        source = variable.source();
+        rows.add(new Row(true, source.name(), ""));
       }
-      rows.add(new Row(false, value.name(), value.value()));
+      rows.add(new Row(false, variable.name(), variable.value().toString()));
     }
     return rows;
   }
 
   /** Order of sources: app, motion, primitives. */
-  private static int rank(Scene.Value value) {
-    return value.source().equals("app") ? 0 : value.source().equals("motion") ? 1 : 2;
+  private static int rank(Variable variable) {
+    Instance source = variable.source();
+    return source.equals(Instance.APP) ? 0 : source.equals(MotionFact.SOURCE) ? 1 : 2;
   }
 
   private static String mm(double mm) {
@@ -83,7 +88,7 @@ public final class Inspection {
   private static @Nullable Line message(TraceEvent event) {
     return switch (event) {
       case Sent out -> {
-        String to = out.to().equals("*") ? "all" : out.to();
+        String to = out.to().equals(Sent.ALL) ? "all" : out.to();
         yield message(out.timeNs(), "\u2192 " + to, out.channel(), out.message());
       }
       case Delivered in -> message(in.timeNs(), "\u2190 " + in.from(), in.channel(), in.message());
@@ -93,7 +98,8 @@ public final class Inspection {
   }
 
   /** The message's type comes first, as the column may be narrow. */
-  private static Line message(long timeNs, String peer, String channel, String message) {
+  private static Line message(long timeNs, String peer, Instance channel, Object content) {
+    String message = content.toString();
     int end = 0;
     while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
       end++;
@@ -113,8 +119,11 @@ public final class Inspection {
   private static @Nullable Line action(TraceEvent event) {
     return switch (event) {
       case TraceEvent.Action action -> {
-        String text = action.name() + "(" + String.join(", ", action.args()) + ")";
-        yield new Line(action.timeNs(), action.source(), text, text);
+        String text =
+            action.args().stream()
+                .map(String::valueOf)
+                .collect(Collectors.joining(", ", action.name() + "(", ")"));
+        yield new Line(action.timeNs(), action.source().name(), text, text);
       }
       case TraceEvent.Fault fault -> {
         String text = fault.name() + " " + fault.detail();

@@ -94,7 +94,7 @@ public final class Traffic {
         break;
       }
       if (event instanceof Sent out && i < index) {
-        channels.add(out.channel());
+        channels.add(out.channel().name());
         sent.put(new Key(out.robot(), out.seq()), new Open(out));
       } else if (event instanceof Delivered in) {
         Open open = sent.get(new Key(in.from(), in.seq()));
@@ -120,7 +120,7 @@ public final class Traffic {
   private static @Nullable Open oldest(Map<Key, Open> sent, Dropped lost) {
     for (Open open : sent.values()) {
       if (open.sent.robot().name().equals(lost.from())
-          && (open.sent.to().equals("*")
+          && (open.sent.to().equals(Sent.ALL)
               || (!open.isAnswered && open.sent.to().equals(lost.robot().name())))) {
         return open;
       }
@@ -174,7 +174,7 @@ public final class Traffic {
   }
 
   private boolean isWanted(Sent sent, RobotId to, @Nullable RobotId selected) {
-    boolean isOnChannel = channel.isEmpty() || channel.equals(sent.channel());
+    boolean isOnChannel = channel.isEmpty() || channel.equals(sent.channel().name());
     boolean isOfRobot =
         !isOfSelectedOnly
             || selected == null

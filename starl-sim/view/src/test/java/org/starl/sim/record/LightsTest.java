@@ -7,11 +7,15 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.LightColour;
+import org.starl.LightControl;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 /** The robots' lights in pictures. */
 class LightsTest {
@@ -26,9 +30,9 @@ class LightsTest {
   private final Scene scene = new Scene(Obstacles.NONE);
 
   /** The colour beside the robot after its variable has had this value. */
-  private Color beside(String colour) {
+  private <T> Color beside(Var<T> variable, T colour) {
     scene.observe(new TraceEvent.Joined(0, BOT, new Pose(0, 0, 0), 200));
-    scene.observe(new TraceEvent.Variable(0, BOT, "light", "colour", colour));
+    scene.observe(new TraceEvent.Variable(0, BOT, LightControl.SOURCE, variable, colour));
     BufferedImage image = new BufferedImage(SIZE_PX, SIZE_PX, BufferedImage.TYPE_INT_RGB);
     Graphics2D page = image.createGraphics();
     new Painter().paint(page, scene, Layer.NONE, VIEWPORT, Look.FILE, List.of());
@@ -42,7 +46,7 @@ class LightsTest {
 
   @Test
   void aRobotWhoseLightIsOnStandsInItsColour() {
-    Color beside = beside("#ff0000");
+    Color beside = beside(LightControl.COLOUR, new LightColour(0xFF0000));
     assertThat(beside.getRed())
         .isGreaterThan(beside.getGreen() + 50)
         .isGreaterThan(beside.getBlue() + 50);
@@ -50,11 +54,11 @@ class LightsTest {
 
   @Test
   void aLightThatIsOffIsNotShown() {
-    assertThat(beside("off")).isEqualTo(paper());
+    assertThat(beside(LightControl.COLOUR, LightColour.OFF)).isEqualTo(paper());
   }
 
   @Test
   void anotherVariableOfThatNameIsNoLight() {
-    assertThat(beside("#red")).isEqualTo(paper());
+    assertThat(beside(Var.of("colour", Shapes.TEXT), "#ff0000")).isEqualTo(paper());
   }
 }

@@ -9,9 +9,14 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 class SceneTest {
+
+  private static final Var<Integer> X = Var.of("x", Shapes.INT);
 
   private final Scene scene = new Scene(Obstacles.NONE);
 
@@ -29,13 +34,15 @@ class SceneTest {
     joins(0, 100);
     for (int i = 0; i < 50; i++) {
       joins(2 * i, i);
-      scene.observe(new TraceEvent.Variable(2 * i, bot(i), "app", "x", "" + i));
+      scene.observe(new TraceEvent.Variable(2 * i, bot(i), Instance.APP, X, i));
       scene.observe(new TraceEvent.Left(2 * i + 1, bot(i)));
     }
     assertThat(scene.robots()).hasSize(13).contains(bot(100), bot(49), bot(38));
-    assertThat(scene.variable(bot(37), "app", "x")).isEmpty();
+    assertThat(scene.variable(bot(37), X)).isNull();
+    assertThat(scene.variables(bot(37))).isEmpty();
     assertThat(scene.trail(bot(37))).isEmpty();
-    assertThat(scene.variable(bot(38), "app", "x")).isEqualTo("38");
+    assertThat(scene.variable(bot(38), X)).isEqualTo(38);
+    assertThat(scene.text(bot(38), Instance.APP, "x")).isEqualTo("38");
     assertThat(scene.pose(bot(49))).isEmpty();
     assertThat(scene.pose(bot(100))).isPresent();
   }

@@ -17,10 +17,13 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.Var;
 
 /** Pictures of a violation show where it is, and of which robots. */
 class ViolationMarksTest {
@@ -33,6 +36,8 @@ class ViolationMarksTest {
 
   /** The text of a violation is below. */
   private static final int MARKS_PX = 850;
+
+  private static final Var<String> MODE = Var.of("mode", Shapes.TEXT);
 
   private static final Region ZONE = new Circle(new Point(0, 0), 900);
 
@@ -89,7 +94,7 @@ class ViolationMarksTest {
     for (long otherNs : new long[] {0, 1}) {
       Filmstrip film = new Filmstrip(Obstacles.NONE, Layer.NONE, List.of(S));
       begin(film, "a");
-      film.observed(new TraceEvent.Variable(2 * S, A, "app", "mode", "ON"));
+      film.observed(new TraceEvent.Variable(2 * S, A, Instance.APP, MODE, "ON"));
       film.violated(violation(S + otherNs, ZONE, A));
       film.cut();
       ByteArrayOutputStream png = new ByteArrayOutputStream();

@@ -15,14 +15,19 @@ import org.junit.jupiter.api.Test;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.shape.Shapes;
 import org.starl.sim.SimObserver;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 class CursorTest {
 
   private static final long NS_PER_MS = 1_000_000;
+  private static final Var<String> X = Var.of("x", Shapes.TEXT);
 
   /** Counts each robot's events. */
   private static final class Counting implements Layer {
@@ -58,7 +63,7 @@ class CursorTest {
     for (RobotId robot : scene.robots()) {
       lines.add(robot + " " + scene.number(robot) + " " + scene.pose(robot));
       lines.add(scene.trail(robot).toString());
-      lines.add(scene.variable(robot, "motion", "motionflag"));
+      lines.add(scene.text(robot, MotionFact.SOURCE, "motionflag"));
       lines.add(layer.describe(robot, scene));
     }
     return lines;
@@ -115,14 +120,14 @@ class CursorTest {
     Recording recording = new Recording(Obstacles.NONE, new Counting());
     RobotId robot = new RobotId("bot0");
     for (int i = 0; i < 500_000; i++) {
-      recording.observed(new TraceEvent.Variable(i, robot, "app", "x", "" + i % 7));
+      recording.observed(new TraceEvent.Variable(i, robot, Instance.APP, X, "" + i % 7));
     }
     Cursor cursor = new Cursor(recording);
     cursor.seek(Long.MAX_VALUE);
     assertThat(recording.checkpoints().size()).isBetween(32, 96);
     assertThat(recording.checkpoints().before(400_000).events()).isGreaterThan(380_000);
     cursor.seek(123_456);
-    assertThat(cursor.scene().variable(robot, "app", "x")).isEqualTo("" + 123_456 % 7);
+    assertThat(cursor.scene().variable(robot, X)).isEqualTo("" + 123_456 % 7);
   }
 
   @Test
@@ -147,15 +152,14 @@ class CursorTest {
     }
     for (int i = robots; i < 250_000; i++) {
       recording.observed(
-          new TraceEvent.Variable(i, new RobotId("bot" + i % robots), "app", "x", "" + i));
+          new TraceEvent.Variable(i, new RobotId("bot" + i % robots), Instance.APP, X, "" + i));
     }
     Cursor cursor = new Cursor(recording);
     cursor.toEvent(240_000);
     observed[0] = 0;
     for (int i = 1; i <= 10; i++) {
       cursor.toEvent(240_000 - i);
-      String last =
-          cursor.scene().variable(new RobotId("bot" + (240_000 - i) % robots), "app", "x");
+      String last = cursor.scene().variable(new RobotId("bot" + (240_000 - i) % robots), X);
       assertThat(last).isEqualTo("" + (240_000 - i));
     }
     assertThat(observed[0]).isLessThan(400_000);
@@ -178,7 +182,7 @@ class CursorTest {
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 400_000);
     RobotId robot = new RobotId("bot0");
     IntFunction<TraceEvent> event =
-        i -> new TraceEvent.Variable(i / 3, robot, "app", "x", "\"\n" + i % 999);
+        i -> new TraceEvent.Variable(i / 3, robot, Instance.APP, X, "\"\n" + i % 999);
     int size = 200_000;
     for (int i = 0; i < size; i++) {
       recording.observed(event.apply(i));

@@ -31,6 +31,7 @@ import org.starl.sim.record.Layer;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
 
 class LiveRunTest {
 
@@ -99,7 +100,10 @@ class LiveRunTest {
   private static List<Intervention> interventions(String trace) throws Exception {
     List<Intervention> found = new ArrayList<>();
     try (var reader =
-        new TraceReader("live", new ByteArrayInputStream(trace.getBytes(StandardCharsets.UTF_8)))) {
+        new TraceReader(
+            "live",
+            new ByteArrayInputStream(trace.getBytes(StandardCharsets.UTF_8)),
+            Vocabulary.NONE)) {
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
         if (event instanceof Intervention intervention) {
           found.add(intervention);
@@ -201,7 +205,7 @@ class LiveRunTest {
   @Timeout(60)
   void aRobotDrivesToThePointThatIsSent() throws Exception {
     String trace = live(Wander.simulation(2), List.of(new UserAction(3_000, "point 1234,2345")));
-    assertThat(trace.lines().filter(line -> line.contains("1234.0,2345.0")))
+    assertThat(trace.lines().filter(line -> line.contains("\"xMm\":1234.0,\"yMm\":2345.0")))
         .isNotEmpty()
         .allMatch(line -> line.contains("\"robot\":\"bot1\""));
   }

@@ -7,6 +7,7 @@ import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 
 class PlaybackTest {
@@ -14,7 +15,7 @@ class PlaybackTest {
   private static final long TICK_NS = 100_000_000;
 
   private static String location(Playback playback) {
-    return playback.scene().variable(Runs.A, "app", "location");
+    return playback.scene().text(Runs.A, Instance.APP, "location");
   }
 
   @Test

@@ -6,12 +6,15 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.sim.replay.Recording;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.Var;
 
 /** Builds small recordings. */
 final class Runs {
@@ -19,6 +22,8 @@ final class Runs {
   static final long SECOND_NS = 1_000_000_000;
   static final RobotId A = new RobotId("bot0");
   static final RobotId B = new RobotId("bot1");
+
+  static final Var<String> LOCATION = Var.of("location", Shapes.TEXT);
 
   private final Recording recording = new Recording(Obstacles.NONE, new Plain());
 
@@ -36,7 +41,7 @@ final class Runs {
 
     @Override
     public String describe(RobotId robot, Scene scene) {
-      return scene.variable(robot, "app", "location");
+      return scene.text(robot, Instance.APP, "location");
     }
   }
 
@@ -61,7 +66,7 @@ final class Runs {
   }
 
   Runs says(long atNs, RobotId robot, String location) {
-    recording.observed(new TraceEvent.Variable(atNs, robot, "app", "location", location));
+    recording.observed(new TraceEvent.Variable(atNs, robot, Instance.APP, LOCATION, location));
     return this;
   }
 

@@ -7,8 +7,11 @@ import static org.starl.sim.view.Runs.B;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 import org.starl.sim.record.Flight;
 import org.starl.sim.replay.Recording;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
@@ -17,11 +20,19 @@ class TrafficTest {
 
   private static final long MS = 1_000_000;
 
+  private static final Instance MUTEX = Instance.of("mutex", "m");
+  private static final Instance GEOCAST = Instance.of("geocast", "g");
+
+  private record Req(int number) {
+    static final RecordShape<Req> SHAPE =
+        Shapes.of(Req.class, Shapes.part("number", Shapes.INT, Req::number), Req::new);
+  }
+
   private static final Recording RECORDING =
       Runs.plain()
-          .happens(new Sent(100 * MS, A, "bot1", "mutex/m", 1, 50, "Req[number=1]"))
-          .happens(new Delivered(200 * MS, B, A, "mutex/m", 1, "Req[number=1]"))
-          .happens(new Sent(300 * MS, B, "*", "geocast/g", 1, 50, "Copy[]"))
+          .happens(new Sent(100 * MS, A, "bot1", MUTEX, 1, 50, Req.SHAPE, new Req(1)))
+          .happens(new Delivered(200 * MS, B, A, MUTEX, 1, Req.SHAPE, new Req(1)))
+          .happens(new Sent(300 * MS, B, "*", GEOCAST, 1, 50, Shapes.TEXT, "Copy"))
           .happens(new Dropped(400 * MS, A, "bot1", "loss"))
           .over(1000 * MS);
 
@@ -67,7 +78,9 @@ class TrafficTest {
   @Test
   void inALiveRunMessagesWithoutAnEndAreShown() {
     Recording young =
-        Runs.plain().happens(new Sent(100 * MS, A, "bot1", "m", 1, 9, "Hi")).recording();
+        Runs.plain()
+            .happens(new Sent(100 * MS, A, "bot1", MUTEX, 1, 9, Shapes.TEXT, "Hi"))
+            .recording();
     List<Flight> flights = new Traffic(young).at(110 * MS, young.size(), 0, null);
     assertThat(flights).hasSize(1);
     assertThat(new Traffic(young).at(5000 * MS, young.size(), 0, null)).isEmpty();

@@ -3,13 +3,18 @@ package org.starl.apps.lineup.logic
 import org.starl.GlobalVarHolder
 import org.starl.gvh.GvhCell
 import org.starl.LogicThread
-import org.starl.comms.Codec
 import org.starl.geometry.ItemPosition
 import org.starl.motion.MotionFlag
 import org.starl.body.MotionParameters
 import org.starl.primitives.agreement.Decision
 import org.starl.primitives.agreement.SetAgreement
+import org.starl.primitives.monitor.PrimitiveVocabulary
+import org.starl.shape.RecordShape
+import org.starl.shape.Shape
+import org.starl.shape.Shapes
 import org.starl.trace.TraceEvent
+import org.starl.trace.Var
+import org.starl.trace.Vocabulary
 
 /**
  * Robots line up: each proposes the x at which it stands, all agree on one of these, and each drives
@@ -24,8 +29,11 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
     DONE,
   }
 
+  /** Fact: this robot has learnt the x of the line. */
+  data class Line(val xMm: Double)
+
   private val agreement = SetAgreement(gvh, INSTANCE, WHOLE_MM)
-  private val location: GvhCell<Location> = gvh.variable(SOURCE, LOCATION, Location.PROPOSE)
+  private val location: GvhCell<Location> = gvh.variable(LOCATION, Location.PROPOSE)
 
   init {
     gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()))
@@ -45,7 +53,7 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
           val decision = agreement.decided().get()
           if (decision is Decision.Decided) {
             goal = ItemPosition("line", decision.value().toDouble(), laneMm)
-            gvh.trace.action(SOURCE, LINE, goal.at().xMm())
+            gvh.trace.action(LINE, Line(goal.at().xMm()))
             gvh.plat.moat.doMove(goal)
             location.set(Location.DRIVE)
           } else if (agreement.failed().get()) {
@@ -66,22 +74,19 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
   }
 
   companion object {
-    /** `source` of this app's trace events. */
-    const val SOURCE = "app"
+    /** Where the program is. */
+    @JvmField val LOCATION: Var<Location> = Var.of("location", Location::class.java)
 
-    /** Variable: the location. */
-    const val LOCATION = "location"
+    internal val LINE: RecordShape<Line> =
+      Shapes.of(Line::class.java, Shapes.part("xMm", Shapes.REAL, Line::xMm), ::Line).named("line")
 
-    /** Action: this robot has learnt the x of the line, in mm. */
-    const val LINE = "line"
+    /** What a reader of traces needs. */
+    val VOCABULARY: Vocabulary =
+      PrimitiveVocabulary.ALL.facts("app", LINE).variables("app", LOCATION)
 
     /** The x of the line in mm, if a robot learns it by this event. */
     fun lineMm(event: TraceEvent): Double? =
-      if (event is TraceEvent.Action && event.source() == SOURCE && event.name() == LINE) {
-        event.args().first().toDouble()
-      } else {
-        null
-      }
+      ((event as? TraceEvent.Action)?.fact() as? Line)?.xMm
 
     /** The motion parameters for robots with this body. */
     fun motion(body: MotionParameters): MotionParameters =
@@ -91,7 +96,7 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
     private const val INSTANCE = "line"
 
     /** The value that robots propose: whole millimetres. */
-    private val WHOLE_MM: Codec<Int> = Codec.of({ mm, out -> out.i32(mm) }, { it.i32() })
+    private val WHOLE_MM: Shape<Int> = Shapes.INT
 
     private const val PERIOD_MS = 100L
   }

@@ -31,7 +31,7 @@ internal class LineLayer : Layer {
   }
 
   override fun describe(robot: RobotId, scene: Scene): String =
-    scene.variable(robot, LineupApp.SOURCE, LineupApp.LOCATION)
+    scene.variable(robot, LineupApp.LOCATION)?.name ?: ""
 
   /** A picture shows most when all robots have driven. */
   override fun interest(scene: Scene): Double =

@@ -19,6 +19,7 @@ import org.starl.sim.replay.TracePlayer;
 import org.starl.sim.view.Window;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
 
 /**
  * Writes a page that plays the run, and a picture of the first violation, or of the last event if
@@ -33,12 +34,13 @@ public final class TraceArtifacts implements RunArtifacts {
   public TraceArtifacts() {}
 
   @Override
-  public List<Path> write(Path trace, SimulationPlan plan, String failure) throws IOException {
+  public List<Path> write(Path trace, Vocabulary vocabulary, SimulationPlan plan, String failure)
+      throws IOException {
     PictureRecorder violation =
         new PictureRecorder(plan.obstacles(), Layer.NONE, new PictureTime.Violation());
     Filmstrip last = new Filmstrip(plan.obstacles(), Layer.NONE, List.of(Long.MAX_VALUE));
     Recording recording = new Recording(plan.obstacles(), Layer.NONE);
-    show(trace, plan, failure, recording, List.of(violation, last, recording));
+    show(trace, vocabulary, plan, failure, recording, List.of(violation, last, recording));
     last.cut();
     Path picture = beside(trace, ".png");
     try (OutputStream out = Files.newOutputStream(picture)) {
@@ -56,25 +58,28 @@ public final class TraceArtifacts implements RunArtifacts {
   }
 
   @Override
-  public void show(Path trace, SimulationPlan plan, String failure, long atNs)
+  public void show(
+      Path trace, Vocabulary vocabulary, SimulationPlan plan, String failure, long atNs)
       throws IOException, InterruptedException {
     if (!Window.isPossible()) {
       throw new IOException("no display for a window: use a desktop session, or xvfb-run");
     }
     Recording recording = new Recording(plan.obstacles(), Layer.NONE);
-    show(trace, plan, failure, recording, List.of(recording));
+    show(trace, vocabulary, plan, failure, recording, List.of(recording));
     Window.showAt(recording, atNs);
   }
 
   private static void show(
       Path trace,
+      Vocabulary vocabulary,
       SimulationPlan plan,
       String failure,
       Recording recording,
       List<SimObserver> observers)
       throws IOException {
     try (TraceReader reader =
-        new TraceReader(trace.toString(), new BufferedInputStream(Files.newInputStream(trace)))) {
+        new TraceReader(
+            trace.toString(), new BufferedInputStream(Files.newInputStream(trace)), vocabulary)) {
       TracePlayer.show(
           trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
     } catch (BadInput truncated) {

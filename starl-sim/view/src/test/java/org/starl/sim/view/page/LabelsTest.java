@@ -13,18 +13,22 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
 import org.starl.sim.record.Part;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Viewport;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
 
 /** Where the painter writes the names and locations of robots. */
 class LabelsTest {
 
   private static final int SIDE_PX = 600;
+  private static final Var<String> LOCATION = Var.of("location", Shapes.TEXT);
 
   private static List<DrawnItem> texts(List<@IntRange(max = 2000) Integer> places) {
     Scene scene = new Scene(Obstacles.NONE);
@@ -32,7 +36,7 @@ class LabelsTest {
       RobotId robot = new RobotId("bot" + i / 2);
       Point at = new Point(places.get(i), places.get(i + 1));
       scene.observe(new TraceEvent.Joined(0, robot, Pose.of(at, 0), 60));
-      scene.observe(new TraceEvent.Variable(0, robot, "app", "location", "REGISTER_WAIT"));
+      scene.observe(new TraceEvent.Variable(0, robot, Instance.APP, LOCATION, "REGISTER_WAIT"));
     }
     List<DrawnItem> items = new ArrayList<>();
     Look look = Look.FILE.with(Part.LOCATIONS, true);

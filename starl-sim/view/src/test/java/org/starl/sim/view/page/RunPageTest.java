@@ -28,6 +28,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.shape.Shapes;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
@@ -38,8 +39,10 @@ import org.starl.sim.replay.Cursor;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.view.Traffic;
 import org.starl.spec.SpecReport;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.Var;
 
 /** The page in a real browser, beside what the window's painter paints. */
 @Tag("realtime")
@@ -49,6 +52,8 @@ class RunPageTest {
   private static final RobotId A = new RobotId("bot0");
   private static final RobotId B = new RobotId("bot1");
   private static final RobotId C = new RobotId("bot2");
+  private static final Instance MUTEX = Instance.of("mutex", "m");
+  private static final Var<String> LOCATION = Var.of("location", Shapes.TEXT);
 
   /** Greatest difference of a colour channel that smoothing may cause. */
   private static final int SMOOTHING = 70;
@@ -117,11 +122,11 @@ class RunPageTest {
     run.observed(new TraceEvent.Joined(0, C, Pose.of(new Point(300, 1000), 0), 165));
     run.observed(new TraceEvent.Moved(0, A, Pose.of(new Point(0, 0), 0), 400, 0.3));
     run.observed(new TraceEvent.Moved(500 * MS, C, Pose.of(new Point(300, 1000), 0), 100, 0));
-    run.observed(new TraceEvent.Variable(1000 * MS, A, "app", "location", "REQUEST"));
-    run.observed(new TraceEvent.Sent(2000 * MS, A, "bot1", "mutex/m", 1, 50, "REQ[1]"));
-    run.observed(new TraceEvent.Delivered(2700 * MS, B, A, "mutex/m", 1, "REQ[1]"));
+    run.observed(new TraceEvent.Variable(1000 * MS, A, Instance.APP, LOCATION, "REQUEST"));
+    run.observed(new TraceEvent.Sent(2000 * MS, A, "bot1", MUTEX, 1, 50, Shapes.TEXT, "REQ[1]"));
+    run.observed(new TraceEvent.Delivered(2700 * MS, B, A, MUTEX, 1, Shapes.TEXT, "REQ[1]"));
     run.observed(new TraceEvent.Fault(3000 * MS, C, TraceEvent.Fault.CRASH, ""));
-    run.observed(new TraceEvent.Variable(4250 * MS, A, "app", "location", "CRITICAL"));
+    run.observed(new TraceEvent.Variable(4250 * MS, A, Instance.APP, LOCATION, "CRITICAL"));
     run.violated(new SpecReport.Violation("Exclusive", 4250 * MS, List.of(A), "two in one zone"));
     run.over(6000 * MS);
     return run;

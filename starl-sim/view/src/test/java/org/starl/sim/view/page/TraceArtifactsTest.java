@@ -60,7 +60,9 @@ class TraceArtifactsTest {
 
   private static List<Path> written(Path trace) throws IOException {
     SimulationPlan plan = simulation().build().plan();
-    return RunArtifacts.installed().orElseThrow().write(trace, plan, "bot0 fell over");
+    return RunArtifacts.installed()
+        .orElseThrow()
+        .write(trace, GlobalVarHolder.VOCABULARY, plan, "bot0 fell over");
   }
 
   @Test

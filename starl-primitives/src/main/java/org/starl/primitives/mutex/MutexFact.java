@@ -1,0 +1,242 @@
+package org.starl.primitives.mutex;
+
+import static org.starl.shape.Shapes.LONG;
+import static org.starl.shape.Shapes.PROCESS;
+import static org.starl.shape.Shapes.part;
+
+import java.util.Optional;
+import java.util.SortedSet;
+import org.starl.id.ProcessId;
+import org.starl.primitives.Phases;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.shape.SumShape;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
+
+/** What a trace tells of a mutex: its actions, and the variables that an app reads. */
+public sealed interface MutexFact {
+
+  /** The primitive's name in sources. */
+  String PRIMITIVE = "mutex";
+
+  /** The paper's {@code crit}: whether the robot holds a section. */
+  Var<Boolean> CRIT = Var.of("crit", Shapes.BOOL);
+
+  /** The paper's {@code failed}: whether the latest request ended without access. */
+  Var<Boolean> FAILED = Var.of("failed", Shapes.BOOL);
+
+  /** Why the latest request failed. */
+  Var<MutexFailure> FAILURE = Var.of("failure", MutexFailure.class);
+
+  /** The participant that took the step. */
+  ProcessId who();
+
+  /** The action of the theory that this is, if it is one: the theory has no agreement protocol. */
+  Optional<MutexAction> action();
+
+  /**
+   * A request begins.
+   *
+   * @param num the number of the request, counted for each {@code who}
+   * @param ts the logical time of the request
+   * @param known the participants whose consent it needs
+   */
+  record DoMutex(
+      ProcessId who, long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known)
+      implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.of(new MutexAction.do_mutex(who.robot(), want));
+    }
+  }
+
+  /** Access to {@code held} was granted. */
+  record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.of(new MutexAction.od_mutex(who.robot(), held));
+    }
+  }
+
+  /** {@code given} was released, {@code left} is still held. */
+  record Release(ProcessId who, long num, SortedSet<String> given, SortedSet<String> left)
+      implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.of(new MutexAction.release(who.robot(), given));
+    }
+  }
+
+  /**
+   * The request ended without access.
+   *
+   * @param num the number of the request; 0 if it never began, which is no action of the theory
+   */
+  record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return num == 0 ? Optional.empty() : Optional.of(new MutexAction.withdraw(who.robot()));
+    }
+  }
+
+  /** {@code who} consents to request {@code num} of {@code to}. */
+  record Grant(ProcessId who, ProcessId to, long num) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.empty();
+    }
+  }
+
+  /** From now on a request needs, or would need, the consent of {@code known}. */
+  record Known(ProcessId who, long num, SortedSet<ProcessId> known) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.empty();
+    }
+  }
+
+  /** {@code who} has learned {@code view}. */
+  record Learned(ProcessId who, View view) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * {@code who} never grants {@code suspect} anything again.
+   *
+   * @param open the sections that {@code who} has granted and {@code suspect} may still hold
+   */
+  record Fence(ProcessId who, ProcessId suspect, SortedSet<String> open) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * The robot of {@code who} declares, after a restart of its program, that its body is only in
+   * these sections. Its participants of earlier starts are dead.
+   */
+  record StandsIn(ProcessId who, SortedSet<String> sections) implements MutexFact {
+    @Override
+    public Optional<MutexAction> action() {
+      return Optional.of(new MutexAction.stands_in(who.robot(), sections));
+    }
+  }
+
+  /** The shapes of all facts, under the names of the paper and the theory. */
+  SumShape<MutexFact> SHAPE = shape();
+
+  private static SumShape<MutexFact> shape() {
+    Shape<SortedSet<String>> sections = Sections.SHAPE;
+    Shape<SortedSet<ProcessId>> processes = View.PROCESSES;
+    return Shapes.oneOf(
+        MutexFact.class,
+        Shapes.of(
+                DoMutex.class,
+                part("who", PROCESS, DoMutex::who),
+                part("num", LONG, DoMutex::num),
+                part("ts", LONG, DoMutex::ts),
+                part("want", sections, DoMutex::want),
+                part("known", processes, DoMutex::known),
+                DoMutex::new)
+            .named("do_mutex"),
+        Shapes.of(
+                OdMutex.class,
+                part("who", PROCESS, OdMutex::who),
+                part("num", LONG, OdMutex::num),
+                part("held", sections, OdMutex::held),
+                OdMutex::new)
+            .named("od_mutex"),
+        Shapes.of(
+                Release.class,
+                part("who", PROCESS, Release::who),
+                part("num", LONG, Release::num),
+                part("given", sections, Release::given),
+                part("left", sections, Release::left),
+                Release::new)
+            .named("release"),
+        Shapes.of(
+                Withdraw.class,
+                part("who", PROCESS, Withdraw::who),
+                part("num", LONG, Withdraw::num),
+                part("why", FAILURE.shape(), Withdraw::why),
+                Withdraw::new)
+            .named("withdraw"),
+        Shapes.of(
+                Grant.class,
+                part("who", PROCESS, Grant::who),
+                part("to", PROCESS, Grant::to),
+                part("num", LONG, Grant::num),
+                Grant::new)
+            .named("grant"),
+        Shapes.of(
+                Known.class,
+                part("who", PROCESS, Known::who),
+                part("num", LONG, Known::num),
+                part("known", processes, Known::known),
+                Known::new)
+            .named("known"),
+        Shapes.of(
+                Learned.class,
+                part("who", PROCESS, Learned::who),
+                part("view", View.SHAPE, Learned::view),
+                Learned::new)
+            .named("view"),
+        Shapes.of(
+                Fence.class,
+                part("who", PROCESS, Fence::who),
+                part("suspect", PROCESS, Fence::suspect),
+                part("open", sections, Fence::open),
+                Fence::new)
+            .named("fence"),
+        Shapes.of(
+                StandsIn.class,
+                part("who", PROCESS, StandsIn::who),
+                part("sections", sections, StandsIn::sections),
+                StandsIn::new)
+            .named("stands_in"));
+  }
+
+  /** What a reader of traces needs. */
+  Vocabulary VOCABULARY =
+      Vocabulary.NONE
+          .messages(PRIMITIVE, MutexMessage.SHAPE)
+          .facts(PRIMITIVE, SHAPE)
+          .variables(PRIMITIVE, CRIT, FAILED, FAILURE);
+
+  /** The phases of {@link MutexProtocol.Phase}, for all ids of a robot's program together. */
+  Phases PHASES =
+      Phases.of(PRIMITIVE, MutexMessage.class, () -> MutexFact::phase, (Object[]) Phase.values());
+
+  private static String phase(String before, TraceEvent event) {
+    if (!(event instanceof TraceEvent.Action action)) {
+      return before;
+    }
+    return switch (action.fact()) {
+      case DoMutex request -> Phase.TRYING.name();
+      case OdMutex access -> Phase.CRITICAL.name();
+      case Withdraw end -> Phase.IDLE.name();
+      case Release release -> release.left().isEmpty() ? Phase.IDLE.name() : before;
+      default -> before;
+    };
+  }
+
+  /** The instance {@code xid} in the trace: {@code mutex/crossing}. */
+  static Instance source(String xid) {
+    return Instance.of(PRIMITIVE, xid);
+  }
+
+  /** Whether {@code source} is a mutex. */
+  static boolean isMutex(Instance source) {
+    return source.kind().equals(PRIMITIVE);
+  }
+}

@@ -1,0 +1,66 @@
+package org.starl.primitives.barrier;
+
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.barrier.BarrierOutcome.Excluded;
+import org.starl.primitives.barrier.BarrierOutcome.Failed;
+import org.starl.primitives.barrier.BarrierOutcome.Passed;
+import org.starl.primitives.barrier.BarrierOutcome.Unknown;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Events of a barrier, and outcomes, for tests. */
+final class Seen {
+
+  static final Instance SOURCE = Instance.of(BarrierFact.PRIMITIVE, "x");
+
+  private Seen() {}
+
+  /** These ids, in order: {@code a#1}. */
+  static SortedSet<ProcessId> ids(String... ids) {
+    SortedSet<ProcessId> all = new TreeSet<>();
+    for (String id : ids) {
+      all.add(ProcessId.parse(id));
+    }
+    return all;
+  }
+
+  static BarrierOutcome passed(long generation) {
+    return new Passed(generation);
+  }
+
+  static BarrierOutcome failed(long generation, String... missing) {
+    return new Failed(generation, ids(missing));
+  }
+
+  static BarrierOutcome excluded(long generation) {
+    return new Excluded(generation);
+  }
+
+  static BarrierOutcome unknown(long generation) {
+    return new Unknown(generation);
+  }
+
+  /** The program of the id's robot has a barrier. */
+  static Action exists(long timeNs, Instance source, String id, String... members) {
+    ProcessId i = ProcessId.parse(id);
+    return Action.of(
+        timeNs, i.robot(), source, BarrierFact.CREATED, new BarrierFact.Created(i, ids(members)));
+  }
+
+  static Action arrives(long timeNs, RobotId robot, Instance source, long generation, String id) {
+    return Action.of(
+        timeNs,
+        robot,
+        source,
+        BarrierFact.ARRIVE,
+        new BarrierAction.arrive(ProcessId.parse(id), generation));
+  }
+
+  static Variable shows(long timeNs, RobotId robot, BarrierOutcome outcome) {
+    return new Variable(timeNs, robot, SOURCE, BarrierFact.OUTCOME, outcome);
+  }
+}

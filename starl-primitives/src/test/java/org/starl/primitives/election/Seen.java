@@ -1,0 +1,35 @@
+package org.starl.primitives.election;
+
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Events of the election {@code election/x}, for tests. */
+final class Seen {
+
+  static final Instance SOURCE = Instance.of(ElectionFact.PRIMITIVE, "x");
+
+  private Seen() {}
+
+  /** The robot's program has an election. */
+  static Action exists(long timeNs, int size, ProcessId i) {
+    return Action.of(
+        timeNs, i.robot(), SOURCE, ElectionFact.CREATED, new ElectionFact.Created(size, i));
+  }
+
+  static Action calls(long timeNs, RobotId robot, ProcessId i) {
+    return Action.of(
+        timeNs, robot, SOURCE, ElectionFact.DO_ELECTION, new ElectionAction.do_election(i));
+  }
+
+  static Action stands(long timeNs, RobotId robot, long term, ProcessId i) {
+    return Action.of(
+        timeNs, robot, SOURCE, ElectionFact.CANDIDATE, new ElectionAction.candidate(i, term));
+  }
+
+  static Variable shows(long timeNs, RobotId robot, Leader leader) {
+    return new Variable(timeNs, robot, SOURCE, ElectionFact.LEADER, leader);
+  }
+}

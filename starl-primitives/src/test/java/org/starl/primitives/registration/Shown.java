@@ -1,0 +1,72 @@
+package org.starl.primitives.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Short;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Events of a registration written briefly, for tests. */
+public final class Shown {
+
+  static final Instance HERE = Instance.of(RegistrationFact.PRIMITIVE, "here");
+
+  private Shown() {}
+
+  /** An action of {@code robot} with an id: {@code do_register a#1}. */
+  public static TraceEvent acts(long atNs, String robot, String verb, String id) {
+    ProcessId i = ProcessId.parse(id);
+    RegistrationAction action =
+        switch (verb) {
+          case "do_register" -> new RegistrationAction.do_register(i);
+          case "unregister" -> new RegistrationAction.unregister(i);
+          case "give_up" -> new RegistrationAction.give_up(i);
+          default -> throw new IllegalArgumentException(verb);
+        };
+    return Action.of(atNs, new RobotId(robot), HERE, RegistrationFact.ACTIONS, action);
+  }
+
+  static TraceEvent confines(long atNs, String robot, String who, String sections, String fencers) {
+    Confinement confinement = Short.confinement(who, sections, fencers);
+    return Action.of(atNs, new RobotId(robot), HERE, RegistrationFact.CONFINE, confinement);
+  }
+
+  static TraceEvent acceptors(long atNs, String robot, String... robots) {
+    List<RobotId> names = new ArrayList<>();
+    for (String name : robots) {
+      names.add(new RobotId(name));
+    }
+    RegistrationFact.Acceptors acceptors = new RegistrationFact.Acceptors(names);
+    return Action.of(atNs, new RobotId(robot), HERE, RegistrationFact.Acceptors.SHAPE, acceptors);
+  }
+
+  /** A view as its {@code toString}. */
+  public static TraceEvent sees(long atNs, String robot, String view) {
+    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.VIEW, Short.view(view));
+  }
+
+  /** A list as its {@code toString}, {@code 3:[a, b]}, or {@code null}. */
+  public static TraceEvent shows(long atNs, String robot, String list) {
+    RList shown = RList.UNKNOWN;
+    if (!list.equals("null")) {
+      String[] parts = list.split("[:\\[\\], ]+");
+      List<RobotId> robots = new ArrayList<>();
+      for (String name : List.of(parts).subList(1, parts.length)) {
+        robots.add(new RobotId(name));
+      }
+      shown = new RList.Agreed(Participants.of(robots), Long.parseLong(parts[0]));
+    }
+    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.R_LIST, shown);
+  }
+
+  /** Whether the latest call has failed. */
+  public static TraceEvent failed(long atNs, String robot) {
+    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.FAILED, true);
+  }
+}
