@@ -68,9 +68,9 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
 
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
-    if (action.fact() instanceof MutexFact fact) {
-      Replay<States, MutexAction> replay = instance(action.source());
-      fact.action().ifPresent(taken -> replay.step(action, taken, report));
+    // Not for other facts: an instance whose access nobody has asked for has no run yet.
+    if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {
+      instance(action.source()).step(action, fact.action().get(), report);
       switch (fact) {
         case MutexFact.OdMutex access -> holds(action, access.who(), access.held(), report);
         case MutexFact.Release release -> holds(action, release.who(), release.left(), report);
