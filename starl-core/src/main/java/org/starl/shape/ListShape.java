@@ -35,14 +35,11 @@ record ListShape<E>(Shape<E> element, int most) implements Shape<List<E>> {
   static <K extends Comparable<? super K>, V> Shape<SortedMap<K, V>> map(
       Shape<K> key, Shape<V> value, int most) {
     Shape<Entry<K, V>> entry =
-        new RecordShape<>(
-            "Entry",
+        Shapes.of(
             ListShape.<Entry<K, V>>type(),
-            List.of(new Part<>("key", key, Entry::key), new Part<>("value", value, Entry::value)),
-            in ->
-                new Entry<>(
-                    in.next(new Part<>("key", key, Entry<K, V>::key)),
-                    in.next(new Part<>("value", value, Entry<K, V>::value))));
+            Shapes.part("key", key, Entry::key),
+            Shapes.part("value", value, Entry::value),
+            Entry::new);
     ListShape<Entry<K, V>> list = new ListShape<>(entry, most);
     return list.as(
         "map from " + key.describe() + " to " + value.describe(),

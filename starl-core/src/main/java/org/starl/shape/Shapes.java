@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -22,31 +23,13 @@ public final class Shapes {
           "bool", (v, out) -> out.bool(v), WireReader::bool, Leaf::writeBool, Leaf::readBool);
 
   /** One byte, 0 to 255. */
-  public static final Shape<Integer> U8 =
-      new Leaf<>(
-          "u8",
-          (v, out) -> out.u8(v),
-          WireReader::u8,
-          (v, out) -> out.number(v),
-          in -> in.smallNumber(""));
+  public static final Shape<Integer> U8 = integer("u8", (v, out) -> out.u8(v), WireReader::u8);
 
   /** Two bytes, 0 to 65,535. */
-  public static final Shape<Integer> U16 =
-      new Leaf<>(
-          "u16",
-          (v, out) -> out.u16(v),
-          WireReader::u16,
-          (v, out) -> out.number(v),
-          in -> in.smallNumber(""));
+  public static final Shape<Integer> U16 = integer("u16", (v, out) -> out.u16(v), WireReader::u16);
 
   /** Four bytes, with a sign. */
-  public static final Shape<Integer> INT =
-      new Leaf<>(
-          "i32",
-          (v, out) -> out.i32(v),
-          WireReader::i32,
-          (v, out) -> out.number(v),
-          in -> in.smallNumber(""));
+  public static final Shape<Integer> INT = integer("i32", (v, out) -> out.i32(v), WireReader::i32);
 
   /** Eight bytes, with a sign. */
   public static final Shape<Long> LONG =
@@ -362,4 +345,9 @@ public final class Shapes {
   }
 
   private Shapes() {}
+
+  private static Shape<Integer> integer(
+      String name, BiConsumer<Integer, WireWriter> writer, Function<WireReader, Integer> reader) {
+    return new Leaf<>(name, writer, reader, (v, out) -> out.number(v), in -> in.smallNumber(""));
+  }
 }

@@ -68,7 +68,7 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
 
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
-    // Not for other facts: an instance whose access nobody has asked for has no run yet.
+    // The run of an instance begins with its first action: other facts are no actions.
     if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {
       instance(action.source()).step(action, fact.action().get(), report);
       switch (fact) {
