@@ -15,15 +15,24 @@ import javax.tools.ToolProvider;
 import org.starl.lang.java.JavaSources;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.tree.Automaton;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
 import org.starl.sim.SimObserver;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
 import org.starl.workload.Runs;
 
 /**
  * A conformance monitor over the Java of another automaton than its own: the monitor's class, as it
- * is, loaded again beside that Java.
+ * is, loaded again with all primitives beside that Java. Facts and variables have values of
+ * these classes, so each event is read again from its JSON, as of a recorded trace.
  */
 final class MutantReplay {
 
@@ -44,11 +53,13 @@ final class MutantReplay {
 
   private final String name;
   private final Monitors monitors;
+  private final Vocabulary vocabulary;
   private boolean isSeen;
 
-  private MutantReplay(String name, Monitor monitor) {
+  private MutantReplay(String name, Monitor monitor, Vocabulary vocabulary) {
     this.name = name;
     monitors = new Monitors(List.of(monitor));
+    this.vocabulary = vocabulary;
   }
 
   static boolean hasMonitor(Automaton automaton) {
@@ -69,8 +80,8 @@ final class MutantReplay {
       return Optional.empty();
     }
     try {
-      Class<?> monitor =
-          new Loader(compiled(files, folder)).loadClass(PRIMITIVES + twin(automaton).monitor);
+      Loader loader = new Loader(compiled(files, folder));
+      Class<?> monitor = loader.loadClass(PRIMITIVES + twin(automaton).monitor);
       Constructor<?> constructor = monitor.getConstructors()[0];
       for (Constructor<?> each : monitor.getConstructors()) {
         constructor = each.getParameterCount() == 0 ? each : constructor;
@@ -80,7 +91,9 @@ final class MutantReplay {
               ? constructor.newInstance()
               : constructor.newInstance(
                   constructor.getParameterTypes()[0].getField("DEFAULT").get(null));
-      return Optional.of(new MutantReplay(name, (Monitor) made));
+      Object known =
+          loader.loadClass(PRIMITIVES + "monitor.PrimitiveVocabulary").getField("ALL").get(null);
+      return Optional.of(new MutantReplay(name, (Monitor) made, (Vocabulary) known));
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
     }
@@ -110,6 +123,33 @@ final class MutantReplay {
     }
   }
 
+  /** {@code event} with a fact or a value of this monitor's classes. */
+  private TraceEvent seenHere(TraceEvent event) {
+    return switch (event) {
+      case Action e -> {
+        RecordShape<?> here = vocabulary.fact(e.source(), e.shape().name());
+        yield here == null
+            ? e
+            : new Action(e.timeNs(), e.robot(), e.source(), here, copy(e.shape(), e.fact(), here));
+      }
+      case Variable e -> {
+        Var<?> here = vocabulary.variable(e.source(), e.name());
+        Object value = copy(e.variable().shape(), e.value(), here.shape());
+        yield new Variable(e.timeNs(), e.robot(), e.source(), here, value);
+      }
+      default -> event;
+    };
+  }
+
+  @SuppressWarnings("unchecked") // an event's value has the event's shape
+  private static <V> Object copy(Shape<V> from, Object value, Shape<?> to) {
+    try {
+      return to.readJson(new JsonReader("event", 1, from.json((V) value)));
+    } catch (JsonFormatException e) {
+      throw new AssertionError(e);
+    }
+  }
+
   /** Simulates the automaton's workload under chaos, each of {@code replays} with a look at all of it. */
   static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
     String workload = twin(automaton).workload;
@@ -122,7 +162,7 @@ final class MutantReplay {
               @Override
               public void observed(TraceEvent event) {
                 end[0] = event.timeNs();
-                replays.forEach(each -> each.act(() -> each.monitors.observe(event)));
+                replays.forEach(each -> each.act(() -> each.monitors.observe(each.seenHere(event))));
               }
             });
     plan.simulation().build().run();
@@ -153,7 +193,7 @@ final class MutantReplay {
     return folder;
   }
 
-  /** Loads the primitive's package anew, with the compiled classes in place of its own. */
+  /** Loads the primitives anew, with the compiled classes in place of their own. */
   private static final class Loader extends ClassLoader {
 
     private final Path folder;
@@ -166,8 +206,7 @@ final class MutantReplay {
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
       String file = name.replace('.', '/') + ".class";
-      boolean isAnew = Files.isDirectory(folder.resolve(file).getParent());
-      if (!isAnew || findLoadedClass(name) != null) {
+      if (!name.startsWith(PRIMITIVES) || findLoadedClass(name) != null) {
         return super.loadClass(name, resolve);
       }
       try (InputStream in =
