@@ -17,7 +17,7 @@ dependencyResolutionManagement {
 
 // The modules of pom.xml: starl-sim/view is :starl-sim-view. Those of Spark and JMH are there with -Pspark, -Pjmh alone.
 Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).map { it.groupValues[1] }.filter {
-    it !in listOf("starl-apps/spark", "starl-apps/jmh") ||
+    it !in listOf("starl-cli/spark", "starl-cli/jmh") ||
         providers.gradleProperty(it.substringAfterLast('/')).isPresent
 }.forEach { folder ->
     val name = ":" + folder.replace('/', '-')

@@ -4,7 +4,7 @@
 #
 #   scenarios/deployment/attack.sh
 #
-# Everything runs over the loopback interface; the attacker, 'starl attack', owns the network: each
+# Everything runs over the loopback interface; the attacker, a test fixture of starl-cli/launch, owns the network: each
 # robot's file names a port of the attacker as the address of each other robot and of the cameras.
 set -u
 . "$(dirname "$0")/rig.sh"
@@ -86,7 +86,13 @@ done
 mkdir "$work/first" "$work/second" "$work/next"
 # The world's own file has the cameras' true address.
 sed "s/server: 127.0.0.1:[0-9]*/server: 127.0.0.1:$((base + 6))/" "$work/bot0.yaml" >"$work/world.yaml"
-coproc ATTACK { exec $starl attack "$base"; }
+root=$here/../.. attacker=$here/../../starl-cli/launch/target/test-classes
+[ -e "$attacker/org/starl/launch/Attacker.class" ] || $starl test -DskipTests >"$work/build.log" || { cat "$work/build.log"; exit 1; }
+# The Java that the launcher finds.
+java=$(STARL_JAVA_OPTS=-XshowSettings:properties $starl list 2>&1 | sed -n 's/^ *java\.home = //p')/bin/java
+attacker=$attacker:$root/target/starl-maven/starl.jar:$(cat "$root/starl-apps/kotlin/target/classpath.txt")
+# shellcheck disable=SC2086
+coproc ATTACK { exec "$java" $STARL_JAVA_OPTS -cp "$attacker" org.starl.launch.Attacker "$base"; }
 $starl keygen "$work/crossing.key" >/dev/null || exit 1
 read -r answer <&"${ATTACK[0]}" || exit 1
 echo "4 robots, each in its process; files are in $work"

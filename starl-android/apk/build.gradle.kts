@@ -18,7 +18,7 @@ dependencies {
     implementation(libs.picocli)
     testImplementation(project(":starl-sim"))
     // Writes the project whose APK a test makes.
-    testImplementation(project(":starl-apps-cli"))
+    testImplementation(project(":starl-cli"))
     // Makes class files of dex.
     testImplementation(libs.dex.translator)
     implementation(libs.jspecify)

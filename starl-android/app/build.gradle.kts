@@ -14,7 +14,7 @@ dependencies {
     // Android itself, for compiling and for Robolectric; a phone has its own.
     compileOnly(libs.android.all)
     // Merges the traces that the phones of a test leave.
-    testImplementation(project(":starl-apps-cli"))
+    testImplementation(project(":starl-cli"))
     testImplementation(libs.robolectric)
     // Robolectric's tests are JUnit 4's.
     testImplementation(libs.junit.vintage.engine)

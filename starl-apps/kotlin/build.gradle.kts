@@ -13,7 +13,7 @@ dependencies {
     implementation(project(":starl-sim-view"))
     implementation(project(":starl-apps"))
     // Runs the app; nothing here is compiled against it.
-    runtimeOnly(project(":starl-apps-cli"))
+    runtimeOnly(project(":starl-cli"))
     implementation(libs.kotlin.stdlib)
     implementation(libs.jspecify)
     // Compiles what `starl new` writes.

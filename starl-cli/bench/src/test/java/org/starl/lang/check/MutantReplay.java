@@ -1,0 +1,227 @@
+package org.starl.lang.check;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringWriter;
+import java.lang.reflect.Constructor;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import javax.tools.ToolProvider;
+import org.starl.lang.java.JavaSources;
+import org.starl.lang.read.SourceErrors;
+import org.starl.lang.tree.Automaton;
+import org.starl.shape.JsonFormatException;
+import org.starl.shape.JsonReader;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
+import org.starl.sim.SimObserver;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
+import org.starl.trace.Vocabulary;
+import org.starl.workload.Runs;
+
+/**
+ * A conformance monitor over the Java of another automaton than its own: the monitor's class, as it
+ * is, loaded again with all primitives beside that Java. Facts and variables have values of
+ * these classes, so each event is read again from its JSON, as of a recorded trace.
+ */
+final class MutantReplay {
+
+  /** The workload and the conformance monitor of an automaton with Java. */
+  private record Twin(String workload, String monitor) {}
+
+  private static final Map<String, Twin> TWINS =
+      Map.of(
+          "Mutex_decls", new Twin("mutex", "mutex.MutexConformance"),
+          "Registration_decls", new Twin("registration", "registration.RegistrationConformance"),
+          "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
+          "Election_decls", new Twin("election", "election.ElectionConformance"),
+          "Barrier_decls", new Twin("barrier", "barrier.BarrierConformance"),
+          "Geocast_decls", new Twin("geocast", "geocast.GeocastConformance"),
+          "MotionControl_decls", new Twin("motion", "motion.MotionConformance"));
+
+  private static final String PRIMITIVES = "org.starl.primitives.";
+
+  private final String name;
+  private final Monitors monitors;
+  private final Vocabulary vocabulary;
+  private boolean isSeen;
+
+  private MutantReplay(String name, Monitor monitor, Vocabulary vocabulary) {
+    this.name = name;
+    monitors = new Monitors(List.of(monitor));
+    this.vocabulary = vocabulary;
+  }
+
+  static boolean hasMonitor(Automaton automaton) {
+    return TWINS.containsKey(automaton.name());
+  }
+
+  /**
+   * A fresh monitor over {@code automaton}; none if the automaton has no Java form.
+   *
+   * @param folder for its classes, as long as it is used
+   */
+  static Optional<MutantReplay> of(String name, Automaton automaton, Path folder)
+      throws IOException {
+    Map<String, String> files;
+    try {
+      files = JavaSources.of(automaton, "x.starl");
+    } catch (SourceErrors e) {
+      return Optional.empty();
+    }
+    try {
+      Loader loader = new Loader(compiled(files, folder));
+      Class<?> monitor = loader.loadClass(PRIMITIVES + twin(automaton).monitor);
+      Constructor<?> constructor = monitor.getConstructors()[0];
+      for (Constructor<?> each : monitor.getConstructors()) {
+        constructor = each.getParameterCount() == 0 ? each : constructor;
+      }
+      Object made =
+          constructor.getParameterCount() == 0
+              ? constructor.newInstance()
+              : constructor.newInstance(
+                  constructor.getParameterTypes()[0].getField("DEFAULT").get(null));
+      Object known =
+          loader.loadClass(PRIMITIVES + "monitor.PrimitiveVocabulary").getField("ALL").get(null);
+      return Optional.of(new MutantReplay(name, (Monitor) made, (Vocabulary) known));
+    } catch (ReflectiveOperationException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static Twin twin(Automaton automaton) {
+    return Objects.requireNonNull(TWINS.get(automaton.name()));
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** Whether the monitor has reported a violation, or its automaton has thrown. */
+  boolean isSeen() {
+    return isSeen;
+  }
+
+  private void act(Runnable observing) {
+    if (!isSeen) {
+      try {
+        observing.run();
+        isSeen = !monitors.report().holds();
+      } catch (RuntimeException e) {
+        isSeen = true; // an operation has no value: the run ends with this error
+      }
+    }
+  }
+
+  /** {@code event} with a fact or a value of this monitor's classes. */
+  private TraceEvent seenHere(TraceEvent event) {
+    return switch (event) {
+      case Action e -> {
+        RecordShape<?> here = vocabulary.fact(e.source(), e.shape().name());
+        yield here == null
+            ? e
+            : new Action(e.timeNs(), e.robot(), e.source(), here, copy(e.shape(), e.fact(), here));
+      }
+      case Variable e -> {
+        Var<?> here = vocabulary.variable(e.source(), e.name());
+        Object value = copy(e.variable().shape(), e.value(), here.shape());
+        yield new Variable(e.timeNs(), e.robot(), e.source(), here, value);
+      }
+      default -> event;
+    };
+  }
+
+  @SuppressWarnings("unchecked") // an event's value has the event's shape
+  private static <V> Object copy(Shape<V> from, Object value, Shape<?> to) {
+    try {
+      return to.readJson(new JsonReader("event", 1, from.json((V) value)));
+    } catch (JsonFormatException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** Simulates the automaton's workload under chaos, each of {@code replays} with a look at all of it. */
+  static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
+    String workload = twin(automaton).workload;
+    String chaos = Runs.demo(workload).envelope().toString();
+    var plan = Runs.plan(workload, seed, Map.of("chaos", chaos));
+    long[] end = new long[1];
+    plan.simulation()
+        .observer(
+            new SimObserver() {
+              @Override
+              public void observed(TraceEvent event) {
+                end[0] = event.timeNs();
+                replays.forEach(
+                    each -> each.act(() -> each.monitors.observe(each.seenHere(event))));
+              }
+            });
+    plan.simulation().build().run();
+    replays.forEach(each -> each.act(() -> each.monitors.finish(end[0])));
+  }
+
+  private static Path compiled(Map<String, String> files, Path parent) throws IOException {
+    Path folder = Files.createTempDirectory(parent, "mutant");
+    List<String> paths = new ArrayList<>();
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      Path path = folder.resolve(file.getKey());
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, file.getValue());
+      paths.add(path.toString());
+    }
+    var compiler = ToolProvider.getSystemJavaCompiler();
+    StringWriter out = new StringWriter();
+    try (var manager = compiler.getStandardFileManager(null, null, null)) {
+      List<String> options =
+          List.of(
+              "-d", folder.toString(), "-cp", System.getProperty("java.class.path"), "-proc:none");
+      if (!compiler
+          .getTask(out, manager, null, options, null, manager.getJavaFileObjectsFromStrings(paths))
+          .call()) {
+        throw new AssertionError(out.toString());
+      }
+    }
+    return folder;
+  }
+
+  /** Loads the primitives anew, with the compiled classes in place of their own. */
+  private static final class Loader extends ClassLoader {
+
+    private final Path folder;
+
+    Loader(Path folder) {
+      super(MutantReplay.class.getClassLoader());
+      this.folder = folder;
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+      String file = name.replace('.', '/') + ".class";
+      if (!name.startsWith(PRIMITIVES) || findLoadedClass(name) != null) {
+        return super.loadClass(name, resolve);
+      }
+      try (InputStream in =
+          Files.exists(folder.resolve(file))
+              ? Files.newInputStream(folder.resolve(file))
+              : getResourceAsStream(file)) {
+        if (in == null) {
+          throw new ClassNotFoundException(name);
+        }
+        byte[] bytes = in.readAllBytes();
+        return defineClass(name, bytes, 0, bytes.length);
+      } catch (IOException e) {
+        throw new ClassNotFoundException(name, e);
+      }
+    }
+  }
+}

@@ -1,0 +1,436 @@
+package org.starl.cli;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
+import java.util.stream.Stream;
+
+/**
+ * What {@code ./starl} does when something is to be built: one build at a time, by Maven. The launcher
+ * runs this file from its source, before anything is compiled, so it uses nothing but the JDK.
+ */
+final class LauncherBuild {
+
+  /** Another build was running, and has ended: the launcher looks again what is to be built. */
+  private static final int LOOK_AGAIN = 75;
+
+  // As ExitStatus, which is not compiled yet.
+  private static final int TESTS_FAILED = 1;
+  private static final int NOT_BUILT = 3;
+
+  private static final Set<String> PARTS_OF_THE_COMMAND_LINE = Set.of("compile", "jar", "spark");
+  private static final String LAST_MODULE = "starl-apps/kotlin";
+  private static final List<String> ANDROID = List.of("starl-android/app", "starl-android/apk");
+  private static final Pattern MODULE = Pattern.compile("<module>(.*)</module>");
+  private static final Pattern COUNT =
+      Pattern.compile(" (tests|errors|failures|skipped)=\"([0-9]+)\"");
+  private static final Pattern MIRROR = Pattern.compile("(?s)<mirror>(.*?)</mirror>");
+  private static final Pattern OF_CENTRAL =
+      Pattern.compile(
+          "<mirrorOf>(?:[^<]*,)?\\s*(?:central|\\*|external:\\*)\\s*(?:,[^<]*)?</mirrorOf>");
+  private static final Pattern ADDRESS = Pattern.compile("<url>\\s*(https?://[^<]*?)/?\\s*</url>");
+
+  private final Path root;
+  private final Path state;
+
+  private LauncherBuild(Path root) {
+    this.root = root;
+    this.state = root.resolve("target/starl-maven");
+  }
+
+  /**
+   * @param args the project's folder; what to build: compile, jar, spark, test, install or apk; and
+   *     its own words
+   */
+  public static void main(String[] args) throws IOException {
+    LauncherBuild build = new LauncherBuild(Path.of(args[0]));
+    List<String> words = List.of(args).subList(2, args.length);
+    System.exit(build.run(args[1], words));
+  }
+
+  private int run(String part, List<String> words) throws IOException {
+    Files.createDirectories(state);
+    Path file = state.resolve("build.lock");
+    int status;
+    try (FileChannel channel =
+        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      FileLock lock = channel.tryLock();
+      if (lock == null) {
+        say("waiting for another ./starl, which builds in this folder");
+        lock = channel.lock();
+        if (PARTS_OF_THE_COMMAND_LINE.contains(part)) {
+          return LOOK_AGAIN;
+        }
+      }
+      status = build(part, words);
+      lock.release();
+    }
+    return status == 0 && part.equals("apk") ? makeApk(words) : status;
+  }
+
+  private int build(String part, List<String> words) throws IOException {
+    return switch (part) {
+      case "compile" -> compile();
+      case "jar" -> makeJar();
+      case "spark" -> addSpark();
+      case "test" -> test(words);
+      case "install" -> install(words);
+      case "apk" ->
+          ended(maven(System.err, false, List.of("compile", "-pl", "starl-android/apk", "-am")));
+      default -> throw new IllegalArgumentException(part);
+    };
+  }
+
+  private static void say(String line) {
+    System.err.println("starl: " + line);
+  }
+
+  private static int ended(int status) {
+    if (status != 0) {
+      say("the build failed");
+    }
+    return status == 0 ? 0 : NOT_BUILT;
+  }
+
+  // --- what is built -----------------------------------------------------------------------------
+
+  private int compile() throws IOException {
+    boolean isFirst = !Files.exists(root.resolve(LAST_MODULE + "/target/classpath.txt"));
+    say(
+        isFirst
+            ? "building for the first time (some minutes; libraries are fetched once)"
+            : "compiling what has changed");
+    int status = ended(maven(System.err, isFirst, List.of("compile", "-pl", LAST_MODULE, "-am")));
+    return status == 0 ? makeJar() : status;
+  }
+
+  /**
+   * All classes in one jar: the JVM keeps no cache of folders. A run may still read the old one, so that
+   * is replaced as a whole.
+   */
+  private int makeJar() throws IOException {
+    Path made = state.resolve("new.jar");
+    List<String> words =
+        new ArrayList<>(List.of("--create", "--no-compress", "--file", made.toString()));
+    for (String module : modules()) {
+      Path classes = root.resolve(module).resolve("target/classes");
+      if (Files.exists(classes)) {
+        words.addAll(List.of("-C", classes.toString(), "."));
+      }
+    }
+    ToolProvider jar = ToolProvider.findFirst("jar").orElseThrow();
+    if (jar.run(System.err, System.err, words.toArray(new String[0])) != 0) {
+      say("cannot write " + made);
+      return NOT_BUILT;
+    }
+    Files.move(
+        made,
+        state.resolve("starl.jar"),
+        StandardCopyOption.ATOMIC_MOVE,
+        StandardCopyOption.REPLACE_EXISTING);
+    // Caches of the old jar are useless: the next run but one makes new ones.
+    for (Path folder : in(state, "first-*")) {
+      delete(folder.toFile());
+    }
+    return 0;
+  }
+
+  private int addSpark() throws IOException {
+    say("adding Spark (the first time some minutes; 290 MB of libraries are fetched once)");
+    Path begun = Files.createTempFile(state, "spark", ".begun");
+    FileTime time = Files.getLastModifiedTime(begun);
+    List<String> goals =
+        List.of(
+            "package",
+            "-Pspark",
+            "-pl",
+            "starl-cli/spark",
+            "-am",
+            "-Dmaven.test.skip=true",
+            "-Dmaven.source.skip=true",
+            "-Dmaven.javadoc.skip=true");
+    int status = ended(maven(System.err, true, goals));
+    if (status == 0) {
+      Files.move(begun, state.resolve("spark"), StandardCopyOption.REPLACE_EXISTING);
+      Files.setLastModifiedTime(state.resolve("spark"), time);
+    } else {
+      Files.delete(begun);
+    }
+    return status;
+  }
+
+  private int test(List<String> words) throws IOException {
+    System.out.println("starl: testing (compiles what has changed; libraries are fetched once)");
+    for (Path folder : reports()) {
+      delete(folder.toFile());
+    }
+    // The jars of sources and documentation are for those who install.
+    List<String> goals =
+        new ArrayList<>(List.of("verify", "-Dmaven.source.skip=true", "-Dmaven.javadoc.skip=true"));
+    for (String word : words) {
+      goals.add(word.equals("--all") ? "-Dtest.excluded=" : word);
+    }
+    if (maven(System.out, false, goals) != 0) {
+      say("a test or a quality gate failed");
+      return TESTS_FAILED;
+    }
+    System.out.println(count());
+    return 0;
+  }
+
+  /** How the tests went: in a plain line of its own, which build servers read. */
+  private String count() throws IOException {
+    int all = 0;
+    int skipped = 0;
+    int failed = 0;
+    for (Path folder : reports()) {
+      for (Path report : in(folder, "TEST-*.xml")) {
+        String suite = Files.readString(report);
+        suite = suite.substring(suite.indexOf("<testsuite "));
+        Matcher count = COUNT.matcher(suite.substring(0, suite.indexOf('>')));
+        while (count.find()) {
+          int number = Integer.parseInt(count.group(2));
+          switch (count.group(1)) {
+            case "tests" -> all += number;
+            case "skipped" -> skipped += number;
+            default -> failed += number;
+          }
+        }
+      }
+    }
+    return "starl: %d passed, %d failed, %d skipped"
+        .formatted(all - skipped - failed, failed, skipped);
+  }
+
+  private List<Path> reports() throws IOException {
+    List<Path> folders = new ArrayList<>();
+    for (Path folder : in(root, "starl-*")) {
+      folders.add(folder);
+      folders.addAll(in(folder, "*"));
+    }
+    folders.replaceAll(folder -> folder.resolve("target/surefire-reports"));
+    folders.removeIf(folder -> !Files.isDirectory(folder));
+    return folders;
+  }
+
+  /** What projects of {@code starl new} need, also for their APK, with sources. */
+  private int install(List<String> words) throws IOException {
+    say(
+        "installing StarL into the local Maven repository (the first time some minutes; libraries"
+            + " are fetched once)");
+    List<String> goals =
+        new ArrayList<>(
+            List.of(
+                "install",
+                "-pl",
+                "starl-bom," + LAST_MODULE + ",starl-android/apk",
+                "-am",
+                "-Dmaven.test.skip=true",
+                "-Dmaven.javadoc.skip=true",
+                "-Dspotless.check.skip=true"));
+    goals.addAll(words);
+    int status = ended(maven(System.err, true, goals));
+    if (status == 0) {
+      say("installed");
+    }
+    return status;
+  }
+
+  /** The APK's maker runs on what it is made of. */
+  private int makeApk(List<String> words) throws IOException {
+    StringBuilder path = new StringBuilder();
+    for (String module : Stream.concat(modules().stream(), ANDROID.stream()).toList()) {
+      path.append(root.resolve(module).resolve("target/classes")).append(File.pathSeparator);
+    }
+    path.append(Files.readString(root.resolve("starl-android/apk/target/classpath.txt")).strip());
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                System.getProperty("java.home") + "/bin/java",
+                "-cp",
+                path.toString(),
+                "org.starl.android.apk.Main"));
+    command.addAll(words);
+    return endOf(new ProcessBuilder(command).inheritIO().start());
+  }
+
+  /** The modules that the command line runs on: those up to the one that stands on all of them. */
+  private List<String> modules() throws IOException {
+    List<String> modules = new ArrayList<>();
+    Matcher module = MODULE.matcher(Files.readString(root.resolve("pom.xml")));
+    while (module.find() && !modules.contains(LAST_MODULE)) {
+      modules.add(module.group(1));
+    }
+    return modules;
+  }
+
+  // --- Maven -------------------------------------------------------------------------------------
+
+  /**
+   * Runs Maven, which speaks only when something is wrong; with {@code isTelling} also of its progress.
+   */
+  private int maven(PrintStream out, boolean isTelling, List<String> goals) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(onPath("mvn") ? "mvn" : root.resolve("mvnw").toString());
+    if (!isTelling) {
+      command.addAll(List.of("-ntp", "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn"));
+    }
+    command.addAll(List.of("-B", "-nsu", "-Dstyle.color=never"));
+    command.addAll(goals);
+    ProcessBuilder builder =
+        new ProcessBuilder(command).directory(root.toFile()).redirectErrorStream(true);
+    builder.redirectInput(ProcessBuilder.Redirect.from(new File("/dev/null")));
+    prepare(builder.environment());
+    if (!onPath("mvn") && !prepareWrapper(builder.environment())) {
+      return NOT_BUILT;
+    }
+    Process maven = builder.start();
+    Thread ender = new Thread(maven::destroy);
+    Runtime.getRuntime().addShutdownHook(ender);
+    MavenLines lines = new MavenLines(out, isTelling);
+    try (BufferedReader reader =
+        new BufferedReader(new InputStreamReader(maven.getInputStream(), StandardCharsets.UTF_8))) {
+      for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+        lines.accept(line);
+      }
+    }
+    int status = endOf(maven);
+    Runtime.getRuntime().removeShutdownHook(ender);
+    return status;
+  }
+
+  private static void prepare(Map<String, String> environment) {
+    // Maven's own libraries set these warnings off; JDKs before 23 do not know the flag.
+    if (Runtime.version().feature() >= 23) {
+      environment.merge(
+          "MAVEN_OPTS",
+          "--sun-misc-unsafe-memory-access=allow",
+          (theirs, mine) -> mine + " " + theirs);
+    }
+  }
+
+  /** The wrapper fetches Maven once, from the mirror that the user's settings name. */
+  private static boolean prepareWrapper(Map<String, String> environment) throws IOException {
+    if (!onPath("unzip")) {
+      say("no mvn on the PATH, and ./mvnw, which fetches it, needs unzip: install one of the two");
+      return false;
+    }
+    String home = environment.getOrDefault("HOME", System.getProperty("user.home"));
+    Path settings = Path.of(home, ".m2", "settings.xml");
+    if (!environment.containsKey("MVNW_REPOURL") && Files.isReadable(settings)) {
+      String text = Files.readString(settings).replaceAll("(?s)<!--.*?-->", "");
+      Matcher mirror = MIRROR.matcher(text);
+      while (mirror.find()) {
+        Matcher address = ADDRESS.matcher(mirror.group(1));
+        if (OF_CENTRAL.matcher(mirror.group(1)).find() && address.find()) {
+          environment.put("MVNW_REPOURL", address.group(1));
+          break;
+        }
+      }
+    }
+    return true;
+  }
+
+  private static boolean onPath(String program) {
+    String path = System.getenv().getOrDefault("PATH", "");
+    return Stream.of(path.split(File.pathSeparator))
+        .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
+  }
+
+  private static int endOf(Process process) {
+    try {
+      return process.waitFor();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("nothing interrupts this thread", e);
+    }
+  }
+
+  // --- files -------------------------------------------------------------------------------------
+
+  private static List<Path> in(Path folder, String names) throws IOException {
+    List<Path> found = new ArrayList<>();
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, names)) {
+      files.forEach(found::add);
+    }
+    Collections.sort(found);
+    return found;
+  }
+
+  /** Leaves a folder in which another process writes at this moment. */
+  private static void delete(File folder) {
+    File[] files = folder.listFiles();
+    if (files != null) {
+      for (File file : files) {
+        delete(file);
+      }
+    }
+    folder.delete();
+  }
+
+  /** What people are shown of Maven's output. */
+  private static final class MavenLines {
+
+    private static final String BUILDING = "[INFO] Building ";
+
+    private final PrintStream out;
+    private final boolean isTelling;
+
+    /** Warnings before the first error: one of them may be the error. */
+    private final List<String> held = new ArrayList<>();
+
+    private boolean isWrong;
+    private int fetched;
+
+    MavenLines(PrintStream out, boolean isTelling) {
+      this.out = out;
+      this.isTelling = isTelling;
+    }
+
+    void accept(String raw) {
+      String line = raw.replace("\033[0m", ""); // some Mavens reset colours that they never set
+      if (line.isEmpty()) {
+        return;
+      }
+      if (line.startsWith("[ERROR]") && !isWrong) {
+        isWrong = true;
+        held.forEach(out::println);
+      }
+      if (line.startsWith("[WARNING]") && !isWrong) {
+        held.add(line);
+      } else if (isTelling && line.startsWith("[INFO]")) {
+        tell(line);
+      } else if (isWrong || !isTelling) {
+        out.println(line);
+      }
+    }
+
+    /** A line for each module and for each hundred files that Maven fetches. */
+    private void tell(String line) {
+      if (line.startsWith("[INFO] Downloaded ") && ++fetched % 100 == 0) {
+        out.println("starl: " + fetched + " files fetched");
+      } else if (line.startsWith(BUILDING) && line.endsWith("]")) {
+        String name = line.substring(BUILDING.length()).replaceFirst("  .*", "");
+        out.println("starl: " + line.substring(line.lastIndexOf('[')) + " " + name);
+      }
+    }
+  }
+}

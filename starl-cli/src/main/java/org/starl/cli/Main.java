@@ -1,0 +1,221 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.starl.Version;
+import org.starl.apps.Demos;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.apps.lightpaint.LightPaintDemo;
+import org.starl.apps.maze.MazeDemo;
+import org.starl.apps.race.RaceDemo;
+import org.starl.apps.search.SearchDemo;
+import org.starl.input.BadInput;
+import org.starl.launch.StackTraces;
+import org.starl.workload.PrimitiveWorkloads;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** {@code starl}: programs, simulates and checks distributed robots. */
+@Command(
+    name = "starl",
+    description = "Programs, simulates and checks distributed robots.",
+    footer = {
+      "",
+      "Example: starl run intersection",
+      "Run all tests: starl test",
+      "Check all proofs: starl prove",
+      "Build the app for phones: starl apk",
+      "Install StarL for projects of your own: starl install"
+    })
+public final class Main implements Runnable {
+
+  /** The apps of this project. */
+  static final Demos APPS =
+      new Demos(
+          List.of(
+              new HelloDemo(),
+              new IntersectionDemo(),
+              new LightPaintDemo(),
+              new MazeDemo(),
+              new RaceDemo(),
+              new SearchDemo()));
+
+  /** The apps and the primitives, each primitive with its workload. */
+  static final Demos ALL = APPS.plus(PrimitiveWorkloads.ALL);
+
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          ListCommand.class,
+          RunCommand.class,
+          CampaignCommand.class,
+          MergeCommand.class,
+          SweepCommand.class,
+          ExploreCommand.class,
+          CheckCommand.class,
+          ProveCommand.class,
+          DeterminismCommand.class,
+          RecordCommand.class,
+          ReplayCommand.class,
+          SchemaCommand.class,
+          CompileCommand.class,
+          LanguageServerCommand.class,
+          NewCommand.class,
+          BenchCommand.class,
+          DeployCommand.class,
+          KeygenCommand.class,
+          RobotCommand.class,
+          SimulatedCreateCommand.class,
+          HelpCommand.class);
+
+  @Option(
+      names = "--stacktrace",
+      scope = ScopeType.INHERIT,
+      description = "Print the stack trace of an error, for bug reports.")
+  private boolean stacktrace;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  private final Demos demos;
+
+  private Main(Demos demos) {
+    this.demos = demos;
+  }
+
+  public static void main(String[] args) {
+    PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    System.exit(run(out, err, args));
+  }
+
+  /** Runs a command line, including the apps on the class path; returns its exit status. */
+  public static int run(PrintWriter out, PrintWriter err, String... args) {
+    Demos demos;
+    try {
+      demos = installed();
+    } catch (BadInput error) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    return run(demos, out, err, args);
+  }
+
+  /**
+   * The apps on the class path, then those of this project.
+   *
+   * @throws BadInput if one on the class path cannot be created
+   */
+  static Demos installed() {
+    return Demos.installed(ALL).plus(ALL.all());
+  }
+
+  /** Runs a command line with these apps. */
+  static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
+    Main main = new Main(demos);
+    CommandLine commandLine = new CommandLine(main);
+    commands(args).forEach(commandLine::addSubcommand);
+    commandLine.setOut(out).setErr(err);
+    addHelp(commandLine);
+    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+    commandLine.setParameterExceptionHandler(Main::refuse);
+    commandLine.setExecutionExceptionHandler(
+        (error, command, parsed) -> main.report(error, command.getErr()));
+    int status = commandLine.execute(args);
+    out.flush();
+    err.flush();
+    return status;
+  }
+
+  /**
+   * The command that the first word names; else all of them, which {@code help} needs too. The parser
+   * reads the options of each command that it has by reflection, which is most of its work.
+   */
+  private static List<Class<?>> commands(String... args) {
+    String first = args.length == 0 ? "" : args[0];
+    for (Class<?> command : COMMANDS) {
+      if (command != HelpCommand.class
+          && command.getAnnotation(Command.class).name().equals(first)) {
+        return List.of(command);
+      }
+    }
+    return COMMANDS;
+  }
+
+  private static void addHelp(CommandLine command) {
+    CommandSpec spec = command.getCommandSpec();
+    if (command.getCommand() instanceof HelpCommand) { // has its own option --help
+      spec.usageMessage().description("Prints the help text of a command.");
+    } else {
+      spec.mixinStandardHelpOptions(true).version("StarL " + Version.STARL);
+    }
+    command.getSubcommands().values().forEach(Main::addHelp);
+  }
+
+  /** The apps that this command line knows. */
+  Demos demos() {
+    return demos;
+  }
+
+  @Override
+  public void run() {
+    if (spec != null) {
+      throw new ParameterException(spec.commandLine(), "no command");
+    }
+  }
+
+  private static int refuse(ParameterException error, String[] args) {
+    CommandSpec command = error.getCommandLine().getCommandSpec();
+    String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
+    line = line.replaceFirst("^Error: ", "").replaceFirst("\\.$", "");
+    String help = "; see '" + command.qualifiedName() + " --help'";
+    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help);
+    return ExitStatus.BAD_INPUT;
+  }
+
+  private static String hint(ParameterException error) {
+    if (error instanceof UnmatchedArgumentException unmatched) {
+      List<String> near = unmatched.getSuggestions();
+      if (!near.isEmpty()) {
+        return ": did you mean " + String.join(" or ", near) + "?";
+      }
+      Set<String> commands = error.getCommandLine().getSubcommands().keySet();
+      return ": expected "
+          + (commands.isEmpty() ? "nothing more" : "one of " + String.join(" ", commands));
+    }
+    return "";
+  }
+
+  private int report(Exception error, PrintWriter err) {
+    if (stacktrace) {
+      err.print(StackTraces.of(error));
+    }
+    if (error instanceof BadInput) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    if (error instanceof IOException && error.getMessage() != null) {
+      // A file that cannot be written: nothing was violated.
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    if (error instanceof MissingDependencyException) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.MISSING_DEPENDENCY;
+    }
+    String message = error.getMessage();
+    String line = message == null ? error.toString() : message;
+    err.println("starl: " + line + (stacktrace ? "" : " (--stacktrace shows details)"));
+    return ExitStatus.VIOLATED;
+  }
+}

@@ -1,0 +1,195 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How {@code ./starl} builds: in a folder of its own, with programs in Maven's place. */
+@Tag("realtime")
+class LauncherBuildTest {
+
+  private static final String BUILD = "starl-cli/src/main/java/org/starl/cli/LauncherBuild.java";
+  private static final String KOTLIN = "starl-apps/kotlin/target/";
+
+  /** What a build leaves. */
+  private static final String COMPILES =
+      "mkdir -p starl-apps/kotlin/target/classes\n"
+          + "echo >starl-apps/kotlin/target/begun\nsleep 0.1\n"
+          + "echo \"$PWD/pom.xml\" >starl-apps/kotlin/target/classpath.txt\n";
+
+  @TempDir private Path folder;
+
+  private void file(String name, String text) throws IOException {
+    Path file = folder.resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
+    assertThat(file.toFile().setExecutable(true)).isTrue();
+  }
+
+  @BeforeEach
+  void copyLauncher() throws IOException {
+    file("starl", Files.readString(Path.of("../starl")));
+    file(BUILD, Files.readString(Path.of("..", BUILD)));
+    file("pom.xml", "    <module>starl-apps/kotlin</module>\n");
+    file("run", "#!/bin/sh\necho \"runs $5\"\n");
+    // What the launcher needs of the machine: no Maven.
+    for (String program :
+        List.of(
+            "cat",
+            "dirname",
+            "find",
+            "grep",
+            "ls",
+            "mkdir",
+            "nproc",
+            "readlink",
+            "sed",
+            "sleep",
+            "sort",
+            "unzip")) {
+      Stream.of("/bin/", "/usr/bin/", "/opt/homebrew/bin/")
+          .map(folder -> folder + program)
+          .filter(path -> Files.isExecutable(Path.of(path)))
+          .findFirst()
+          .ifPresent(path -> program(program, path));
+    }
+  }
+
+  private void program(String name, String path) {
+    try {
+      file("bin/" + name, "#!/bin/sh\nexec " + path + " \"$@\"\n");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Process start(String... words) throws IOException {
+    ProcessBuilder builder = new ProcessBuilder(folder.resolve("starl").toString());
+    builder.command().addAll(List.of(words));
+    builder.environment().keySet().removeIf(name -> name.startsWith("STARL_"));
+    builder
+        .environment()
+        .putAll(
+            Map.of(
+                "JAVA_HOME",
+                System.getProperty("java.home"),
+                "STARL_JAVA",
+                folder.resolve("run").toString(),
+                "HOME",
+                folder.toString(),
+                "PATH",
+                folder.resolve("bin").toString()));
+    return builder.redirectErrorStream(true).start();
+  }
+
+  private List<String> lines(int status, String... words) throws Exception {
+    Process process = start(words);
+    try (BufferedReader out = process.inputReader()) {
+      List<String> lines = out.lines().toList();
+      assertThat(process.waitFor()).as("%s", lines).isEqualTo(status);
+      return lines;
+    }
+  }
+
+  @Test
+  void itBuildsOnceAndAgainAfterAChange() throws Exception {
+    file("bin/mvn", "#!/bin/sh\n" + COMPILES);
+
+    assertThat(lines(0, "list"))
+        .first()
+        .isEqualTo("starl: building for the first time (some minutes; libraries are fetched once)");
+    assertThat(lines(0, "list")).singleElement().asString().startsWith("runs ");
+
+    file("starl-apps/kotlin/src/main/A.kt", "");
+
+    assertThat(lines(0, "list")).hasSize(2).startsWith("starl: compiling what has changed");
+    assertThat(lines(0, "list")).hasSize(1);
+
+    Files.delete(folder.resolve("target/starl-maven/starl.jar"));
+    assertThat(lines(0, "list")).as("the jar alone").hasSize(1);
+  }
+
+  @Test
+  void itSaysAtOnceThatItWaitsAndDoesNotRepeatTheOtherBuild() throws Exception {
+    file("bin/mvn", "#!/bin/sh\necho built twice\nexit 1\n");
+    Path state = Files.createDirectories(folder.resolve("target/starl-maven"));
+    Process waiting;
+    BufferedReader out;
+    try (FileChannel channel =
+            FileChannel.open(
+                state.resolve("build.lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileLock lock = channel.lock()) {
+      assertThat(lock.isValid()).isTrue();
+      waiting = start("list");
+      out = waiting.inputReader();
+
+      assertThat(out.readLine())
+          .isEqualTo("starl: waiting for another ./starl, which builds in this folder");
+
+      file(KOTLIN + "begun", "");
+      file(KOTLIN + "classpath.txt", folder.resolve("pom.xml").toString());
+      file("target/starl-maven/starl.jar", "");
+    }
+    assertThat(out.readLine()).startsWith("runs ");
+    assertThat(waiting.waitFor()).isZero();
+  }
+
+  @Test
+  void itShowsMavensErrorsAndTheWarningsBeforeThem() throws Exception {
+    file(KOTLIN + "classpath.txt", "");
+    file(
+        "bin/mvn",
+        "#!/bin/sh\nprintf '%s\\n' '[WARNING] unused' '' '[ERROR] A.java: wrong' '[WARNING] too'\n"
+            + "exit 1\n");
+
+    assertThat(lines(3, "list"))
+        .containsExactly(
+            "starl: compiling what has changed",
+            "[WARNING] unused",
+            "[ERROR] A.java: wrong",
+            "[WARNING] too",
+            "starl: the build failed");
+  }
+
+  @Test
+  void itCountsTheTestsOfAllModules() throws Exception {
+    String suite = "<testsuite name=\"a\" tests=\"%d\" errors=\"0\" skipped=\"1\" failures=\"0\">";
+    file("starl-old/target/surefire-reports/TEST-old.xml", suite.formatted(100));
+    file(
+        "bin/mvn",
+        "#!/bin/sh\nfor m in starl-core starl-cli; do\nmkdir -p $m/target/surefire-reports\n"
+            + "echo '"
+            + suite.formatted(5)
+            + "' >$m/target/surefire-reports/TEST-a.xml\ndone\necho \"[WARNING] $*\"\n");
+
+    assertThat(lines(0, "test", "--all")).last().isEqualTo("starl: 8 passed, 0 failed, 2 skipped");
+    assertThat(lines(0, "test")).last().isEqualTo("starl: 8 passed, 0 failed, 2 skipped");
+  }
+
+  @Test
+  void withoutMavenItUsesTheWrapperAndTheMirrorOfTheSettings() throws Exception {
+    file("mvnw", "#!/bin/sh\necho \"from $MVNW_REPOURL\" >&2\n" + COMPILES);
+    file(KOTLIN + "classpath.txt", "");
+    String mirror =
+        "<mirror><mirrorOf>%s</mirrorOf><url>https://%s.example/maven/</url></mirror>\n";
+    file(
+        ".m2/settings.xml",
+        "<mirrors>" + mirror.formatted("other", "one") + mirror.formatted("*,!local", "two"));
+
+    assertThat(lines(0, "list")).contains("from https://two.example/maven");
+  }
+}
