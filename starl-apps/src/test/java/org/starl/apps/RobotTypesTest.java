@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.lightpaint.LightPaintDemo;
@@ -46,6 +47,7 @@ class RobotTypesTest {
   }
 
   @Test
+  @Tag("long")
   void randomMoversChangeEveryAppThatMoves() {
     for (Demo demo : List.of(new HelloDemo(), new RaceDemo(), new LightPaintDemo())) {
       assertThat(events(demo, 1, "randomRobots", 2))
@@ -55,6 +57,7 @@ class RobotTypesTest {
   }
 
   @Test
+  @Tag("long")
   void discoveryRobotsChangeARaceWithBumps() {
     Demo race = new RaceDemo();
     assertThat(events(race, 1, "discoveryRobots", 4))

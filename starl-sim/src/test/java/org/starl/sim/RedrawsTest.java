@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -204,6 +205,7 @@ class RedrawsTest {
   }
 
   @Test
+  @Tag("long")
   void splittingEstimatesTheProbabilityThatDelaysLossesAndProgramsGiveARun() {
     assertThat(exact()).isBetween(1e-4, 1e-3);
     Splitting splitting = new Splitting(3, 4);

@@ -137,6 +137,7 @@ class MazeTest {
 
   @ParameterizedTest
   @ValueSource(ints = {340, 360, 400, 440, 470})
+  @Tag("long")
   void bothAnswersAreRightForADoorBetweenBodyAndMargin(int doorMm, @TempDir Path folder)
       throws IOException {
     int half = doorMm / 2;

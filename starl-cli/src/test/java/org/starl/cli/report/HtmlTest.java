@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
@@ -13,6 +14,7 @@ class HtmlTest {
 
   /** The test removes characters that XML forbids; another test covers them. */
   @Property
+  @Tag("long")
   void anyTextIsParsedUnchanged(@ForAll String text) throws Exception {
     String allowed = text.replaceAll("[^\\t\\n -~\\u00A0-\\uD7FF\\uE000-\\uFDCF]", "");
     Document page =

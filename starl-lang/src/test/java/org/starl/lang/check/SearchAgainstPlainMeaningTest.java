@@ -15,6 +15,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Label;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.statistics.Statistics;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
@@ -190,6 +191,7 @@ class SearchAgainstPlainMeaningTest {
 
   @Property(tries = 300, shrinking = ShrinkingMode.OFF)
   @Label("a search visits the states that a plain one visits, with symmetry one of each orbit")
+  @Tag("long")
   void searchVisitsTheStatesOfAPlainOne(@ForAll long seed) throws SourceErrors {
     String source = new RandomAutomaton(new java.util.Random(seed)).source();
     Automaton automaton = new SourceReader().read("random.starl", source).getFirst();

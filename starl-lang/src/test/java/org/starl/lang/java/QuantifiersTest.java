@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.function.BiPredicate;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.lang.read.SourceErrors;
 
@@ -52,6 +53,7 @@ class QuantifiersTest {
   }
 
   @Property(tries = 6)
+  @Tag("long")
   void generatedConditionsAreTrueWhereTheyAreInAFiniteUniverse(@ForAll long seed)
       throws SourceErrors {
     Random random = new Random(seed);

@@ -15,6 +15,7 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import org.starl.lang.eval.Beyond;
 import org.starl.lang.eval.Id;
 import org.starl.lang.eval.Machine;
@@ -69,6 +70,7 @@ class RandomAutomataTest {
   }
 
   @Property(tries = 5, shrinking = ShrinkingMode.OFF)
+  @Tag("long")
   void javaAndExplorationAgreeOnEachStep(@ForAll long seed) throws SourceErrors {
     Random random = new Random(seed);
     agree(random, source(random, action -> true), STEPS, (state, steps) -> {});

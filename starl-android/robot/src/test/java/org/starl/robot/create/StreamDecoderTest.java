@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
@@ -76,6 +77,7 @@ class StreamDecoderTest {
   }
 
   @Property(tries = 1000)
+  @Tag("long")
   void theNextCompleteFrameAfterNoiseIsAccepted(@ForAll @Size(max = 200) byte[] noise) {
     Frames frames = new Frames(CreateModel.CREATE_2, new Random(noise.length));
     StreamDecoder decoder =

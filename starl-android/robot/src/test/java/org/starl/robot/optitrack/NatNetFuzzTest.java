@@ -3,6 +3,7 @@ package org.starl.robot.optitrack;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Pose;
 import org.starl.sim.check.MalformedBytes;
@@ -147,6 +148,7 @@ public class NatNetFuzzTest {
   }
 
   @Test
+  @Tag("long")
   void noDatagramsBreakTheClient() {
     List<byte[]> samples = new ArrayList<>();
     FullStream.VERSIONS.forEach(version -> samples.add(conversation(version)));

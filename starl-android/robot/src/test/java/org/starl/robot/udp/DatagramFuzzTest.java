@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.comms.DropReason;
 import org.starl.id.Participants;
@@ -174,6 +175,7 @@ public class DatagramFuzzTest {
   }
 
   @Test
+  @Tag("long")
   void aRobotAcceptsOnlyMessages() {
     List<byte[]> samples = new ArrayList<>(said(null));
     samples.addAll(GENUINE);

@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.Statistics;
 import org.starl.id.Participants;
@@ -104,6 +105,7 @@ class LostStorageTest {
    * the one key: bot2 may believe the second bot0.
    */
   @Property(tries = 500)
+  @Tag("long")
   void itStopsNoRobotThatTheOthersAccept(@ForAll long seed) {
     robots(3);
     Rng rng = new Rng(seed);
@@ -131,6 +133,7 @@ class LostStorageTest {
    * theirs, not all at the same time.
    */
   @Property(tries = 1000)
+  @Tag("long")
   void ofTwoStoragesOfARobotAtMostOneIsEverKnown(
       @ForAll long seed, @ForAll @IntRange(min = 2, max = 6) int count) {
     robots(count);

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -204,6 +205,7 @@ class SessionsTest {
 
   /** Without second machines and lost storage no recording stops a robot, and datagrams arrive. */
   @Property(tries = 100)
+  @Tag("long")
   void recordingsStopNoRobot(@ForAll long drawn) {
     run(drawn, false);
     assertThat(stopped).as("seed %d", seed).isZero();

@@ -7,6 +7,7 @@ import java.util.BitSet;
 import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -103,6 +104,7 @@ class SweepTest {
   }
 
   @Property(tries = 20)
+  @Tag("long")
   void allCellsThatCanBeSeenComeIntoView(@ForAll long seed) {
     HousePlan plan = drawn(new Rng(seed));
     House house = House.of(plan, RANGE_MM, CLEARANCE_MM);
@@ -151,6 +153,7 @@ class SweepTest {
   }
 
   @Property(tries = 25)
+  @Tag("long")
   void theRestOfARoomIsSeenFromPlacesThatAreNotBarred(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
