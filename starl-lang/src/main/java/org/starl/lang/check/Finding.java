@@ -11,7 +11,14 @@ import org.starl.lang.tree.Pos;
  * @param story a shortest run to it: the start state if it is one of several, then the steps, numbered
  * @param automaton in whose source {@code pos} is
  * @param pos of what is false, or has no value
+ * @param isFalse whether the invariant is false there; else an operation has no value
  * @param message what is wrong there
  */
 public record Finding(
-    String invariant, int steps, List<String> story, String automaton, Pos pos, String message) {}
+    String invariant,
+    int steps,
+    List<String> story,
+    String automaton,
+    Pos pos,
+    boolean isFalse,
+    String message) {}

@@ -34,14 +34,12 @@ public final class Report {
         .ifPresentOrElse(
             finding -> {
               String what = finding.invariant().isEmpty() ? "a step" : finding.invariant();
-              boolean isFalse =
-                  !finding.invariant().isEmpty() && finding.message().startsWith("false");
               lines.add(
                   head
                       + "%s %s after %s"
                           .formatted(
                               what,
-                              isFalse ? "is false" : "is undefined",
+                              finding.isFalse() ? "is false" : "is undefined",
                               count(finding.steps(), "step")));
               finding.story().forEach(line -> lines.add("  " + line));
               lines.add(

@@ -199,7 +199,13 @@ public final class Search {
       String message = String.valueOf(error.getMessage());
       throw new Found(
           new Finding(
-              name, path.size() - 1, story.lines(), error.automaton(), error.pos(), message));
+              name,
+              path.size() - 1,
+              story.lines(),
+              error.automaton(),
+              error.pos(),
+              false,
+              message));
     }
     Witness witness = machine.witness(Objects.requireNonNull(invariant), story.end());
     String message =
@@ -208,7 +214,7 @@ public final class Search {
             + (witness.why().isEmpty() ? "" : ": " + witness.why());
     throw new Found(
         new Finding(
-            name, path.size() - 1, story.lines(), automaton.name(), witness.pos(), message));
+            name, path.size() - 1, story.lines(), automaton.name(), witness.pos(), true, message));
   }
 
   private void expand(int number) {
