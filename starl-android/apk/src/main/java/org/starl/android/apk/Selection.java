@@ -27,12 +27,16 @@ record Selection(SortedMap<String, byte[]> classes, SortedSet<String> own, Set<S
   /** Names the makers of apps, one in a line. */
   static final String SERVICES = "META-INF/services/org.starl.apps.AppFactory";
 
-  /** Of StarL: core, primitives, the real platform without its serial ports, apps, the phone's app. */
+  /**
+   * Of StarL: core, primitives without the search over their states, the real platform without its
+   * serial ports, apps, the phone's app.
+   */
   private static final Pattern OURS =
       Pattern.compile(
           "org/starl/([^/]+"
-              + "|(body|comms|geometry|gvh|id|input|motion|platform|random|session|spec|time|trace)/.+"
-              + "|robot/(?!serial/).+|(primitives|android/app)/.+"
+              + "|(body|comms|geometry|gvh|id|input|motion|platform|random|session|shape|spec|time|trace)/.+"
+              + "|robot/(?!serial/).+|android/app/.+"
+              + "|primitives/(?!exhaustive/|.+/(SynodStates|Mutex(States|Node|Oracle))[$.]).+"
               + "|apps/((AppFactory|Parameter|Request|RobotProgram)|(.+/)?(logic|robot|spec)/.+))\\.class");
 
   private static final String STARL = "org/starl/";
