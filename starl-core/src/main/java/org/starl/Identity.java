@@ -53,6 +53,6 @@ public final class Identity {
    */
   public ProcessId freshProcess() {
     handedOut++;
-    return new ProcessId(name, ((long) boot << 32) + epoch + handedOut);
+    return new ProcessId(name, ProcessId.first(name, boot).inc() + epoch + handedOut - 1);
   }
 }

@@ -8,12 +8,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
-import org.starl.id.ProcessId;
 
 /**
  * Names the constants of one theory: a PVS identifier for each value, unique, and as close to the
- * value's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of
- * the first start of bot1 and its second one, is {@code bot1_1_2}.
+ * value's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#2.7} is {@code bot1_2_7}.
  */
 final class Identifiers {
 
@@ -57,7 +55,7 @@ final class Identifiers {
   }
 
   private String fresh(Object value) {
-    String plain = plain(value instanceof ProcessId id ? text(id) : value.toString());
+    String plain = plain(value.toString());
     String name = free(plain);
     for (int i = 2; taken.contains(name); i++) {
       name = free(plain + "_" + i);
@@ -77,11 +75,5 @@ final class Identifiers {
   static String plain(String text) {
     String plain = text.replaceAll("[^A-Za-z0-9_]", "_");
     return plain.matches("[A-Za-z].*") ? plain : "n" + plain;
-  }
-
-  private static String text(ProcessId id) {
-    long start = id.inc() >>> Integer.SIZE;
-    long ofStart = id.inc() & 0xffff_ffffL;
-    return id.robot() + (start == 0 ? "_" : "_" + start + "_") + ofStart;
   }
 }

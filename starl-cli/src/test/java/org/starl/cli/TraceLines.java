@@ -22,7 +22,7 @@ public final class TraceLines {
   /**
    * An action.
    *
-   * @param fact in JSON: <code>{"do_register": {"i": "b#1"}}</code>
+   * @param fact in JSON: <code>{"do_register": {"i": "b"}}</code>
    */
   public static TraceEvent action(long timeNs, RobotId robot, String source, String fact) {
     return read(

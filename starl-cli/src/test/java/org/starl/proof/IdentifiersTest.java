@@ -43,9 +43,9 @@ class IdentifiersTest {
   }
 
   @Test
-  void anIdNamesItsStartAndItsNumberInThatStart() {
+  void anIdHasTheNameOfItsText() {
     RobotId bot = new RobotId("bot-1");
-    assertThat(identifiers.of(new ProcessId(bot, 3))).isEqualTo("bot_1_3");
+    assertThat(identifiers.of(ProcessId.first(bot, 3))).isEqualTo("bot_1_3");
     assertThat(identifiers.of(new ProcessId(bot, (2L << 32) + 5))).isEqualTo("bot_1_2_5");
   }
 }

@@ -44,7 +44,7 @@ class RunTheoriesTest {
     acts(
         robot,
         mutex,
-        "{'do_mutex':{'who':'%s#1','num':1,'ts':1,'want':%s,'known':[]}}"
+        "{'do_mutex':{'who':'%s','num':1,'ts':1,'want':%s,'known':[]}}"
             .formatted(robot, sections(want)));
   }
 
@@ -52,7 +52,7 @@ class RunTheoriesTest {
     acts(
         robot,
         mutex,
-        "{'od_mutex':{'who':'%s#1','num':1,'held':%s}}".formatted(robot, sections(held)));
+        "{'od_mutex':{'who':'%s','num':1,'held':%s}}".formatted(robot, sections(held)));
   }
 
   private static String sections(String... names) {
@@ -71,7 +71,7 @@ class RunTheoriesTest {
   void aMutexRunIsWrittenStateByStateWithItsObligations() throws IOException {
     asks("bot-1", "mutex/x", "A", "7");
     holds("bot-1", "mutex/x", "A", "7");
-    acts("bot-1", "mutex/x", "{'release':{'who':'bot-1#1','num':1,'given':['A'],'left':['7']}}");
+    acts("bot-1", "mutex/x", "{'release':{'who':'bot-1','num':1,'given':['A'],'left':['7']}}");
     assertThat(text())
         .isEqualTo(
             """
@@ -168,12 +168,9 @@ class RunTheoriesTest {
 
   @Test
   void aRegistrationRunHasItsListsByNumber() throws IOException {
-    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    acts("b", "registration/x", "{'do_register':{'i':'b'}}");
     sets(
-        5,
-        "registration/x",
-        "view",
-        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
+        5, "registration/x", "view", "{'number':1,'admitted':[{'key':'b','value':1}],'ghosts':[]}");
     assertThat(text())
         .contains("  IMPORTING Registration_decls[PIDS]\n")
         .contains("  PIDS: TYPE = {b_1}\n")
@@ -200,12 +197,9 @@ class RunTheoriesTest {
   /** Each learn has its result, so that its absence shows. */
   @Test
   void aListThatIsKnownBeforeAskingIsAResult() throws IOException {
-    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    acts("b", "registration/x", "{'do_register':{'i':'b'}}");
     sets(
-        5,
-        "registration/x",
-        "view",
-        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
+        5, "registration/x", "view", "{'number':1,'admitted':[{'key':'b','value':1}],'ghosts':[]}");
     acts("b", "registration/x", "{'do_register':{'i':'b#2'}}");
     assertThat(text())
         .contains("  a_5: actions = learn(b_2, 1)\n")
@@ -236,10 +230,10 @@ class RunTheoriesTest {
 
   @Test
   void anElectionRunHasItsTermsByNumber() throws IOException {
-    acts("b", "election/x", "{'Election':{'size':2,'i':'b#1'}}");
-    acts("b", "election/x", "{'do_election':{'i':'b#1'}}");
-    acts("b", "election/x", "{'candidate':{'i':'b#1','n':1}}");
-    sets(5, "election/x", "Leader", "{'Name':{'id':'b#1','term':1}}");
+    acts("b", "election/x", "{'Election':{'size':2,'i':'b'}}");
+    acts("b", "election/x", "{'do_election':{'i':'b'}}");
+    acts("b", "election/x", "{'candidate':{'i':'b','n':1}}");
+    sets(5, "election/x", "Leader", "{'Name':{'id':'b','term':1}}");
     assertThat(text())
         .contains("  IMPORTING Election_decls[PIDS]\n")
         .contains("  a_3: actions = elect(1, b_1)\n")
@@ -264,13 +258,13 @@ class RunTheoriesTest {
   void aDeviatingStepIsTheLastOneSoThatPvsRejectsIt() throws IOException {
     asks("b", "mutex/x", "A");
     holds("b", "mutex/x", "B");
-    acts("b", "mutex/x", "{'release':{'who':'b#1','num':1,'given':['B'],'left':[]}}");
+    acts("b", "mutex/x", "{'release':{'who':'b','num':1,'given':['B'],'left':[]}}");
     assertThat(text()).contains("step_2: LEMMA enabled(a_2, s_1)").doesNotContain("step_3");
   }
 
   @Test
   void everyInstanceHasTheRestartAndInstancesAreOrdered() throws IOException {
-    acts("b", "mutex/y", "{'stands_in':{'who':'b#1','sections':[]}}");
+    acts("b", "mutex/y", "{'stands_in':{'who':'b','sections':[]}}");
     asks("b", "mutex/x", "A");
     theories.observed(new TraceEvent.Fault(7, new RobotId("b"), "restart", ""));
     String text = text();
@@ -321,18 +315,15 @@ class RunTheoriesTest {
   @Tag("realtime")
   void statementsOfARunAreThoseThatPvsCheckMakesAgain(@TempDir Path folder)
       throws IOException, InterruptedException {
-    acts("b", "election/x", "{'Election':{'size':2,'i':'b#1'}}");
-    acts("b", "election/x", "{'do_election':{'i':'b#1'}}");
-    acts("b", "election/x", "{'candidate':{'i':'b#1','n':1}}");
-    sets(5, "election/x", "Leader", "{'Name':{'id':'b#1','term':1}}");
+    acts("b", "election/x", "{'Election':{'size':2,'i':'b'}}");
+    acts("b", "election/x", "{'do_election':{'i':'b'}}");
+    acts("b", "election/x", "{'candidate':{'i':'b','n':1}}");
+    sets(5, "election/x", "Leader", "{'Name':{'id':'b','term':1}}");
     asks("b", "mutex/x", "A");
     holds("b", "mutex/x", "A");
-    acts("b", "registration/x", "{'do_register':{'i':'b#1'}}");
+    acts("b", "registration/x", "{'do_register':{'i':'b'}}");
     sets(
-        5,
-        "registration/x",
-        "view",
-        "{'number':1,'admitted':[{'key':'b#1','value':1}],'ghosts':[]}");
+        5, "registration/x", "view", "{'number':1,'admitted':[{'key':'b','value':1}],'ghosts':[]}");
     sets(5, "registration/x", "rList", "{'Agreed':{'list':['b'],'ts':1}}");
     String text = text();
     assertThat(statements(folder, text))

@@ -89,7 +89,7 @@ class ShapeTest {
         .isEqualTo(
             "{\"Numbers\":{\"small\":255,\"medium\":65535,\"number\":-1,\"large\":1,"
                 + "\"real\":-0.5,\"isSo\":true}}");
-    ProcessId process = new ProcessId(BOT, 2);
+    ProcessId process = ProcessId.first(BOT, 2);
     Sample.Place place = new Sample.Place(1e9, 0.1);
     assertThat(
             Sample.SHAPE.json(new Sample.Names("a\"b", BOT, process, Sample.Colour.GREEN, place)))

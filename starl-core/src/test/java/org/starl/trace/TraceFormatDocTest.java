@@ -87,11 +87,11 @@ class TraceFormatDocTest {
   @Test
   void theExamplesOfShapesAreWhatTheyWrite() {
     RobotId bot0 = new RobotId("bot0");
-    ProcessId first = new ProcessId(bot0, 1);
+    ProcessId first = ProcessId.first(bot0, 1);
     Shape<SortedMap<ProcessId, Long>> map = Shapes.map(Shapes.PROCESS, Shapes.LONG, 9);
     List<String> written =
         List.of(
-            From.SHAPE.json(new From(new ProcessId(new RobotId("bot1"), 3), 7)),
+            From.SHAPE.json(new From(ProcessId.first(new RobotId("bot1"), 3), 7)),
             Shapes.oneOf(Ok.class, Ok.SHAPE).json(new Ok(7)),
             Shapes.constant(MotionFlag.class).json(MotionFlag.IDLE),
             Shapes.list(Shapes.INT, 9).json(List.of(1, 2)),
@@ -104,7 +104,7 @@ class TraceFormatDocTest {
             Shapes.REAL.json(Double.POSITIVE_INFINITY),
             Shapes.TEXT.json("corridor"),
             Shapes.ROBOT.json(bot0),
-            Shapes.PROCESS.json(new ProcessId(bot0, (1L << 32) + 2)),
+            Shapes.PROCESS.json(ProcessId.first(bot0, 2)),
             Shapes.PARTICIPANTS.json(Participants.of(List.of(bot0, new RobotId("bot1")))),
             Geometry.POINT.json(new Point(1.5, 0)),
             Geometry.REGION.json(new Circle(new Point(180, 2932.5), 1980)),

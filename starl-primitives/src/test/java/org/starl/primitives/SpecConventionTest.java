@@ -31,8 +31,8 @@ import org.starl.trace.TraceEvent.Action;
 /** All specifications are made alike: of every instance, with bounds for progress. */
 class SpecConventionTest {
 
-  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
-  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
 
   @ParameterizedTest
   @ValueSource(

@@ -48,7 +48,7 @@ class DeliveriesTest {
     action(
         BOT1,
         MUTEX,
-        "{\"do_mutex\":{\"who\":\"bot1#1\",\"num\":1,\"ts\":1,\"want\":[\"A\"],\"known\":[]}}");
+        "{\"do_mutex\":{\"who\":\"bot1\",\"num\":1,\"ts\":1,\"want\":[\"A\"],\"known\":[]}}");
   }
 
   private void at(RobotId robot, String location) {
@@ -106,7 +106,7 @@ class DeliveriesTest {
 
   @Test
   void instancesHavePhasesOfTheirOwnAndASynodThatOfItsPrimitive() {
-    action(BOT1, "barrier/a", "{\"arrive\":{\"i\":\"bot1#1\",\"g\":1}}");
+    action(BOT1, "barrier/a", "{\"arrive\":{\"i\":\"bot1\",\"g\":1}}");
     delivered(BOT1, "barrier/a", new Here());
     delivered(BOT1, "barrier/b", new Here());
     delivered(BOT1, "barrier.synod/a", new Nack());

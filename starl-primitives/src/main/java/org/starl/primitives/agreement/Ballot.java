@@ -36,7 +36,7 @@ public record Ballot(long round, ProcessId proposer) implements Comparable<Ballo
     return byRound != 0 ? byRound : proposer.compareTo(other.proposer);
   }
 
-  /** {@code 3/bot1#4294967297}: round, then proposer. */
+  /** {@code 3/bot1}: round, then proposer. */
   @Override
   public String toString() {
     return round + "/" + proposer;

@@ -43,7 +43,7 @@ public final class Barrier extends SynodPrimitive implements BarrierPrim {
   }
 
   public Barrier(GlobalVarHolder gvh, String xid, Participants members, BarrierSettings settings) {
-    this(gvh, xid, new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(members), settings);
+    this(gvh, xid, ProcessId.first(gvh.id.name(), gvh.id.boot()), View.closed(members), settings);
   }
 
   /**

@@ -43,7 +43,7 @@ public sealed interface Leader {
       return true;
     }
 
-    /** {@code 3:bot1#4294967297}: term, then id. */
+    /** {@code 3:bot1}: term, then id. */
     @Override
     public String toString() {
       return term + ":" + id;

@@ -28,7 +28,7 @@ public record GeocastId(ProcessId origin, long number) {
     }
   }
 
-  /** For people, and in the theory: {@code bot3#4294967297/7}. */
+  /** For people, and in the theory: {@code bot3/7}. */
   @Override
   public String toString() {
     return origin + "/" + number;

@@ -47,19 +47,14 @@ public final class Liveness {
 
   private void acted(RobotId robot, ProcessId id) {
     if (!id.equals(known.put(robot, id))) {
-      long start = start(id);
+      long start = id.boot();
       latest.put(robot, start);
       ended.computeIfPresent(robot, (same, before) -> Math.min(before, start - 1));
     }
   }
 
   public boolean isDead(ProcessId id) {
-    return start(id) <= ended.getOrDefault(id.robot(), 0L);
-  }
-
-  private static long start(ProcessId id) {
-    // The ids of a closed group are of the first start.
-    return Math.max(1, id.inc() >>> Integer.SIZE);
+    return id.boot() <= ended.getOrDefault(id.robot(), 0L);
   }
 
   public boolean isUp(RobotId robot) {

@@ -114,7 +114,7 @@ public record View(
   public static View closed(Participants robots) {
     List<ProcessId> ids = new ArrayList<>();
     for (RobotId robot : robots) {
-      ids.add(new ProcessId(robot, 1));
+      ids.add(ProcessId.first(robot, 1));
     }
     return closed(ids);
   }
@@ -212,7 +212,7 @@ public record View(
   // Text.
 
   /**
-   * {@code 3:bot0#4294967297@1,bot2#4294967297@3|bot1#4294967297@2[A B]}: number; the free ids, each
+   * {@code 3:bot0@1,bot2@3|bot1@2[A B]}: number; the free ids, each
    * {@code @} the view that admitted it; and, if there are ghosts, a bar and the ghosts, each with its
    * sections.
    */

@@ -126,7 +126,7 @@ public final class M_Mutex implements MutexPrim {
   /** The closed group of the participants of each robot's first start. */
   public static Membership closedGroup(GlobalVarHolder gvh, Participants participants) {
     return Membership.closed(
-        new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(participants));
+        ProcessId.first(gvh.id.name(), gvh.id.boot()), View.closed(participants));
   }
 
   @Override

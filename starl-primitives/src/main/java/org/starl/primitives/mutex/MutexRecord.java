@@ -140,7 +140,7 @@ final class MutexRecord {
   }
 
   private static boolean isOfEarlierStart(Requests.Request request, MutexFact.StandsIn declared) {
-    return request.who.inc() >>> Integer.SIZE < declared.who().inc() >>> Integer.SIZE;
+    return request.who.boot() < declared.who().boot();
   }
 
   private void checkListed(Requests.Request holder, long nowNs, Report report) {

@@ -58,6 +58,7 @@ class RegistrationProtocol extends SynodProtocol {
   private RList.Agreed agreed = new RList.Agreed(Participants.of(), 0);
   private boolean failed;
   private boolean unregistered;
+  private boolean hasTakenId;
 
   // The change that it works for.
   private Change current = Change.NONE;
@@ -355,8 +356,12 @@ class RegistrationProtocol extends SynodProtocol {
     failed = false;
   }
 
+  // The proposer's id serves for the first registration, too.
   private void takeFreshId() {
-    me = freshProcess();
+    if (hasTakenId) {
+      me = freshProcess();
+    }
+    hasTakenId = true;
     askedIn = 0;
     port.acted(new RegistrationAction.do_register(me));
   }

@@ -20,8 +20,8 @@ class AcceptorTest {
 
   private static final RobotId BOT1 = new RobotId("bot1");
   private static final RobotId BOT2 = new RobotId("bot2");
-  private static final Ballot LOW = new Ballot(1, new ProcessId(BOT1, 1));
-  private static final Ballot HIGH = new Ballot(1, new ProcessId(BOT2, 1));
+  private static final Ballot LOW = new Ballot(1, ProcessId.first(BOT1, 1));
+  private static final Ballot HIGH = new Ballot(1, ProcessId.first(BOT2, 1));
   private static final Value A = Value.of(new byte[] {1});
   private static final Value B = Value.of(new byte[] {2});
 
@@ -111,7 +111,7 @@ class AcceptorTest {
     for (int i = 0; i < 20; i++) {
       RobotId bot = new RobotId("bot" + i);
       Value wish = Value.of(new byte[90]);
-      acceptor.prepare(bot, new Prepare(1, new Ballot(i + 1, new ProcessId(bot, 1)), wish));
+      acceptor.prepare(bot, new Prepare(1, new Ballot(i + 1, ProcessId.first(bot, 1)), wish));
     }
     acceptor.flushed(20);
     assertThat(answers).last().satisfies(m -> assertThat(((Promise) m).wishes()).hasSize(4));

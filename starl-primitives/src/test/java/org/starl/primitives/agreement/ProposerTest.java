@@ -23,8 +23,8 @@ class ProposerTest {
   private static final RobotId A = new RobotId("a");
   private static final RobotId B = new RobotId("b");
   private static final RobotId C = new RobotId("c");
-  private static final ProcessId ME = new ProcessId(A, 7);
-  private static final ProcessId RIVAL = new ProcessId(B, 9);
+  private static final ProcessId ME = ProcessId.first(A, 7);
+  private static final ProcessId RIVAL = ProcessId.first(B, 9);
   private static final Ballot FIRST = new Ballot(1, ME);
   private static final Value MINE = Value.of(new byte[] {1});
   private static final Value OLD = Value.of(new byte[] {2});

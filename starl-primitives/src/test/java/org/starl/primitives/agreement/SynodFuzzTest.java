@@ -49,7 +49,7 @@ public class SynodFuzzTest {
 
   @Test
   void equalMessagesHaveEqualBytes() {
-    Ballot ballot = new Ballot(3, new ProcessId(new RobotId("one"), 5));
+    Ballot ballot = new Ballot(3, ProcessId.first(new RobotId("one"), 5));
     Value value = Value.of(new byte[] {1, 2, 3});
     SynodMessage.Vote vote = new SynodMessage.Vote(ballot, value);
     List<byte[]> samples = new ArrayList<>();

@@ -28,8 +28,8 @@ class SynodSpecTest {
   private static final RobotId B = new RobotId("b");
   private static final RobotId C = new RobotId("c");
   private static final RobotId D = new RobotId("d");
-  private static final Ballot LOW = new Ballot(1, new ProcessId(A, 1));
-  private static final Ballot HIGH = new Ballot(2, new ProcessId(B, 1));
+  private static final Ballot LOW = new Ballot(1, ProcessId.first(A, 1));
+  private static final Ballot HIGH = new Ballot(2, ProcessId.first(B, 1));
   private static final Value X = Value.of(new byte[] {1});
   private static final Value Y = Value.of(new byte[] {2});
 

@@ -26,8 +26,8 @@ class SynodTest {
   private static final RobotId S1 = new RobotId("s1");
   private static final RobotId S2 = new RobotId("s2");
   private static final RobotId S3 = new RobotId("s3");
-  private static final ProcessId ME = new ProcessId(S1, 1);
-  private static final Ballot BALLOT = new Ballot(1, new ProcessId(S2, 1));
+  private static final ProcessId ME = ProcessId.first(S1, 1);
+  private static final Ballot BALLOT = new Ballot(1, ProcessId.first(S2, 1));
   private static final Value A = Value.of(new byte[] {1});
   private static final Value B = Value.of(new byte[] {2});
 

@@ -25,9 +25,9 @@ import org.starl.trace.Instance;
 class BarrierAnswersTest {
 
   private static final Instance SOURCE = Instance.of("barrier", "b");
-  private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 1);
-  private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 1);
-  private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 1);
+  private static final ProcessId B1 = ProcessId.first(new RobotId("b1"), 1);
+  private static final ProcessId B2 = ProcessId.first(new RobotId("b2"), 1);
+  private static final ProcessId B3 = ProcessId.first(new RobotId("b3"), 1);
   private static final BarrierSettings SETTINGS = BarrierSettings.DEFAULT;
   private static final long MS = 1_000_000;
 
@@ -73,7 +73,7 @@ class BarrierAnswersTest {
   @Test
   void aRestartedRobotAnswersWithTheOutcomesThatItHasStored() {
     decide(2);
-    protocol = started(new ProcessId(B1.robot(), 2));
+    protocol = started(ProcessId.first(B1.robot(), 2));
     sent.take();
     protocol.received(new Arrival(B2, 1), 0);
     assertThat(sent.take()).containsExactly(outcomes(2));

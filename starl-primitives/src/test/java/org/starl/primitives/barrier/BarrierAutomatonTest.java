@@ -29,8 +29,8 @@ class BarrierAutomatonTest {
 
   private final BarrierAutomaton automaton = new BarrierAutomaton(new TreeSet<>(List.of(A, B, C)));
 
-  private static ProcessId id(String robot, long inc) {
-    return new ProcessId(new RobotId(robot), inc);
+  private static ProcessId id(String robot, long boot) {
+    return ProcessId.first(new RobotId(robot), boot);
   }
 
   @Property(tries = 100)
@@ -111,14 +111,14 @@ class BarrierAutomatonTest {
         .isEqualTo("right?(g, o) is false: o = open");
     s = automaton.trans(new BarrierAction.arrive(B, 1), s);
     assertThat(obstacle(s, new BarrierAction.decide(1, passed)))
-        .isEqualTo("right?(g, o) is false: members(1) = [a#1, b#1, c#1], arrived(1) = [b#1]");
+        .isEqualTo("right?(g, o) is false: members(1) = [a, b, c], arrived(1) = [b]");
     assertThat(obstacle(s, new BarrierAction.decide(1, failed())))
         .isEqualTo("right?(g, o) is false: M = []");
     s = after(s, new BarrierAction.decide(1, failed(A)));
     assertThat(obstacle(s, new BarrierAction.decide(1, passed)))
-        .isEqualTo("outcome(g) is open is false: outcome(1) = failed([a#1])");
+        .isEqualTo("outcome(g) is open is false: outcome(1) = failed([a])");
     assertThat(obstacle(s, new BarrierAction.decide(2, failed(A))))
-        .isEqualTo("right?(g, o) is false: members(2) = [b#1, c#1]");
+        .isEqualTo("right?(g, o) is false: members(2) = [b, c]");
   }
 
   @Test

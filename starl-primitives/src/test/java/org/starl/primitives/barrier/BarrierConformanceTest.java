@@ -24,7 +24,7 @@ class BarrierConformanceTest {
   }
 
   private void arrives(String robot, long generation) {
-    run.has(Seen.arrives(0, new RobotId(robot), SOURCE, generation, robot + "#1"));
+    run.has(Seen.arrives(0, new RobotId(robot), SOURCE, generation, robot + ""));
   }
 
   private void shows(String robot, BarrierOutcome outcome) {
@@ -33,7 +33,7 @@ class BarrierConformanceTest {
 
   private void made() {
     for (String robot : List.of("a", "b", "c")) {
-      exists(robot + "#1", "a#1", "b#1", "c#1");
+      exists(robot + "", "a", "b", "c");
     }
     run.forgetSteps();
   }
@@ -48,25 +48,25 @@ class BarrierConformanceTest {
     shows("a", passed(1));
     shows("a", BarrierOutcome.NONE_YET);
     arrives("a", 2);
-    shows("a", failed(2, "b#1", "c#1"));
+    shows("a", failed(2, "b", "c"));
     shows("b", excluded(2));
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
-            "arrive(a#1, 1)",
-            "arrive(b#1, 1)",
-            "arrive(c#1, 1)",
+            "arrive(a, 1)",
+            "arrive(b, 1)",
+            "arrive(c, 1)",
             "decide(1, passed)",
-            "tell(b#1, 1)",
-            "told(b#1) = 1:passed",
-            "tell(a#1, 1)",
-            "told(a#1) = 1:passed",
-            "arrive(a#1, 2)",
-            "decide(2, failed([b#1, c#1]))",
-            "tell(a#1, 2)",
-            "told(a#1) = 2:failed[b#1, c#1]",
-            "tell(b#1, 2)",
-            "told(b#1) = 2:excluded");
+            "tell(b, 1)",
+            "told(b) = 1:passed",
+            "tell(a, 1)",
+            "told(a) = 1:passed",
+            "arrive(a, 2)",
+            "decide(2, failed([b, c]))",
+            "tell(a, 2)",
+            "told(a) = 2:failed[b, c]",
+            "tell(b, 2)",
+            "told(b) = 2:excluded");
   }
 
   @Test
@@ -74,14 +74,14 @@ class BarrierConformanceTest {
     made();
     shows("b", excluded(1));
     assertThat(run.steps()).isEmpty();
-    shows("a", failed(1, "b#1"));
+    shows("a", failed(1, "b"));
     assertThat(run.steps())
         .containsExactly(
-            "decide(1, failed([b#1]))",
-            "tell(b#1, 1)",
-            "told(b#1) = 1:excluded",
-            "tell(a#1, 1)",
-            "told(a#1) = 1:failed[b#1]");
+            "decide(1, failed([b]))",
+            "tell(b, 1)",
+            "told(b) = 1:excluded",
+            "tell(a, 1)",
+            "told(a) = 1:failed[b]");
     assertThat(run.details()).isEmpty();
   }
 
@@ -93,11 +93,11 @@ class BarrierConformanceTest {
     run.ends(1);
     assertThat(run.steps())
         .containsExactly(
-            "decide(1, failed([b#1, c#1]))",
-            "tell(b#1, 1)",
-            "told(b#1) = 1:excluded",
-            "tell(c#1, 1)",
-            "told(c#1) = 1:excluded");
+            "decide(1, failed([b, c]))",
+            "tell(b, 1)",
+            "told(b) = 1:excluded",
+            "tell(c, 1)",
+            "told(c) = 1:excluded");
     assertThat(run.details()).isEmpty();
   }
 
@@ -107,13 +107,13 @@ class BarrierConformanceTest {
     arrives("a", 1);
     shows("a", passed(1));
     made();
-    exists("a#2", "a#1", "b#1", "c#1");
+    exists("a#2", "a", "b", "c");
     run.forgetSteps();
     shows("a", BarrierOutcome.NONE_YET);
     shows("a", excluded(0));
     shows("b", unknown(1));
-    run.has(Seen.arrives(0, new RobotId("b"), SOURCE, 1, "c#1"));
-    run.has(Seen.arrives(0, new RobotId("b"), Instance.APP, 1, "b#1"));
+    run.has(Seen.arrives(0, new RobotId("b"), SOURCE, 1, "c"));
+    run.has(Seen.arrives(0, new RobotId("b"), Instance.APP, 1, "b"));
     run.ends(1);
     assertThat(run.steps()).isEmpty();
     assertThat(run.details()).isEmpty();
@@ -127,54 +127,53 @@ class BarrierConformanceTest {
     assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(1, passed) is not enabled: right?(g, o) is false:"
-                + " members(1) = [a#1, b#1, c#1], arrived(1) = [a#1]");
+                + " members(1) = [a, b, c], arrived(1) = [a]");
   }
 
   @Test
   void aSecondOutcomeDeviates() {
     made();
-    shows("a", failed(1, "c#1"));
-    shows("b", failed(1, "a#1", "c#1"));
+    shows("a", failed(1, "c"));
+    shows("b", failed(1, "a", "c"));
     assertThat(run.details())
-        .containsExactly(
-            "barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:failed[a#1, c#1]");
+        .containsExactly("barrier/x: told(b) is 1:failed[c], but the trace has 1:failed[a, c]");
   }
 
   @Test
   void aRobotToldExcludedThatIsNotMissingDeviates() {
     made();
     shows("b", excluded(1));
-    shows("a", failed(1, "c#1"));
+    shows("a", failed(1, "c"));
     assertThat(run.details())
-        .containsExactly("barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:excluded");
+        .containsExactly("barrier/x: told(b) is 1:failed[c], but the trace has 1:excluded");
   }
 
   @Test
   void aGenerationDecidedBeforeItsPredecessorDeviates() {
     made();
-    shows("a", failed(2, "c#1"));
+    shows("a", failed(2, "c"));
     assertThat(run.details())
         .containsExactly(
-            "barrier/x: decide(2, failed([c#1])) is not enabled:"
+            "barrier/x: decide(2, failed([c])) is not enabled:"
                 + " right?(g, o) is false: outcome(1) = open");
   }
 
   @Test
   void aDifferentMemberListDeviates() {
     made();
-    exists("d#1", "a#1", "d#1");
+    exists("d", "a", "d");
     assertThat(run.details())
-        .containsExactly("barrier/x: first(d#1) is [a#1, b#1, c#1], but the trace has [a#1, d#1]");
+        .containsExactly("barrier/x: first(d) is [a, b, c], but the trace has [a, d]");
   }
 
   @Test
   void aRobotWithoutAnnouncedIdIsToldTheSameOutcome() {
     made();
-    shows("a", failed(1, "c#1"));
-    shows("d", failed(1, "c#1"));
+    shows("a", failed(1, "c"));
+    shows("d", failed(1, "c"));
     assertThat(run.details()).isEmpty();
     shows("d", passed(1));
     assertThat(run.details())
-        .containsExactly("barrier/x: outcome(1) is failed([c#1]), but the trace has passed");
+        .containsExactly("barrier/x: outcome(1) is failed([c]), but the trace has passed");
   }
 }

@@ -18,9 +18,9 @@ import org.starl.sim.check.MalformedBytes;
 /** Any bytes as a barrier's message, and as outcomes that a barrier agrees on. */
 public class BarrierFuzzTest {
 
-  private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 5);
-  private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
-  private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 7);
+  private static final ProcessId B1 = ProcessId.first(new RobotId("b1"), 5);
+  private static final ProcessId B2 = ProcessId.first(new RobotId("b2"), 6);
+  private static final ProcessId B3 = ProcessId.first(new RobotId("b3"), 7);
   private static final OutcomesFormat FORMAT =
       new OutcomesFormat(new TreeSet<>(List.of(B1, B2, B3)));
 

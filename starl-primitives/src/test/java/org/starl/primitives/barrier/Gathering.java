@@ -23,7 +23,6 @@ final class Gathering {
 
   private static final int MAX_ROBOTS = 6;
   private static final int GENERATIONS_AFTERWARDS = 5;
-  private static final long FIRST_INC = (1L << 32) + 1;
 
   final LiveWorld<Member> world;
   final BarrierSettings settings;
@@ -38,7 +37,7 @@ final class Gathering {
             new BarrierSpec(BOUND_MS * NS_PER_MS, 2 * settings.deadlineMs() * NS_PER_MS),
             new BarrierConformance());
     world.add(size, name -> new Member(this, name));
-    world.robots.forEach(robot -> first.add(new ProcessId(robot.name, FIRST_INC)));
+    world.robots.forEach(robot -> first.add(ProcessId.first(robot.name, 1)));
   }
 
   /** All up, in weather that is steady. */

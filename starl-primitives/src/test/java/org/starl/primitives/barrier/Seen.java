@@ -19,7 +19,7 @@ final class Seen {
 
   private Seen() {}
 
-  /** These ids, in order: {@code a#1}. */
+  /** These ids, in order: {@code a}. */
   static SortedSet<ProcessId> ids(String... ids) {
     SortedSet<ProcessId> all = new TreeSet<>();
     for (String id : ids) {

@@ -62,7 +62,7 @@ public abstract class LiveRobot {
     if (boot > 1) {
       fault(TraceEvent.Fault.RESTART);
     }
-    Program begun = program(new ProcessId(name, ((long) boot << 32) + 1));
+    Program begun = program(ProcessId.first(name, boot));
     program = begun;
     begun.settle();
   }

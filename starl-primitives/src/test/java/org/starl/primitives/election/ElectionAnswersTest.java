@@ -22,11 +22,11 @@ import org.starl.trace.Instance;
 class ElectionAnswersTest {
 
   private static final Instance SOURCE = Instance.of("election", "e");
-  private static final ProcessId E1 = new ProcessId(new RobotId("e1"), 1);
-  private static final ProcessId E2 = new ProcessId(new RobotId("e2"), 1);
-  private static final ProcessId E3 = new ProcessId(new RobotId("e3"), 1);
-  private static final ProcessId E1_AGAIN = new ProcessId(E1.robot(), 2);
-  private static final ProcessId E3_AGAIN = new ProcessId(E3.robot(), 2);
+  private static final ProcessId E1 = ProcessId.first(new RobotId("e1"), 1);
+  private static final ProcessId E2 = ProcessId.first(new RobotId("e2"), 1);
+  private static final ProcessId E3 = ProcessId.first(new RobotId("e3"), 1);
+  private static final ProcessId E1_AGAIN = ProcessId.first(E1.robot(), 2);
+  private static final ProcessId E3_AGAIN = ProcessId.first(E3.robot(), 2);
   private static final ElectionSettings SETTINGS = ElectionSettings.DEFAULT;
   private static final long DELTA_NS = SETTINGS.deltaMs() * 1_000_000;
   private static final long SILENCE_NS = SETTINGS.silenceMs() * 1_000_000;

@@ -14,9 +14,9 @@ import org.starl.trace.TraceEvent.Variable;
 /** Which events are which actions, line by line of the table; and what is no run of the theory. */
 class ElectionConformanceTest {
 
-  private static final ProcessId A1 = new ProcessId(new RobotId("a"), 1);
-  private static final ProcessId A2 = new ProcessId(new RobotId("a"), 2);
-  private static final ProcessId B1 = new ProcessId(new RobotId("b"), 1);
+  private static final ProcessId A1 = ProcessId.first(new RobotId("a"), 1);
+  private static final ProcessId A2 = ProcessId.first(new RobotId("a"), 2);
+  private static final ProcessId B1 = ProcessId.first(new RobotId("b"), 1);
 
   private final ShownRun<States, ElectionAction> run = new ShownRun<>(ElectionConformance::new);
 
@@ -60,17 +60,17 @@ class ElectionConformanceTest {
     assertThat(run.details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(
-            "do_election(a#1)",
-            "candidate(a#1, 1)",
-            "elect(1, a#1)",
-            "learn(a#1, 1)",
-            "Leader(a#1) = Known[term=1, who=up(a#1)]",
-            "learn(b#1, 1)",
-            "Leader(b#1) = Known[term=1, who=up(a#1)]",
-            "fail(b#1)",
-            "Leader(b#1) = Known[term=1, who=bottom]",
-            "fail(a#1)",
-            "Leader(a#1) = Known[term=1, who=bottom]");
+            "do_election(a)",
+            "candidate(a, 1)",
+            "elect(1, a)",
+            "learn(a, 1)",
+            "Leader(a) = Known[term=1, who=up(a)]",
+            "learn(b, 1)",
+            "Leader(b) = Known[term=1, who=up(a)]",
+            "fail(b)",
+            "Leader(b) = Known[term=1, who=bottom]",
+            "fail(a)",
+            "Leader(a) = Known[term=1, who=bottom]");
   }
 
   @Test
@@ -83,14 +83,14 @@ class ElectionConformanceTest {
     shows("a", 1, A1);
     assertThat(run.steps())
         .containsExactly(
-            "fail(a#1)",
-            "Leader(a#1) = Known[term=1, who=bottom]",
+            "fail(a)",
+            "Leader(a) = Known[term=1, who=bottom]",
             "learn(a#2, 1)",
-            "Leader(a#2) = Known[term=1, who=up(a#1)]");
+            "Leader(a#2) = Known[term=1, who=up(a)]");
     stands(A2, 2);
     assertThat(run.details())
         .containsExactly(
-            "election/x: candidate(a#2, 2) is not enabled: i in part is false: part = [a#1]");
+            "election/x: candidate(a#2, 2) is not enabled: i in part is false: part = [a]");
   }
 
   @Test
@@ -119,8 +119,8 @@ class ElectionConformanceTest {
     shows("b", 1, B1);
     assertThat(run.details())
         .containsExactly(
-            "election/x: Leader(b#1) is Known[term=1, who=up(a#1)],"
-                + " but the trace has Known[term=1, who=up(b#1)]");
+            "election/x: Leader(b) is Known[term=1, who=up(a)],"
+                + " but the trace has Known[term=1, who=up(b)]");
   }
 
   @Test
@@ -130,7 +130,7 @@ class ElectionConformanceTest {
     assertThat(run.details()).isEmpty();
     shows("d", 1, B1);
     assertThat(run.details())
-        .containsExactly("election/x: elected(1) is up(a#1), but the trace has up(b#1)");
+        .containsExactly("election/x: elected(1) is up(a), but the trace has up(b)");
   }
 
   @Test
@@ -139,6 +139,6 @@ class ElectionConformanceTest {
     shows("a", 2, A1);
     assertThat(run.details())
         .containsExactly(
-            "election/x: elect(2, a#1) is not enabled: i in stood(n) is false: stood(2) = []");
+            "election/x: elect(2, a) is not enabled: i in stood(n) is false: stood(2) = []");
   }
 }

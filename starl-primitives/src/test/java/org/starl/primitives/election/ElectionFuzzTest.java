@@ -17,11 +17,11 @@ public class ElectionFuzzTest {
 
   @Test
   void equalMessagesHaveEqualBytes() {
-    ProcessId one = new ProcessId(new RobotId("one"), 1);
+    ProcessId one = ProcessId.first(new RobotId("one"), 1);
     List<byte[]> samples = new ArrayList<>();
     List.of(
             new ElectionMessage.Candidacy(one, 7, -2),
-            new ElectionMessage.Elected(one, 8, new ProcessId(new RobotId("two"), 9)))
+            new ElectionMessage.Elected(one, 8, ProcessId.first(new RobotId("two"), 9)))
         .forEach(message -> samples.add(OneSpelling.bytes(ElectionMessage.SHAPE, message)));
 
     MalformedBytes.feed(samples, ElectionFuzzTest::fuzzerTestOneInput);

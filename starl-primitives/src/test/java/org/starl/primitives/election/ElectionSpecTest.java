@@ -162,7 +162,7 @@ class ElectionSpecTest {
   }
 
   private static ProcessId id(RobotId robot) {
-    return new ProcessId(robot, 1);
+    return ProcessId.first(robot, 1);
   }
 
   private static Leader leader(long term, RobotId robot) {

@@ -19,9 +19,9 @@ class ElectionStrategyTest {
   private static final long BEGAN = 1_000;
   private static final long LISTENED = BEGAN + 2 * 10;
   private static final long DECIDE = 6 * 10;
-  private static final ProcessId LOW = new ProcessId(new RobotId("a"), 1);
-  private static final ProcessId ME = new ProcessId(new RobotId("m"), 1);
-  private static final ProcessId HIGH = new ProcessId(new RobotId("z"), 1);
+  private static final ProcessId LOW = ProcessId.first(new RobotId("a"), 1);
+  private static final ProcessId ME = ProcessId.first(new RobotId("m"), 1);
+  private static final ProcessId HIGH = ProcessId.first(new RobotId("z"), 1);
 
   private final Candidates poll = new Candidates(ME, 0, BEGAN, 10);
 
@@ -33,7 +33,7 @@ class ElectionStrategyTest {
     ProcessId first = ME;
     long firstDraw = 0;
     for (int i = 0; i < draws.size(); i++) {
-      ProcessId id = new ProcessId(new RobotId(List.of("a", "b", "y", "z").get(i)), 1);
+      ProcessId id = ProcessId.first(new RobotId(List.of("a", "b", "y", "z").get(i)), 1);
       long draw = draws.get(i);
       all.heard(id, draw, LISTENED);
       before += draw > 0 || (draw == 0 && id.compareTo(ME) > 0) ? 1 : 0;

@@ -27,7 +27,7 @@ class LeaderTest {
   void theTextIsThePapers() {
     assertThat(List.of(Leader.NONE, Leader.FAIL, new Leader.Name(ID, 3)))
         .extracting(Leader::toString)
-        .containsExactly("null", "fail", "3:bot1#4294967297");
+        .containsExactly("null", "fail", "3:bot1");
   }
 
   @ParameterizedTest
@@ -38,8 +38,8 @@ class LeaderTest {
         "{\"None\":{}",
         "{\"Other\":{}}",
         "{\"Name\":{}}",
-        "{\"Name\":{\"id\":\"bot1\",\"term\":3}}",
-        "{\"Name\":{\"id\":\"bot1#1\",\"term\":0}}"
+        "{\"Name\":{\"id\":\"bot1#1\",\"term\":3}}",
+        "{\"Name\":{\"id\":\"bot1\",\"term\":0}}"
       })
   void malformedLeadersAreRefused(String json) {
     assertThatThrownBy(() -> OneSpelling.fromJson(Leader.SHAPE, json))

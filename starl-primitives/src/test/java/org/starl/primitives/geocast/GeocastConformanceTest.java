@@ -44,9 +44,9 @@ class GeocastConformanceTest {
     acts(timeNs, robot, new GeocastFact.deliver(id));
   }
 
-  /** {@code a#1/n}. */
+  /** {@code a/n}. */
   private static GeocastId id(long n) {
-    return new GeocastId(new ProcessId(new RobotId("a"), 1), n);
+    return new GeocastId(ProcessId.first(new RobotId("a"), 1), n);
   }
 
   private void drives(long timeNs, String robot, double xMm, double mmPerS) {
@@ -82,20 +82,20 @@ class GeocastConformanceTest {
         .containsExactly(
             "restart(b)",
             "dt(1000000000)",
-            "move(b, [a#1/1])",
-            "do_geocast(a#1/1, a#1/1, 10000000000)",
+            "move(b, [a/1])",
+            "do_geocast(a/1, a/1, 10000000000)",
             "dt(2000000000)",
-            "deliver(a#1/1, b)",
+            "deliver(a/1, b)",
             "dt(1000000000)",
             "restart(b)",
             "dt(1000000000)",
-            "deliver(a#1/1, b)",
+            "deliver(a/1, b)",
             "dt(1000000000)",
-            "move(c, [a#1/1])",
-            "deliver(a#1/1, c)",
+            "move(c, [a/1])",
+            "deliver(a/1, c)",
             "dt(3000000000)",
-            "move(d, [a#1/1])",
-            "deliver(a#1/1, d)");
+            "move(d, [a/1])",
+            "deliver(a/1, d)");
   }
 
   @Test
@@ -108,11 +108,11 @@ class GeocastConformanceTest {
     assertThat(run.steps())
         .containsExactly(
             "dt(1000000000)",
-            "do_geocast(a#1/1, everywhere, 10000000000)",
+            "do_geocast(a/1, everywhere, 10000000000)",
             "dt(1000000000)",
-            "deliver(a#1/1, b)",
+            "deliver(a/1, b)",
             "dt(1000000000)",
-            "deliver(a#1/1, c)");
+            "deliver(a/1, c)");
   }
 
   @Test
@@ -124,8 +124,7 @@ class GeocastConformanceTest {
     drives(5 * S, "b", 500, 0);
     assertThat(details())
         .containsExactly(
-            SOURCE
-                + ": deliver(a#1/1, b) is not enabled: i in was_in(m) is false: was_in(a#1/1) = ()");
+            SOURCE + ": deliver(a/1, b) is not enabled: i in was_in(m) is false: was_in(a/1) = ()");
   }
 
   @Test
@@ -146,7 +145,7 @@ class GeocastConformanceTest {
     assertThat(details())
         .containsExactly(
             SOURCE
-                + ": deliver(a#1/1, b) is not enabled: not i in got(m) is false: got(a#1/1) = (b:"
+                + ": deliver(a/1, b) is not enabled: not i in got(m) is false: got(a/1) = (b:"
                 + " true)");
   }
 
@@ -158,8 +157,7 @@ class GeocastConformanceTest {
     delivers(11 * S, "b", id(1));
     delivers(11 * S + 1, "c", id(1));
     assertThat(details())
-        .containsExactly(
-            SOURCE + ": deliver(a#1/1, c) is not enabled: open?(m) is false: sent = []");
+        .containsExactly(SOURCE + ": deliver(a/1, c) is not enabled: open?(m) is false: sent = []");
   }
 
   @Test
@@ -170,8 +168,8 @@ class GeocastConformanceTest {
     assertThat(details())
         .containsExactly(
             SOURCE
-                + ": do_geocast(a#1/1, a#1/1, 10000000000) is not enabled: not m in sent is false:"
-                + " sent = [a#1/1]");
+                + ": do_geocast(a/1, a/1, 10000000000) is not enabled: not m in sent is false:"
+                + " sent = [a/1]");
   }
 
   @Test
@@ -187,7 +185,7 @@ class GeocastConformanceTest {
         List.of(last.t0(), last.d(), last.area(), last.got(), last.was_in(), last.was_out())) {
       assertThat(ofMessages.size()).isEqualTo(1);
     }
-    assertThat(last.sent()).containsExactly("a#1/100");
-    assertThat(last.pos().at(new RobotId("b")).areas()).containsExactly("a#1/100");
+    assertThat(last.sent()).containsExactly("a/100");
+    assertThat(last.pos().at(new RobotId("b")).areas()).containsExactly("a/100");
   }
 }

@@ -21,7 +21,7 @@ import org.starl.trace.Instance;
 /** What a reader of traces gets. */
 class GeocastFactTest {
 
-  private static final ProcessId ME = new ProcessId(new RobotId("bot0"), 1);
+  private static final ProcessId ME = ProcessId.first(new RobotId("bot0"), 1);
   private static final GeocastId ID = new GeocastId(ME, 7);
   private static final Region AREA = new Circle(new Point(1, -2.5), 300);
 
@@ -75,19 +75,19 @@ class GeocastFactTest {
   void theTextsForPeopleAreShort() {
     GeocastFact dismissed = new GeocastFact.dismiss(ID, Dismissal.OUTSIDE, 12.5);
     assertThat(GeocastFact.SHAPE.caseOf(dismissed).values(dismissed))
-        .hasToString("[bot0#1/7, outside, 12.5]");
+        .hasToString("[bot0/7, outside, 12.5]");
   }
 
   @Test
   void theTheoryTakesTheStartTheDeliveriesAndTheRestarts() {
     RobotId robot = new RobotId("bot1");
-    Area area = new Area("bot0#1/7");
+    Area area = new Area("bot0/7");
     assertThat(GeocastFact.action(new GeocastFact.do_geocast(ID, AREA, 5), robot))
-        .isEqualTo(new GeocastAction.do_geocast("bot0#1/7", area, 5));
+        .isEqualTo(new GeocastAction.do_geocast("bot0/7", area, 5));
     assertThat(GeocastFact.action(new GeocastFact.BCast(ID, AREA, 5), robot))
-        .isEqualTo(new GeocastAction.do_geocast("bot0#1/7", area, 5));
+        .isEqualTo(new GeocastAction.do_geocast("bot0/7", area, 5));
     assertThat(GeocastFact.action(new GeocastFact.deliver(ID), robot))
-        .isEqualTo(new GeocastAction.deliver("bot0#1/7", robot));
+        .isEqualTo(new GeocastAction.deliver("bot0/7", robot));
     assertThat(GeocastFact.action(new GeocastFact.Opened(ME), robot))
         .isEqualTo(new GeocastAction.restart(robot));
     assertThat(GeocastFact.action(new GeocastFact.copy(ID), robot)).isNull();

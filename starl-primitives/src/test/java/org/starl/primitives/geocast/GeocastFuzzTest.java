@@ -47,7 +47,7 @@ public class GeocastFuzzTest {
 
   @Test
   void aMessageHasOneEncoding() {
-    GeocastId id = new GeocastId(new ProcessId(new RobotId("one"), 1), 7);
+    GeocastId id = new GeocastId(ProcessId.first(new RobotId("one"), 1), 7);
     Region square = new Polygon(List.of(new Point(0, 0), new Point(9, 0), new Point(9, 9)));
     Region area =
         new Union(

@@ -20,7 +20,7 @@ class GeocastProtocolTest {
   private static final RobotId ME = new RobotId("me");
   private static final RobotId ANNA = new RobotId("anna");
   private static final RobotId BERT = new RobotId("bert");
-  private static final ProcessId ORIGIN = new ProcessId(ANNA, 7);
+  private static final ProcessId ORIGIN = ProcessId.first(ANNA, 7);
   private static final Region AREA = new Circle(new Point(0, 0), 1_000);
 
   private final List<String> effects = new ArrayList<>();
@@ -59,7 +59,7 @@ class GeocastProtocolTest {
 
   private GeocastProtocol<String> protocol(long skewNs, boolean openMembership) {
     return new GeocastProtocol<>(
-        new ProcessId(ME, 1),
+        ProcessId.first(ME, 1),
         Participants.of(ME, ANNA, BERT),
         new GeocastSettings(100, 1_000, skewNs, openMembership),
         new Port());

@@ -25,7 +25,7 @@ class GeocastSpecTest {
   private static final Instance SOURCE = Instance.of(GeocastFact.BROADCAST, "news");
   private static final Shape<GeocastMessage<String>> MESSAGE = GeocastMessage.shape(Shapes.TEXT);
   private static final RobotId ORIGIN = new RobotId("bot0");
-  private static final GeocastId FIRST = new GeocastId(new ProcessId(ORIGIN, 1), 1);
+  private static final GeocastId FIRST = new GeocastId(ProcessId.first(ORIGIN, 1), 1);
   private static final long MS = Time.NS_PER_MS;
   private static final RobotId OTHER = new RobotId("bot1");
 
@@ -147,7 +147,7 @@ class GeocastSpecTest {
   @Test
   void aMessageOfTheOriginsNextStartIsNoCopy() {
     castWithoutReceiversAfterTheFirstDatagram();
-    GeocastId next = new GeocastId(new ProcessId(ORIGIN, 2), 1);
+    GeocastId next = new GeocastId(ProcessId.first(ORIGIN, 2), 1);
     see(
         opens(10, ORIGIN, 2),
         sends(11, ORIGIN, Sent.ALL, 1, copyOf(next)),

@@ -116,7 +116,7 @@ final class GeocastWorld {
 
     private Robot(RobotId id, Participants deployment, GeocastSettings settings) {
       this.id = id;
-      ProcessId me = new ProcessId(id, 1);
+      ProcessId me = ProcessId.first(id, 1);
       protocol = new GeocastProtocol<>(me, deployment, settings, new Port());
       tell(new GeocastFact.Opened(me));
     }

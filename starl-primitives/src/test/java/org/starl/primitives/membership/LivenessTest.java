@@ -52,6 +52,6 @@ class LivenessTest {
   }
 
   private static ProcessId id(long start) {
-    return new ProcessId(BOT, (start << Integer.SIZE) + 1);
+    return ProcessId.first(BOT, start);
   }
 }

@@ -12,7 +12,7 @@ public final class Short {
 
   private Short() {}
 
-  /** A view as its {@code toString}: {@code 3:a#1@1,b#1@3|c#1@2[A B]}. */
+  /** A view as its {@code toString}: {@code 3:a@1,b@3|c@2[A B]}. */
   public static View view(String text) {
     String[] parts = text.split("[:|]", 3);
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();

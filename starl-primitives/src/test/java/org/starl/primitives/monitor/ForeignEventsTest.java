@@ -49,7 +49,7 @@ class ForeignEventsTest {
 
     @Override
     public List<Object> callStarL() {
-      news.BCast("bot0#1 Req[num=1]", 1_000);
+      news.BCast("bot0 Req[num=1]", 1_000);
       sleep(2_000);
       return List.of();
     }

@@ -40,7 +40,7 @@ import org.starl.trace.Var;
 class PrimitivePhasesTest {
 
   private static final RobotId BOT = new RobotId("bot1");
-  private static final ProcessId ME = new ProcessId(BOT, 1);
+  private static final ProcessId ME = ProcessId.first(BOT, 1);
 
   private static Phases of(String primitive) {
     return PrimitivePhases.ALL.stream()
@@ -121,26 +121,26 @@ class PrimitivePhasesTest {
     assertThat(
             after(
                 "registration",
-                Shown.acts(0, "bot1", "do_register", "bot1#1"),
-                Shown.sees(0, "bot1", "1:bot1#1@1"),
+                Shown.acts(0, "bot1", "do_register", "bot1"),
+                Shown.sees(0, "bot1", "1:bot1@1"),
                 Shown.shows(0, "bot1", "1:[bot1]"),
                 Shown.shows(0, "bot1", "null"),
-                Shown.acts(0, "bot1", "unregister", "bot1#1"),
+                Shown.acts(0, "bot1", "unregister", "bot1"),
                 Shown.failed(0, "bot1"),
-                Shown.sees(0, "bot1", "2:bot11#1@1")))
+                Shown.sees(0, "bot1", "2:bot11@1")))
         .containsExactly("JOINING", "IN", "IN", "IN", "LEAVING", "LEFT_HALFWAY", "OUT");
     assertThat(
             after(
                 "registration",
-                Shown.acts(0, "bot1", "do_register", "bot1#1"),
-                Shown.acts(0, "bot1", "give_up", "bot1#1"),
+                Shown.acts(0, "bot1", "do_register", "bot1"),
+                Shown.acts(0, "bot1", "give_up", "bot1"),
                 Shown.failed(0, "bot1")))
         .containsExactly("JOINING", "JOINING", "OUT");
   }
 
   @Test
   void aBarrierWaitsFromTheArrivalToTheOutcome() {
-    ProcessId other = ProcessId.parse("bot2#1");
+    ProcessId other = ProcessId.parse("bot2");
     assertThat(
             after(
                 "barrier",
@@ -162,8 +162,7 @@ class PrimitivePhasesTest {
                 "election",
                 shows("election", ElectionFact.LEADER, Leader.NONE),
                 acts("election", ElectionFact.DO_ELECTION, new ElectionAction.do_election(ME)),
-                shows(
-                    "election", ElectionFact.LEADER, new Leader.Name(ProcessId.parse("bot2#1"), 1)),
+                shows("election", ElectionFact.LEADER, new Leader.Name(ProcessId.parse("bot2"), 1)),
                 shows("election", ElectionFact.LEADER, Leader.NONE),
                 shows("election", ElectionFact.LEADER, Leader.FAIL)))
         .containsExactly("NO_CANDIDATE", "WAITING", "KNOWS_LEADER", "WAITING", "FAILED");

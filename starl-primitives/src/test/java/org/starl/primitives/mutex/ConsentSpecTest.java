@@ -21,10 +21,10 @@ import org.starl.trace.TraceEvent.Sent;
 /** Traces written by hand: a ghost blocks for at most 10 ns, a dead participant for 20. */
 class ConsentSpecTest {
 
-  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
-  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
-  private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
-  private static final ProcessId L = new ProcessId(new RobotId("l"), 1);
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
+  private static final ProcessId K = ProcessId.first(new RobotId("k"), 1);
+  private static final ProcessId L = ProcessId.first(new RobotId("l"), 1);
 
   private static final Instance MUTEX = MutexFact.source("x");
 

@@ -256,9 +256,9 @@ class M_MutexTest {
 
   @Test
   void anOlderIdKeepsItsFences() {
-    ProcessId older = new ProcessId(new RobotId("bot0"), (1L << 32) + 1);
-    ProcessId asker = new ProcessId(new RobotId("bot1"), 1);
-    ProcessId suspect = new ProcessId(new RobotId("bot1"), 2);
+    ProcessId older = ProcessId.first(new RobotId("bot0"), 1);
+    ProcessId asker = ProcessId.first(new RobotId("bot1"), 1);
+    ProcessId suspect = ProcessId.first(new RobotId("bot1"), 2);
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
           if (gvh.id.name().equals(new RobotId("bot0"))) {

@@ -23,8 +23,8 @@ import org.starl.trace.TraceEvent.Fault;
 /** The map from events to actions, line by line, and traces that are no runs of the theory. */
 class MutexConformanceTest {
 
-  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
-  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
 
   private final ShownRun<States, MutexAction> run = new ShownRun<>(MutexConformance::new);
 
@@ -63,7 +63,7 @@ class MutexConformanceTest {
     event(new MutexFact.Withdraw(J, 1, MutexFailure.DEADLINE));
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
     run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
-    event(new MutexFact.StandsIn(new ProcessId(I.robot(), 2), set("")));
+    event(new MutexFact.StandsIn(ProcessId.first(I.robot(), 2), set("")));
     assertThat(run.steps())
         .containsExactly(
             "do_mutex(i, [A, B])",
@@ -128,7 +128,7 @@ class MutexConformanceTest {
     enter(I, "A B");
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
     run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
-    event(new MutexFact.StandsIn(new ProcessId(I.robot(), 2), set("B")));
+    event(new MutexFact.StandsIn(ProcessId.first(I.robot(), 2), set("B")));
     ask(J, "A");
     enter(J, "A");
     release(J, "A", "");

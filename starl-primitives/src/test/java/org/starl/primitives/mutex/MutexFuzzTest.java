@@ -21,7 +21,7 @@ public class MutexFuzzTest {
 
   @Test
   void aMessageHasOneEncoding() {
-    ProcessId one = new ProcessId(new RobotId("one"), 1);
+    ProcessId one = ProcessId.first(new RobotId("one"), 1);
     ProcessId two = new ProcessId(new RobotId("two"), 1L << 32);
     var sections = Sections.copyOf(List.of("A", "B:1", "C-2"));
     List<byte[]> samples = new ArrayList<>();
@@ -30,8 +30,8 @@ public class MutexFuzzTest {
             new MutexMessage.Ok(one, two, 4),
             new MutexMessage.Rem(one, two, 5, sections),
             new MutexMessage.Noted(one, two, 6),
-            new MutexMessage.FenceQ(one, two, new ProcessId(new RobotId("c"), 7), 8),
-            new MutexMessage.Fence(one, two, new ProcessId(new RobotId("c"), 7), sections),
+            new MutexMessage.FenceQ(one, two, ProcessId.first(new RobotId("c"), 7), 8),
+            new MutexMessage.Fence(one, two, ProcessId.first(new RobotId("c"), 7), sections),
             new MutexMessage.Fenced(one, two))
         .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));
 

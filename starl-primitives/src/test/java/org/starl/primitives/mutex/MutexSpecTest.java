@@ -24,9 +24,9 @@ import org.starl.trace.TraceEvent;
 /** The monitors on handwritten traces, with d1 = 100, d2 = 50, d3 = 10 ns. */
 class MutexSpecTest {
 
-  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
-  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
-  private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
+  private static final ProcessId K = ProcessId.first(new RobotId("k"), 1);
 
   private final Monitors monitors =
       new Monitors(List.of(new MutexSpec(new MutexBounds(100, 50, 10)).only("x")));
@@ -104,7 +104,7 @@ class MutexSpecTest {
     enter(3, J, "B C");
     assertThat(finish(4).violations())
         .extracting(SpecReport.Violation::toString)
-        .containsExactly("Exclusive violated at 0.000 s by i j: j#1 and i#1 both hold B");
+        .containsExactly("Exclusive violated at 0.000 s by i j: j and i both hold B");
   }
 
   @Test
@@ -114,7 +114,7 @@ class MutexSpecTest {
     ask(2, J, 2, "A");
     event(3, new MutexFact.Grant(K, J, 1));
     for (int i = 0; i < 5_000; i++) {
-      ProcessId passer = new ProcessId(new RobotId("p" + i), 1);
+      ProcessId passer = ProcessId.first(new RobotId("p" + i), 1);
       ask(4, passer, 3, "Z");
       event(4, new MutexFact.Withdraw(passer, 1, MutexFailure.WITHDRAWN));
     }
@@ -162,7 +162,7 @@ class MutexSpecTest {
     event(2, new MutexFact.Learned(J, View.closed(List.of(J, K)).next()));
     enter(3, I, "A");
     assertThat(monitors.report().violations(MutexSpec.KEPT)).isEqualTo(1);
-    ProcessId stranger = new ProcessId(new RobotId("l"), 1);
+    ProcessId stranger = ProcessId.first(new RobotId("l"), 1);
     ask(4, stranger, 2, "B");
     enter(5, stranger, "B");
     assertThat(finish(6).violations(MutexSpec.COMPLETE)).isEqualTo(1);
@@ -172,7 +172,7 @@ class MutexSpecTest {
   void sectionsOfACrashedRobotAreFreeAfterStandsIn() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
-    ProcessId next = new ProcessId(I.robot(), (1L << 32) + 1);
+    ProcessId next = ProcessId.first(I.robot(), 2);
     event(2, new MutexFact.StandsIn(next, set("B")));
     ask(3, J, 2, "A");
     enter(4, J, "A");
@@ -374,10 +374,10 @@ class MutexSpecTest {
 
   @Test
   void anUnreadableActionIsReported() {
-    String bad = "{\"od_mutex\":{\"who\":\"i#1\",\"num\":\"two\",\"held\":[]}}";
+    String bad = "{\"od_mutex\":{\"who\":\"i\",\"num\":\"two\",\"held\":[]}}";
     assertThatThrownBy(() -> MutexFact.SHAPE.readJson(new JsonReader("a.jsonl", 7, bad)))
         .isInstanceOf(JsonFormatException.class)
-        .hasMessageStartingWith("a.jsonl:7: column 32: expected a digit");
+        .hasMessageStartingWith("a.jsonl:7: column 30: expected a digit");
   }
 
   private void ask(long atNs, ProcessId who, long ts, String sections) {

@@ -11,7 +11,7 @@ import org.starl.primitives.membership.View;
 
 class PendingChangesTest {
 
-  private static final ProcessId OLD = new ProcessId(new RobotId("bot0"), 1);
+  private static final ProcessId OLD = ProcessId.first(new RobotId("bot0"), 1);
 
   @Test
   void anIdleIdIsNewOnceAndLingersInTheViewsThatMentionIt() {

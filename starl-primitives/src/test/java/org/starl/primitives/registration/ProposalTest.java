@@ -14,9 +14,9 @@ import org.starl.primitives.membership.View;
 /** A view takes the wishes of several robots at once, but not both of these. */
 class ProposalTest {
 
-  private static final ProcessId FENCER = new ProcessId(new RobotId("fencer"), 1);
-  private static final ProcessId SILENT = new ProcessId(new RobotId("silent"), 1);
-  private static final ProcessId OTHER = new ProcessId(new RobotId("other"), 1);
+  private static final ProcessId FENCER = ProcessId.first(new RobotId("fencer"), 1);
+  private static final ProcessId SILENT = ProcessId.first(new RobotId("silent"), 1);
+  private static final ProcessId OTHER = ProcessId.first(new RobotId("other"), 1);
   private static final View VIEW = View.NONE.next().with(FENCER).with(SILENT).with(OTHER);
   private static final Change CONFINE =
       new Change(
@@ -58,7 +58,7 @@ class ProposalTest {
     Confinement tooMuch = new Confinement(SILENT, sections, new TreeSet<>(List.of(FENCER)));
     View view = VIEW;
     while (ViewFormat.fits(tooMuch.applyTo(view))) {
-      view = view.with(new ProcessId(new RobotId("member" + view.ids().size()), 1));
+      view = view.with(ProcessId.first(new RobotId("member" + view.ids().size()), 1));
     }
     View next =
         new Proposal(view).add(new Change(null, List.of(), List.of(tooMuch))).add(LEAVE).view();

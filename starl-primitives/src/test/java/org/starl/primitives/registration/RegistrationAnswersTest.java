@@ -38,7 +38,7 @@ class RegistrationAnswersTest {
     Town town = fourUp();
     View full = View.NONE.next();
     while (ViewFormat.fitsWithRoom(full)) {
-      full = full.with(new ProcessId(new RobotId("member" + full.ids().size()), 1));
+      full = full.with(ProcessId.first(new RobotId("member" + full.ids().size()), 1));
     }
     town.robot(0).protocol().learned(1, ViewFormat.toValue(full));
     town.robot(0).do_register();
@@ -51,7 +51,7 @@ class RegistrationAnswersTest {
     Town town = fourUp();
     town.robot(0).do_register();
     ProcessId first = town.robot(0).protocol().me();
-    View others = View.NONE.next().with(new ProcessId(new RobotId("bot3"), 1));
+    View others = View.NONE.next().with(ProcessId.first(new RobotId("bot3"), 1));
     town.robot(0).protocol().learned(1, ViewFormat.toValue(others));
     assertThat(town.robot(0).protocol().me()).as("it was not in view 1").isEqualTo(first);
     town.robot(0).protocol().learned(3, ViewFormat.toValue(others.next().next()));

@@ -18,98 +18,98 @@ class RegistrationSpecTest {
 
   @Test
   void joinsAndARequestedLeaveHold() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
-    sees(10, "a", "1:a#1@1");
-    sees(20, "b", "2:a#1@1,b#1@2");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "a", "1:a@1");
+    sees(20, "b", "2:a@1,b@2");
     shows(20, "b", "2:[a, b]");
-    acts(30, "a", "unregister", "a#1");
-    sees(40, "b", "3:b#1@2");
-    sees(41, "a", "3:b#1@2");
+    acts(30, "a", "unregister", "a");
+    sees(40, "b", "3:b@2");
+    sees(41, "a", "3:b@2");
     assertThat(report(50).holds()).isTrue();
   }
 
   @Test
   void equalNumbersWithUnequalListsViolateAgreement() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
-    sees(10, "a", "1:a#1@1");
-    sees(10, "b", "1:b#1@1");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "a", "1:a@1");
+    sees(10, "b", "1:b@1");
     assertThat(report(50).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
   }
 
   @Test
   void aListThatDiffersFromItsViewViolatesAgreement() {
-    acts(0, "a", "do_register", "a#1");
-    sees(10, "a", "1:a#1@1");
+    acts(0, "a", "do_register", "a");
+    sees(10, "a", "1:a@1");
     shows(10, "a", "1:[a, b]");
     assertThat(report(50).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
   }
 
   @Test
   void aMissingMemberViolatesKeepsInEitherOrderOfViews() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
-    sees(10, "b", "3:b#1@3");
-    sees(20, "a", "1:a#1@1");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "b", "3:b@3");
+    sees(20, "a", "1:a@1");
     assertThat(report(50).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
   }
 
   @Test
   void anotherRobotCannotUnregisterAMember() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
-    sees(10, "a", "1:a#1@1");
-    acts(15, "b", "unregister", "a#1");
-    sees(20, "b", "2:b#1@2");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "a", "1:a@1");
+    acts(15, "b", "unregister", "a");
+    sees(20, "b", "2:b@2");
     assertThat(report(50).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
   }
 
   @Test
   void anIdThatComesBackViolatesFresh() {
-    acts(0, "a", "do_register", "a#1");
-    sees(10, "a", "1:a#1@1");
-    acts(20, "a", "unregister", "a#1");
+    acts(0, "a", "do_register", "a");
+    sees(10, "a", "1:a@1");
+    acts(20, "a", "unregister", "a");
     sees(30, "a", "2:");
-    sees(40, "a", "3:a#1@3");
+    sees(40, "a", "3:a@3");
     assertThat(report(50).violations(RegistrationSpec.FRESH)).isPositive();
   }
 
   @Test
   void aLongRunStillChecksTheLatestViews() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
     for (int number = 1; number <= 2_000; number++) {
-      sees(number, "a", number + ":a#1@1");
+      sees(number, "a", number + ":a@1");
     }
-    sees(2_001, "b", "3:b#1@3"); // too old to be compared
+    sees(2_001, "b", "3:b@3"); // too old to be compared
     assertThat(monitors.report().violations(RegistrationSpec.AGREEMENT)).isZero();
-    sees(2_002, "b", "1990:b#1@1990");
+    sees(2_002, "b", "1990:b@1990");
     assertThat(report(2_003).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
   }
 
   @Test
   void anIdThatNeverAskedViolatesSoundness() {
-    acts(0, "a", "do_register", "a#1");
+    acts(0, "a", "do_register", "a");
     acts(0, "b", "do_register", "a#2");
-    sees(10, "a", "1:a#1@1,a#2@1");
+    sees(10, "a", "1:a@1,a#2@1");
     assertThat(report(50).violations(RegistrationSpec.SOUNDNESS)).isEqualTo(1);
   }
 
   @Test
   void aRobotNotRegisteredWithinTheBoundViolatesRegistered() {
-    acts(0, "a", "do_register", "a#1");
+    acts(0, "a", "do_register", "a");
     acts(500, "a", "do_register", "a#2");
-    sees(900, "a", "1:a#1@1");
+    sees(900, "a", "1:a@1");
     assertThat(report(1_001).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
 
   @Test
   void aRegisteredOrFailedRobotIsOwedNothing() {
-    acts(0, "a", "do_register", "a#1");
-    acts(0, "b", "do_register", "b#1");
-    acts(0, "c", "do_register", "c#1");
-    sees(900, "a", "1:a#1@1");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    acts(0, "c", "do_register", "c");
+    sees(900, "a", "1:a@1");
     monitors.observe(Shown.failed(950, "b"));
     sees(960, "c", "0:");
     assertThat(report(5_000).holds()).isTrue();
@@ -118,7 +118,7 @@ class RegistrationSpecTest {
   @Test
   void withoutAMajorityOfAcceptorsTheBoundIsSuspended() {
     monitors.observe(Shown.acceptors(0, "a", "x", "y"));
-    acts(0, "a", "do_register", "a#1");
+    acts(0, "a", "do_register", "a");
     fault(100, "x", "crash");
     fault(5_000, "x", "restart");
     assertThat(report(6_001).violations())
@@ -128,7 +128,7 @@ class RegistrationSpecTest {
 
   @Test
   void aCrashedRobotIsOwedNothing() {
-    acts(0, "a", "do_register", "a#1");
+    acts(0, "a", "do_register", "a");
     fault(100, "a", "crash");
     assertThat(report(5_000).holds()).isTrue();
   }
@@ -136,57 +136,57 @@ class RegistrationSpecTest {
   @Test
   void confinementByAFencerInBothListsKeepsAGhost() {
     threeAreIn();
-    confines(20, "b", "a#1", "A B", "b#1");
-    sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
-    confines(40, "c", "a#1", "B", "c#1");
-    sees(50, "c", "3:b#1@1,c#1@1|a#1@1[B]");
-    acts(60, "a", "give_up", "a#1");
-    sees(70, "b", "4:b#1@1,c#1@1");
+    confines(20, "b", "a", "A B", "b");
+    sees(30, "b", "2:b@1,c@1|a@1[A B]");
+    confines(40, "c", "a", "B", "c");
+    sees(50, "c", "3:b@1,c@1|a@1[B]");
+    acts(60, "a", "give_up", "a");
+    sees(70, "b", "4:b@1,c@1");
     assertThat(report(80).holds()).isTrue();
   }
 
   @Test
   void confinementWithoutFencerOrToFewerSectionsViolatesKeeps() {
     threeAreIn();
-    sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
+    sees(30, "b", "2:b@1,c@1|a@1[A B]");
     assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
-    confines(40, "c", "a#1", "B", "c#1");
-    sees(50, "c", "3:b#1@1,c#1@1");
+    confines(40, "c", "a", "B", "c");
+    sees(50, "c", "3:b@1,c@1");
     assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(2);
   }
 
   @Test
   void aFencerThatLeavesInTheSameListViolatesKeeps() {
     threeAreIn();
-    confines(20, "b", "a#1", "A", "b#1");
-    acts(20, "b", "unregister", "b#1");
-    sees(30, "c", "2:c#1@1|a#1@1[A]");
+    confines(20, "b", "a", "A", "b");
+    acts(20, "b", "unregister", "b");
+    sees(30, "c", "2:c@1|a@1[A]");
     assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
   }
 
   @Test
   void aGhostThatGrowsOrReturnsIsAViolation() {
     threeAreIn();
-    confines(20, "b", "a#1", "A", "b#1");
-    sees(30, "c", "2:b#1@1,c#1@1|a#1@1[A]");
-    sees(40, "c", "3:b#1@1,c#1@1|a#1@1[A B]");
+    confines(20, "b", "a", "A", "b");
+    sees(30, "c", "2:b@1,c@1|a@1[A]");
+    sees(40, "c", "3:b@1,c@1|a@1[A B]");
     assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
-    sees(50, "c", "4:a#1@1,b#1@1,c#1@1");
+    sees(50, "c", "4:a@1,b@1,c@1");
     assertThat(report(60).violations(RegistrationSpec.FRESH)).isPositive();
   }
 
   @Test
   void aConfinementWithoutFencersByAnotherRobotDoesNotCount() {
     threeAreIn();
-    confines(20, "b", "a#1", "", "");
-    sees(30, "b", "2:b#1@1,c#1@1");
+    confines(20, "b", "a", "", "");
+    sees(30, "b", "2:b@1,c@1");
     assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
   }
 
   @Test
   void instancesAreJudgedSeparately() {
-    acts(0, "a", "do_register", "a#1");
-    sees(10, "a", "1:a#1@1");
+    acts(0, "a", "do_register", "a");
+    sees(10, "a", "1:a@1");
     monitors.observe(
         new Variable(
             20,
@@ -200,27 +200,27 @@ class RegistrationSpecTest {
   @Test
   void anIdThatIsGivenUpAndStaysListedViolatesRegistered() {
     threeAreIn();
-    acts(20, "a", "give_up", "a#1");
-    acts(20, "b", "unregister", "b#1");
-    sees(30, "c", "2:a#1@1,c#1@1");
+    acts(20, "a", "give_up", "a");
+    acts(20, "b", "unregister", "b");
+    sees(30, "c", "2:a@1,c@1");
     assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
 
   @Test
   void aFailedAttemptThatOthersCompleteMustBeUndone() {
-    acts(0, "a", "do_register", "a#1");
-    acts(10, "a", "give_up", "a#1");
+    acts(0, "a", "do_register", "a");
+    acts(10, "a", "give_up", "a");
     monitors.observe(Shown.failed(10, "a"));
-    sees(20, "b", "1:a#1@1");
+    sees(20, "b", "1:a@1");
     assertThat(report(1_021).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
 
   private void threeAreIn() {
     for (String name : List.of("a", "b", "c")) {
-      acts(0, name, "do_register", name + "#1");
+      acts(0, name, "do_register", name + "");
     }
     for (String name : List.of("a", "b", "c")) {
-      sees(10, name, "1:a#1@1,b#1@1,c#1@1");
+      sees(10, name, "1:a@1,b@1,c@1");
     }
   }
 

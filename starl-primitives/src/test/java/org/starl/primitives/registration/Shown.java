@@ -19,7 +19,7 @@ public final class Shown {
 
   private Shown() {}
 
-  /** An action of {@code robot} with an id: {@code do_register a#1}. */
+  /** An action of {@code robot} with an id: {@code do_register a}. */
   public static TraceEvent acts(long atNs, String robot, String verb, String id) {
     ProcessId i = ProcessId.parse(id);
     RegistrationAction action =

@@ -74,14 +74,14 @@ class ViewFormatTest {
   @Test
   void aViewThatListsAnIdOfALaterViewIsRefused() {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-    admitted.put(new ProcessId(new RobotId("bot1"), 1), 5L);
+    admitted.put(ProcessId.first(new RobotId("bot1"), 1), 5L);
     Value value = ViewFormat.toValue(new View(5, admitted));
     assertThatThrownBy(() -> ViewFormat.read(4, value)).isInstanceOf(WireFormatException.class);
   }
 
   @Test
   void aViewThatListsAnIdTwiceIsRefused() {
-    ProcessId id = new ProcessId(new RobotId("bot1"), 1);
+    ProcessId id = ProcessId.first(new RobotId("bot1"), 1);
     Value value =
         Value.write(out -> {
           out.u8(ViewFormat.toValue(View.NONE).bytes()[0]);
@@ -94,7 +94,7 @@ class ViewFormatTest {
         });
     assertThatThrownBy(() -> ViewFormat.read(4, value))
         .isInstanceOf(WireFormatException.class)
-        .hasMessage("bot1#1 after bot1#1");
+        .hasMessage("bot1 after bot1");
   }
 
   @Test
@@ -116,7 +116,7 @@ class ViewFormatTest {
   private static View viewOf(int robots) {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
     for (int i = 0; i < robots; i++) {
-      admitted.put(new ProcessId(new RobotId("bot" + i), (1L << 32) + 1), 1L);
+      admitted.put(ProcessId.first(new RobotId("bot" + i), 1), 1L);
     }
     return new View(1, admitted);
   }

@@ -60,9 +60,9 @@ public class ViewFuzzTest {
 
   @Test
   void equalViewsHaveEqualBytes() {
-    ProcessId one = new ProcessId(new RobotId("one"), 1);
+    ProcessId one = ProcessId.first(new RobotId("one"), 1);
     ProcessId two = new ProcessId(new RobotId("two"), 1L << 32);
-    ProcessId three = new ProcessId(new RobotId("three"), 5);
+    ProcessId three = ProcessId.first(new RobotId("three"), 5);
     var sections = Sections.copyOf(List.of("A", "B:1"));
     View view =
         new View(

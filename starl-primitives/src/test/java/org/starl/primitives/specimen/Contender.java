@@ -107,7 +107,7 @@ abstract class Contender extends LogicThread {
   }
 
   private static ProcessId id(RobotId robot) {
-    return new ProcessId(robot, 1);
+    return ProcessId.first(robot, 1);
   }
 
   static SortedSet<String> sections(String... names) {

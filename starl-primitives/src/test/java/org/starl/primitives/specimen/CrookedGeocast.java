@@ -45,7 +45,7 @@ final class CrookedGeocast extends LogicThread {
     super(gvh);
     this.isMended = isMended;
     rng = gvh.plat.entropy.fork("specimen");
-    me = new ProcessId(gvh.id.name(), gvh.id.boot());
+    me = ProcessId.first(gvh.id.name(), gvh.id.boot());
     endpoint = gvh.comms.open(CHANNEL, this::received);
   }
 

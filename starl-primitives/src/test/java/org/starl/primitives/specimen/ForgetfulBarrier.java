@@ -76,6 +76,6 @@ final class ForgetfulBarrier extends LogicThread {
   }
 
   private static ProcessId id(RobotId robot) {
-    return new ProcessId(robot, 1);
+    return ProcessId.first(robot, 1);
   }
 }

@@ -16,9 +16,9 @@ import org.starl.id.RobotId;
 class SuspicionTest {
 
   private static final long SILENCE_NS = 100;
-  private static final ProcessId A = new ProcessId(new RobotId("bot2"), 1);
-  private static final ProcessId B = new ProcessId(new RobotId("bot10"), 1);
-  private static final ProcessId A_AGAIN = new ProcessId(new RobotId("bot2"), 2);
+  private static final ProcessId A = ProcessId.first(new RobotId("bot2"), 1);
+  private static final ProcessId B = ProcessId.first(new RobotId("bot10"), 1);
+  private static final ProcessId A_AGAIN = ProcessId.first(new RobotId("bot2"), 2);
 
   private final Suspicion suspicion = new Suspicion(SILENCE_NS);
 

@@ -54,7 +54,7 @@ public final class HeldZones {
               .entrySet()
               .removeIf(zone ->
                   zone.getValue().mutex.equals(mutex)
-                      && boot(zone.getValue().process) < boot(declared.who())
+                      && zone.getValue().process.boot() < declared.who().boot()
                       && !declared.sections().contains(zone.getKey()));
       default -> {
         // Neither grants nor releases a section.
@@ -63,10 +63,6 @@ public final class HeldZones {
     if (zones.isEmpty()) {
       held.remove(event.who().robot());
     }
-  }
-
-  private static long boot(ProcessId id) {
-    return id.inc() >>> Integer.SIZE;
   }
 
   /** The crit_set of {@code robot}: the sections that it has access to. */

@@ -66,7 +66,7 @@ final class Assigner {
 
   /** A robot is silent or not whatever its incarnation. */
   private static ProcessId anyLife(RobotId robot) {
-    return new ProcessId(robot, 1);
+    return ProcessId.first(robot, 1);
   }
 
   long term() {

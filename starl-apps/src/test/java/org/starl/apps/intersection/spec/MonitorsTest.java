@@ -43,7 +43,7 @@ class MonitorsTest {
   }
 
   private static ProcessId process(RobotId robot) {
-    return new ProcessId(robot, 1);
+    return ProcessId.first(robot, 1);
   }
 
   private static SortedSet<String> zones(String... names) {

@@ -30,7 +30,7 @@ class AssignerTest {
     reports++;
     known.hear(
         new Report(
-            new ProcessId(robot, 1),
+            ProcessId.first(robot, 1),
             reports,
             Optional.of(new Point(xMm, 1_500)),
             room,

@@ -153,7 +153,7 @@ class ReportTest {
     known.hear(first);
     Report reborn =
         new Report(
-            new ProcessId(BOT, 6),
+            ProcessId.first(BOT, 6),
             1,
             Optional.empty(),
             Report.NO_ROOM,

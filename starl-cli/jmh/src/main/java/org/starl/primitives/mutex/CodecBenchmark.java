@@ -19,8 +19,8 @@ public class CodecBenchmark {
   private final byte[] buffer = new byte[DATAGRAM_BYTES];
   private final MutexMessage request =
       new MutexMessage.Req(
-          new ProcessId(new RobotId("bot0"), 1),
-          new ProcessId(new RobotId("bot1"), 1),
+          ProcessId.first(new RobotId("bot0"), 1),
+          ProcessId.first(new RobotId("bot1"), 1),
           7,
           3,
           123_456,

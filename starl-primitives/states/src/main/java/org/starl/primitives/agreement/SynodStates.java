@@ -105,7 +105,7 @@ public final class SynodStates implements Model<SynodStates.Node, SynodStates.Me
       return new Synod(
           robot(me),
           Participants.of(voters),
-          new ProcessId(robot(me), starts),
+          ProcessId.first(robot(me), starts),
           SynodTiming.DEFAULT,
           new Rng(1),
           this,

@@ -101,7 +101,7 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
   private static StateSearch<?, ?, ?> search(ToIntFunction<String> bounds) {
     List<ProcessId> members = new ArrayList<>();
     for (int i = 0; i < bounds.applyAsInt("robots"); i++) {
-      members.add(new ProcessId(new RobotId("bot" + i), 1));
+      members.add(ProcessId.first(new RobotId("bot" + i), 1));
     }
     int requesters = bounds.applyAsInt("requesters");
     List<List<String>> wants = List.of(List.of("A"), List.of("A", "B"));

@@ -133,8 +133,8 @@ class FencesTest {
 
   @Test
   void aGhostDoesNotBlockItsOwnRobot() {
-    ProcessId older = new ProcessId(new RobotId("b"), 1);
-    ProcessId newer = new ProcessId(new RobotId("b"), 2);
+    ProcessId older = ProcessId.first(new RobotId("b"), 1);
+    ProcessId newer = ProcessId.first(new RobotId("b"), 2);
     MutexNode next = new MutexNode(newer, MutexProtocol::new, sent::add, events::add);
     View views = View.closed(List.of(older)).next().with(newer).confined(older, sections("x"));
     next.protocol.learn(views);
@@ -333,6 +333,6 @@ class FencesTest {
   }
 
   private static ProcessId id(String robot) {
-    return new ProcessId(new RobotId(robot), 1);
+    return ProcessId.first(new RobotId(robot), 1);
   }
 }

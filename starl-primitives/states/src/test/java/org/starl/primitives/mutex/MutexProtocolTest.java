@@ -376,6 +376,6 @@ class MutexProtocolTest {
   }
 
   private static ProcessId id(String robot) {
-    return new ProcessId(new RobotId(robot), 1);
+    return ProcessId.first(new RobotId(robot), 1);
   }
 }

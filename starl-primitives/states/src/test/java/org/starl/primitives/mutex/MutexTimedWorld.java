@@ -50,7 +50,7 @@ final class MutexTimedWorld {
     monitors = new Monitors(List.of(new MutexSpec(bounds)));
     List<ProcessId> ids = new ArrayList<>();
     for (int i = 0; i < shape.members(); i++) {
-      ids.add(new ProcessId(new RobotId("p" + i), 1));
+      ids.add(ProcessId.first(new RobotId("p" + i), 1));
     }
     for (ProcessId id : ids) {
       MutexNode node = new MutexNode(id, kind, this::send, this::trace);

@@ -389,7 +389,7 @@ final class MutexWorld {
 
   private MutexNode birth() {
     born++;
-    return birth(new ProcessId(new RobotId("p" + born), 1));
+    return birth(ProcessId.first(new RobotId("p" + born), 1));
   }
 
   private MutexNode birth(ProcessId id) {
