@@ -22,7 +22,7 @@ class PvsLibraryTest {
       Pattern.compile("\\b([A-Z][A-Za-z]*_\\w+)\\.([A-Za-z]\\w*\\??)|\\b[A-Z]\\w*_decls\\b");
 
   private static final Pattern ROW_OF_SPECIFICATIONS =
-      Pattern.compile("\\| `\\w+` \\| `(\\w+)` \\| `(\\w+)` \\|");
+      Pattern.compile("\\| `\\w+` \\| `(?:\\w+\\.)?(\\w+)` \\| `(\\w+)` \\|");
   private static final Pattern ROW_OF_PROOFS = Pattern.compile("(?m)^\\| `(\\w+)\\.(\\w+)` \\|");
   private static final Pattern AUTOMATON =
       Pattern.compile("class \\w+\\s+implements Automaton<(\\w+)\\.States, (\\w+)>");

@@ -105,7 +105,7 @@ class ProcessesTest {
     assertThat(result.isGood()).as("%s %s", result, lines).isTrue();
     assertThat(result.deaths()).hasSize(1);
     assertThat(result.run().unfinished()).hasSize(1);
-    assertThat(result.run().spec().checks("traffic_safety")).isGreaterThan(100);
+    assertThat(result.run().spec().checks("intersection.traffic_safety")).isGreaterThan(100);
     assertThat(ProcessOutcome.lines(result))
         .anyMatch(line -> line.contains("is alive but not finished: it waits for zones that bot"))
         .anyMatch(line -> line.startsWith("safe: "));

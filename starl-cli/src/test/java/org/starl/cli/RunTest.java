@@ -59,7 +59,7 @@ class RunTest {
     assertThat(cli.out())
         .filteredOn(line -> line.startsWith("  "))
         .hasSize(4)
-        .allMatch(line -> line.matches("  \\w+: [A-Z].*\\. \\([0-9]+ checks\\)"));
+        .allMatch(line -> line.matches("  [\\w.]+: [A-Z].*\\. \\([0-9]+ checks\\)"));
     assertThat(Cli.run("run", "hello", "--seed", "1").text()).doesNotContain("checks)");
   }
 
@@ -70,7 +70,7 @@ class RunTest {
     assertThat(cli.out())
         .filteredOn(line -> line.startsWith("  lemma "))
         .hasSize(4)
-        .allMatch(line -> line.matches("  lemma \\w+: [A-Z].*\\."));
+        .allMatch(line -> line.matches("  lemma [\\w.]+: [A-Z].*\\."));
     Cli wrong = Cli.run("list", "helo");
     assertThat(wrong.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(wrong.err()).singleElement().asString().contains("'helo'", "hello");
@@ -107,7 +107,9 @@ class RunTest {
           .contains(" came at ", "was registered at ", "waited ", "left the floor at ");
     }
     assertThat(cli.out().get(5)).startsWith("4 of 4 robots finished in ");
-    assertThat(cli.out().get(6)).contains("specifications held").contains("traffic_safety");
+    assertThat(cli.out().get(6))
+        .contains("specifications held")
+        .contains("intersection.traffic_safety");
     assertThat(cli.out().get(7)).isEqualTo("picture: " + png);
     assertIsAPicture(png);
     assertReadsToItsEnd(trace);
@@ -213,8 +215,8 @@ class RunTest {
     assertThat(json.get("completed").asInt()).isEqualTo(4);
     assertThat(json.get("unfinished")).isEmpty();
     assertThat(json.get("violations")).isEmpty();
-    assertThat(json.get("checks").get("traffic_safety").asLong()).isPositive();
-    assertThat(json.get("checks").get("Exclusive").asLong()).isPositive();
+    assertThat(json.get("checks").get("intersection.traffic_safety").asLong()).isPositive();
+    assertThat(json.get("checks").get("mutex.Exclusive").asLong()).isPositive();
     assertThat(json.get("end_s").asDouble()).isPositive();
     assertThat(json.get("datagrams").asLong()).isPositive();
     assertThat(json.get("picture").asText()).isEqualTo(png);

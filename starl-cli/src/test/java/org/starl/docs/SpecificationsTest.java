@@ -51,7 +51,7 @@ class SpecificationsTest {
   private static final Pattern ADDED = Pattern.compile("lemmas\\.add\\(([\\w.]+)\\)");
   private static final Pattern NAME = Pattern.compile("\\b([A-Z][A-Z_]+)\\b");
   private static final Pattern ROW =
-      Pattern.compile("\\| `(\\w+)` \\| `(\\w+)` \\| [^|]+ \\| [^|]+ \\| `(\\w+)#(\\w+)` \\|");
+      Pattern.compile("\\| `(\\w+)` \\| `([\\w.]+)` \\| [^|]+ \\| [^|]+ \\| `(\\w+)#(\\w+)` \\|");
 
   private static final SortedMap<Path, String> SOURCES = new TreeMap<>();
 
@@ -141,6 +141,11 @@ class SpecificationsTest {
     List<String> lemmas = lemmas();
     assertThat(lemmas).hasSizeGreaterThan(30).doesNotHaveDuplicates();
     assertThat(rows()).extracting(Row::of).containsExactlyInAnyOrderElementsOf(lemmas);
+  }
+
+  @Test
+  void noTwoLemmasHaveOneName() throws IOException {
+    assertThat(rows()).extracting(Row::lemma).doesNotHaveDuplicates();
   }
 
   @Test

@@ -21,7 +21,7 @@ import org.starl.trace.TraceEvent.Sent;
  */
 public final class Authentic extends LemmaMonitor {
 
-  private static final String AUTHENTIC = "Authentic";
+  private static final String AUTHENTIC = "datagrams.Authentic";
 
   /** What each robot has sent since its latest start, by the datagrams' numbers. */
   private final Map<RobotId, Map<Long, Sent>> sent = new TreeMap<>();

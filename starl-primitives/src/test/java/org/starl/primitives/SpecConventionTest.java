@@ -56,13 +56,15 @@ class SpecConventionTest {
 
   @Test
   void boundsAddLemmasOfProgress() {
-    assertThat(lemmasAdded(new AgreementSpec(), new AgreementSpec(1))).containsExactly("Decided");
-    assertThat(lemmasAdded(new BarrierSpec(), new BarrierSpec(1, 1))).containsExactly("NotHung");
+    assertThat(lemmasAdded(new AgreementSpec(), new AgreementSpec(1)))
+        .containsExactly("agreement.Decided");
+    assertThat(lemmasAdded(new BarrierSpec(), new BarrierSpec(1, 1)))
+        .containsExactly("barrier.NotHung");
     assertThat(lemmasAdded(new ElectionSpec(), new ElectionSpec(1, 1)))
-        .containsExactly("Elected", "Told");
+        .containsExactly("election.Elected", "election.Told");
     assertThat(lemmasAdded(new RegistrationSpec(), new RegistrationSpec(1)))
-        .containsExactly("Registered");
-    assertThat(lemmasAdded(new TubesSpec(), new TubesSpec(1))).containsExactly("Told");
+        .containsExactly("registration.Registered");
+    assertThat(lemmasAdded(new TubesSpec(), new TubesSpec(1))).containsExactly("tubes.Told");
   }
 
   @Test
@@ -85,7 +87,7 @@ class SpecConventionTest {
       enter(monitors, xid, I, 1);
       enter(monitors, xid, J, 2);
     }
-    return (int) monitors.report().violations("Exclusive");
+    return (int) monitors.report().violations("mutex.Exclusive");
   }
 
   private static void enter(Monitors monitors, String xid, ProcessId who, long ts) {

@@ -27,7 +27,7 @@ class CommandLineTest {
   fun theAppInKotlinRuns(@TempDir folder: Path) {
     assertThat(starl("list")).contains("app lineup: ", "app hello: ")
     assertThat(starl("run", "lineup", "--seed", "7", "--png", "${folder.resolve("a.png")}"))
-      .contains("4 of 4 robots", "one_line", "in_line")
+      .contains("4 of 4 robots", "lineup.one_line", "lineup.in_line")
     starl("verify-determinism", "lineup", "--seed", "7")
   }
 

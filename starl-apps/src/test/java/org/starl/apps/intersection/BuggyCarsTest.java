@@ -46,12 +46,12 @@ class BuggyCarsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "DOES_NOT_ASK, Inv_list_crit",
-    "DOES_NOT_ASK, traffic_safety",
-    "GRANTS_ITSELF, Inv_mux_safety",
-    "GRANTS_ITSELF, Exclusive",
-    "RELEASES_TOO_EARLY, occupied_is_held",
-    "NEVER_LEAVES, traffic_progress",
+    "DOES_NOT_ASK, intersection.Inv_list_crit",
+    "DOES_NOT_ASK, intersection.traffic_safety",
+    "GRANTS_ITSELF, intersection.Inv_mux_safety",
+    "GRANTS_ITSELF, mutex.Exclusive",
+    "RELEASES_TOO_EARLY, intersection.occupied_is_held",
+    "NEVER_LEAVES, intersection.traffic_progress",
   })
   void aBuggyCarIsSeen(BuggyCar.Fault fault, String lemma) {
     long seed = 0;

@@ -30,11 +30,11 @@ class FaultyPaintersTest {
 
   @ParameterizedTest
   @CsvSource({
-    "KEEPS_ITS_LIGHT_ON, OnTheDrawing",
-    "TAKES_ANOTHER_INK, OnTheDrawing",
-    "PAINTS_TWICE, Once",
-    "FORGETS_ONE, Complete",
-    "NEVER_ENDS, Painted",
+    "KEEPS_ITS_LIGHT_ON, lightpaint.OnTheDrawing",
+    "TAKES_ANOTHER_INK, lightpaint.OnTheDrawing",
+    "PAINTS_TWICE, lightpaint.Once",
+    "FORGETS_ONE, lightpaint.Complete",
+    "NEVER_ENDS, lightpaint.Painted",
   })
   void aFaultyPainterIsSeen(FaultyPainter.Bug bug, String lemma) {
     SimResult result = run(bug);

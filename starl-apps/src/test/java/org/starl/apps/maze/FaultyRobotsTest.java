@@ -126,11 +126,11 @@ class FaultyRobotsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "BUMPED_IS_THERE, Reached",
-    "BUMPED_IS_NO_WAY, NoWay",
-    "MARKS_A_GUESS, Belief",
-    "REQUESTS_NO_BLOCKS, Apart",
-    "HOLDS_FOR_EVER, Answered",
+    "BUMPED_IS_THERE, maze.Reached",
+    "BUMPED_IS_NO_WAY, maze.NoWay",
+    "MARKS_A_GUESS, maze.Belief",
+    "REQUESTS_NO_BLOCKS, maze.Apart",
+    "HOLDS_FOR_EVER, maze.Answered",
   })
   void aPlantedBugViolatesItsLemma(Bug bug, String lemma) {
     long seed = 0;

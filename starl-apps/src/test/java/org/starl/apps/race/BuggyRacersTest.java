@@ -47,12 +47,12 @@ class BuggyRacersTest {
 
   @ParameterizedTest
   @CsvSource({
-    "CLAIMS_FROM_AFAR, at_the_point",
-    "ANNOUNCES_ANOTHER_WINNER, truly_won",
-    "LAST_HEARD_COUNTS, one_winner",
-    "ANNOUNCES_NOTHING, told",
-    "DOES_NOT_DRIVE, taken",
-    "FIRST_HEARD_COUNTS, agreed",
+    "CLAIMS_FROM_AFAR, race.at_the_point",
+    "ANNOUNCES_ANOTHER_WINNER, race.truly_won",
+    "LAST_HEARD_COUNTS, race.one_winner",
+    "ANNOUNCES_NOTHING, race.told",
+    "DOES_NOT_DRIVE, race.taken",
+    "FIRST_HEARD_COUNTS, race.agreed",
   })
   void aBuggyRacerIsSeen(BuggyRacer.Bug bug, String lemma) {
     long seed = 0;

@@ -49,13 +49,13 @@ class BuggySearchersTest {
 
   @ParameterizedTest
   @CsvSource({
-    "SEES_THROUGH_WALLS, found",
-    "DOES_NOT_LOOK, nothing",
-    "IS_LAZY, gave_up",
-    "IS_TIMID, gave_up",
-    "IS_STUBBORN, agreed",
-    "FORGETS_THE_DEAD, assigned",
-    "NEVER_ENDS, ended",
+    "SEES_THROUGH_WALLS, search.found",
+    "DOES_NOT_LOOK, search.nothing",
+    "IS_LAZY, search.gave_up",
+    "IS_TIMID, search.gave_up",
+    "IS_STUBBORN, search.agreed",
+    "FORGETS_THE_DEAD, search.assigned",
+    "NEVER_ENDS, search.ended",
   })
   void aBuggySearcherIsSeen(BuggySearcher.Fault fault, String lemma) {
     SimResult result = run(fault);

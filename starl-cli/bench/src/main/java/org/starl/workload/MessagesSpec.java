@@ -44,13 +44,13 @@ final class MessagesSpec extends LemmaMonitor {
   /** A network that may lose letters without a fault. */
   static final long NEVER = Long.MAX_VALUE;
 
-  private static final String GENUINE = "Genuine";
-  private static final String ONCE = "Once";
-  private static final String FRESH = "Fresh";
-  private static final String HANDLED = "Handled";
-  private static final String SETTLED = "Settled";
-  private static final String RECEIVED = "Received";
-  private static final String PACED = "Paced";
+  private static final String GENUINE = "messages.Genuine";
+  private static final String ONCE = "messages.Once";
+  private static final String FRESH = "messages.Fresh";
+  private static final String HANDLED = "messages.Handled";
+  private static final String SETTLED = "messages.Settled";
+  private static final String RECEIVED = "messages.Received";
+  private static final String PACED = "messages.Paced";
 
   /** By how much a deadline may be late: a timer set by a clock that a fault has just left. */
   private static final long LATE_NS = 2 * Time.NS_PER_S;

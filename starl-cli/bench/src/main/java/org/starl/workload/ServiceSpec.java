@@ -23,8 +23,8 @@ import org.starl.trace.TraceEvent.Action;
  */
 final class ServiceSpec extends LemmaMonitor {
 
-  private static final String PROMPT = "Prompt";
-  private static final String GRANTED = "Granted";
+  private static final String PROMPT = "service.Prompt";
+  private static final String GRANTED = "service.Granted";
 
   private final boolean mayFail;
   private final Within<RobotId> requests;

@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Fault;
  */
 final class WellFormedSpec extends LemmaMonitor {
 
-  private static final String WELL_FORMED = "WellFormed";
+  private static final String WELL_FORMED = "datagrams.WellFormed";
 
   private static final List<String> ATTACKS = List.of("forge(", "replay(", "flood(");
 

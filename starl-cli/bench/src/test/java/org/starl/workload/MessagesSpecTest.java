@@ -81,7 +81,7 @@ class MessagesSpecTest {
   @Test
   void aLetterThatWasNotSentViolatesGenuine() {
     handle(2, 1, 1);
-    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Genuine")).isEqualTo(1);
   }
 
   @Test
@@ -89,14 +89,14 @@ class MessagesSpecTest {
     send(1, 1, 1, Care.DEFAULT);
     act(2, RECEIVER, new MailFact.Closed(LETTERS));
     handle(3, 1, 1);
-    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Genuine")).isEqualTo(1);
   }
 
   @Test
   void aClockBehindTheLettersViolatesGenuine() {
     send(1, 1, 1, Care.DEFAULT);
     act(2, RECEIVER, new MailFact.Handled(SENDER, LETTERS, 1, 1, 7, 6));
-    assertThat(at(3).violations("Genuine")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Genuine")).isEqualTo(1);
   }
 
   @Test
@@ -105,7 +105,7 @@ class MessagesSpecTest {
     act(2, SENDER, new MailFact.Handled(RECEIVER, LETTERS, 1, 1, 7, 7));
     send(3, 1, 1, Care.DEFAULT);
     handle(4, 1, 1);
-    assertThat(at(5).violations("Genuine")).isEqualTo(1);
+    assertThat(at(5).violations("messages.Genuine")).isEqualTo(1);
   }
 
   @Test
@@ -116,9 +116,9 @@ class MessagesSpecTest {
     fault(4, RECEIVER, "restart");
     act(4, RECEIVER, new MailFact.Opened(LETTERS));
     handle(5, 1, 1);
-    assertThat(at(5).violations("Once")).isZero();
+    assertThat(at(5).violations("messages.Once")).isZero();
     handle(6, 1, 1);
-    assertThat(at(6).violations("Once")).isEqualTo(1);
+    assertThat(at(6).violations("messages.Once")).isEqualTo(1);
   }
 
   @Test
@@ -129,7 +129,7 @@ class MessagesSpecTest {
     send(3, 2, 1, Care.DEFAULT);
     handle(4, 2, 1);
     handle(5, 1, 1);
-    assertThat(at(5).violations("Fresh")).isEqualTo(1);
+    assertThat(at(5).violations("messages.Fresh")).isEqualTo(1);
   }
 
   @Test
@@ -139,32 +139,32 @@ class MessagesSpecTest {
     fault(2, SENDER, "restart");
     send(3, 1, 1, Care.DEFAULT);
     send(3, 1, 2, Care.DEFAULT);
-    assertThat(at(5).violations("Fresh")).isEqualTo(1);
+    assertThat(at(5).violations("messages.Fresh")).isEqualTo(1);
   }
 
   @Test
   void aFalseReceiptViolatesHandled() {
     send(1, 1, 1, Care.DEFAULT);
     act(2, SENDER, new MailFact.Delivered(RECEIVER, 1, 1));
-    assertThat(at(3).violations("Handled")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Handled")).isEqualTo(1);
   }
 
   @Test
   void aLetterWithoutAnEndViolatesSettledWhileBothAreUp() {
     send(1, 1, 1, Care.DEFAULT);
     fault(2, RECEIVER, "crash");
-    assertThat(at(8).violations("Settled")).isZero();
+    assertThat(at(8).violations("messages.Settled")).isZero();
     fault(9, RECEIVER, "restart");
-    assertThat(at(13).violations("Settled")).isZero();
-    assertThat(at(15).violations("Settled")).isEqualTo(1);
+    assertThat(at(13).violations("messages.Settled")).isZero();
+    assertThat(at(15).violations("messages.Settled")).isEqualTo(1);
   }
 
   @Test
   void aLetterAfterItsDeadlineViolatesSettledEvenIfTheReceiverIsDown() {
     send(1, 1, 1, Care.BRIEF);
     fault(2, RECEIVER, "crash");
-    assertThat(at(7).violations("Settled")).isZero();
-    assertThat(at(9).violations("Settled")).isEqualTo(1);
+    assertThat(at(7).violations("messages.Settled")).isZero();
+    assertThat(at(9).violations("messages.Settled")).isEqualTo(1);
   }
 
   @Test
@@ -173,7 +173,7 @@ class MessagesSpecTest {
     send(1, 1, 2, Care.DEFAULT);
     act(2, SENDER, new MailFact.Closed(LETTERS));
     act(2, SENDER, new MailFact.Failed(RECEIVER, 1, 1));
-    assertThat(at(3).violations("Settled")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Settled")).isEqualTo(1);
   }
 
   @Test
@@ -184,10 +184,10 @@ class MessagesSpecTest {
     fault(12, RECEIVER, "crash");
     act(13, SENDER, new MailFact.Failed(RECEIVER, 1, 2));
     fault(14, RECEIVER, "restart");
-    assertThat(at(14).violations("Settled")).isZero();
+    assertThat(at(14).violations("messages.Settled")).isZero();
     send(15, 1, 3, Care.BRIEF);
     act(19, SENDER, new MailFact.Failed(RECEIVER, 1, 3));
-    assertThat(at(20).violations("Settled")).isEqualTo(1);
+    assertThat(at(20).violations("messages.Settled")).isEqualTo(1);
   }
 
   @Test
@@ -195,13 +195,13 @@ class MessagesSpecTest {
     for (long atNs : List.of(1L, 2L, 2L)) {
       transmit(atNs);
     }
-    assertThat(at(3).violations("Paced")).isEqualTo(1);
+    assertThat(at(3).violations("messages.Paced")).isEqualTo(1);
   }
 
   @Test
   void aPlainLetterThatIsLostInACalmWorldViolatesReceived() {
     send(11, 1, 1, Care.NONE);
-    assertThat(at(13).violations("Received")).isEqualTo(1);
+    assertThat(at(13).violations("messages.Received")).isEqualTo(1);
   }
 
   @Test
@@ -209,6 +209,6 @@ class MessagesSpecTest {
     send(11, 1, 1, Care.NONE);
     handle(11, 1, 1);
     handle(11, 1, 1);
-    assertThat(at(13).violations("Received")).isEqualTo(1);
+    assertThat(at(13).violations("messages.Received")).isEqualTo(1);
   }
 }

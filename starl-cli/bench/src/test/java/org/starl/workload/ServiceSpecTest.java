@@ -34,19 +34,19 @@ class ServiceSpecTest {
   @Test
   void aRequestWithoutAnAnswerViolatesPrompt() {
     act(1, new ClientFact.ask(1));
-    assertThat(end(7).violations("Prompt")).isEqualTo(1);
+    assertThat(end(7).violations("service.Prompt")).isEqualTo(1);
   }
 
   @Test
   void aFailureViolatesGrantedUnlessThePrimitiveMayFail() {
     act(1, new ClientFact.ask(1));
     act(2, new ClientFact.told(1));
-    assertThat(end(9).violations("Granted")).isEqualTo(1);
-    assertThat(monitors.report().violations("Prompt")).isZero();
+    assertThat(end(9).violations("service.Granted")).isEqualTo(1);
+    assertThat(monitors.report().violations("service.Prompt")).isZero();
     monitors = new Monitors(List.of(new ServiceSpec(5 * NS_PER_S, true)));
     act(1, new ClientFact.ask(1));
     act(2, new ClientFact.told(1));
-    assertThat(end(9).lemmas()).containsExactly("Prompt");
+    assertThat(end(9).lemmas()).containsExactly("service.Prompt");
     assertThat(monitors.report().holds()).isTrue();
   }
 
@@ -56,9 +56,9 @@ class ServiceSpecTest {
     act(2, new ClientFact.late(1));
     fault(3, "end");
     act(12, new ClientFact.late(1));
-    assertThat(monitors.report().violations("Prompt")).isZero();
+    assertThat(monitors.report().violations("service.Prompt")).isZero();
     act(13, new ClientFact.late(1));
-    assertThat(end(14).violations("Prompt")).isEqualTo(1);
+    assertThat(end(14).violations("service.Prompt")).isEqualTo(1);
   }
 
   @Test
@@ -68,7 +68,7 @@ class ServiceSpecTest {
     fault(3, "end");
     act(14, new ClientFact.told(1));
     act(14, new ClientFact.ask(1));
-    assertThat(end(18).checks("Granted")).isZero();
+    assertThat(end(18).checks("service.Granted")).isZero();
     assertThat(monitors.report().holds()).isTrue();
   }
 
@@ -78,6 +78,6 @@ class ServiceSpecTest {
     fault(3, "end");
     act(12, new ClientFact.ask(1));
     act(13, new ClientFact.ask(1));
-    assertThat(end(19).violations("Prompt")).isEqualTo(1);
+    assertThat(end(19).violations("service.Prompt")).isEqualTo(1);
   }
 }

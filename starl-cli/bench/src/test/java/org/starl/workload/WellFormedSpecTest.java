@@ -24,15 +24,15 @@ class WellFormedSpecTest {
   void aPayloadThatItsCodecRejectsViolatesWellFormed() {
     drop("loss");
     drop("duplicate");
-    assertThat(monitors.report().violations("WellFormed")).isZero();
+    assertThat(monitors.report().violations("datagrams.WellFormed")).isZero();
     drop("bad-payload");
-    assertThat(monitors.report().violations("WellFormed")).isEqualTo(1);
+    assertThat(monitors.report().violations("datagrams.WellFormed")).isEqualTo(1);
   }
 
   @Test
   void nothingIsRequiredOnceThereIsAnAttacker() {
     monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, "forge(all,5ms)"));
     drop("bad-payload");
-    assertThat(monitors.report().checks("WellFormed")).isZero();
+    assertThat(monitors.report().checks("datagrams.WellFormed")).isZero();
   }
 }

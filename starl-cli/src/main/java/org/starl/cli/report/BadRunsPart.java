@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.starl.cli.report.IllustratedRun.Shot;
-import org.starl.cli.report.Report.Description;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
@@ -89,11 +88,8 @@ final class BadRunsPart {
   }
 
   private void describe(String lemma) {
-    for (Description description : report.descriptions(lemma)) {
-      if (!description.text().isEmpty()) {
-        html.open("p", "class", "claim").element("code", lemma);
-        html.text(" says: " + description.text()).close();
-      }
+    for (String text : report.descriptions(lemma)) {
+      html.open("p", "class", "claim").element("code", lemma).text(" says: " + text).close();
     }
   }
 

@@ -12,7 +12,6 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
-import org.starl.cli.report.Report.Description;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
@@ -173,14 +172,7 @@ final class CampaignTables {
     html.open("tr", "class", inRuns > 0 ? "bad" : "good");
     html.open("th", "scope", "row").element("code", lemma).close();
     html.open("td");
-    for (Description description : report.descriptions(lemma)) {
-      html.open("div").text(description.text());
-      if (!description.monitor().isEmpty()) {
-        html.text(description.text().isEmpty() ? "" : " ");
-        html.element("span", description.monitor(), "class", "note");
-      }
-      html.close();
-    }
+    report.descriptions(lemma).forEach(text -> html.element("div", text));
     html.close();
     html.number(checks.checks() == 0 ? "never checked" : count(checks.checks()));
     html.number(count(checks.violations())).number(count(inRuns)).close();

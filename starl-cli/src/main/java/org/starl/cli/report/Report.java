@@ -79,19 +79,12 @@ public record Report(
     return facts == null ? Long.MAX_VALUE : facts.endNs();
   }
 
-  /**
-   * A lemma of one monitor. Other monitors may have a lemma of the same name.
-   *
-   * @param monitor its class; may be empty
-   * @param text a sentence; may be empty
-   */
-  record Description(String monitor, String text) {}
-
-  List<Description> descriptions(String lemma) {
+  /** What monitors say of {@code lemma}: no sentence, or one for each monitor that has this lemma. */
+  List<String> descriptions(String lemma) {
     return monitors.stream()
         .filter(monitor -> monitor.lemmas().contains(lemma))
-        .map(monitor ->
-            new Description(monitor.getClass().getSimpleName(), monitor.description(lemma)))
+        .map(monitor -> monitor.description(lemma))
+        .filter(text -> !text.isEmpty())
         .distinct()
         .toList();
   }

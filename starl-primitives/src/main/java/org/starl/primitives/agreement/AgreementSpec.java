@@ -19,9 +19,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
-  static final String AGREEMENT = "Agreement";
-  static final String VALIDITY = "Validity";
-  static final String DECIDED = "Decided";
+  static final String AGREEMENT = "agreement.Agreement";
+  static final String VALIDITY = "agreement.Validity";
+  static final String DECIDED = "agreement.Decided";
 
   private final Deadlines progress;
 

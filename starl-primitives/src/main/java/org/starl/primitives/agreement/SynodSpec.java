@@ -40,9 +40,9 @@ import org.starl.trace.TraceEvent.Sent;
  */
 public final class SynodSpec extends LemmaMonitor {
 
-  static final String BALLOTS = "Ballots";
-  static final String VOTES = "Votes";
-  static final String QUORUMS = "Quorums";
+  static final String BALLOTS = "synod.Ballots";
+  static final String VOTES = "synod.Votes";
+  static final String QUORUMS = "synod.Quorums";
 
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;

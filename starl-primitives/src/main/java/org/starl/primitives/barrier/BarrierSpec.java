@@ -18,9 +18,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
-  static final String NO_EARLY = "NoEarly";
-  static final String UNIFORM = "Uniform";
-  static final String NOT_HUNG = "NotHung";
+  static final String NO_EARLY = "barrier.NoEarly";
+  static final String UNIFORM = "barrier.Uniform";
+  static final String NOT_HUNG = "barrier.NotHung";
 
   private static final String NOT_HUNG_SAYS =
       "A robot that waits at a barrier is told an outcome within the bound.";

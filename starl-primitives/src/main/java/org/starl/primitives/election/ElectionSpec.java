@@ -18,11 +18,11 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
-  static final String AGREEMENT = "Agreement";
-  static final String SOUNDNESS = "Soundness";
-  static final String TERMS = "Terms";
-  static final String ELECTED = "Elected";
-  static final String TOLD = "Told";
+  static final String AGREEMENT = "election.Agreement";
+  static final String SOUNDNESS = "election.Soundness";
+  static final String TERMS = "election.Terms";
+  static final String ELECTED = "election.Elected";
+  static final String TOLD = "election.Told";
 
   private boolean leaderStays;
   private final Deadlines elected;

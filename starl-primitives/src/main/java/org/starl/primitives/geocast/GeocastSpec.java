@@ -25,11 +25,11 @@ import org.starl.trace.TraceEvent.Sent;
  */
 public final class GeocastSpec extends LemmaMonitor {
 
-  static final String EXCLUSION = "exclusion";
-  static final String INCLUSION = "inclusion";
-  static final String DEADLINE = "deadline";
-  static final String ONCE = "once";
-  static final String ACKNOWLEDGED = "acknowledged";
+  static final String EXCLUSION = "geocast.exclusion";
+  static final String INCLUSION = "geocast.inclusion";
+  static final String DEADLINE = "geocast.deadline";
+  static final String ONCE = "geocast.once";
+  static final String ACKNOWLEDGED = "geocast.acknowledged";
 
   /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;

@@ -32,9 +32,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class MotionSpec extends LemmaMonitor {
 
-  static final String AVOIDS = "avoids";
-  static final String ARRIVES = "arrives";
-  static final String TOLD = "told";
+  static final String AVOIDS = "motion.avoids";
+  static final String ARRIVES = "motion.arrives";
+  static final String TOLD = "motion.told";
 
   private static final long NEVER = Long.MAX_VALUE;
 

@@ -40,8 +40,8 @@ import org.starl.trace.TraceEvent.Sent;
  */
 final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
-  static final String CONSENT = "Consent";
-  static final String FENCED = "Fenced";
+  static final String CONSENT = "mutex.Consent";
+  static final String FENCED = "mutex.Fenced";
 
   private final Within<Asker> behindGhosts;
   private final Within<List<ProcessId>> behindDead;

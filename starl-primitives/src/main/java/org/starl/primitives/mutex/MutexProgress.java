@@ -19,8 +19,8 @@ import org.starl.spec.Within;
  */
 final class MutexProgress {
 
-  static final String SERVED = "Served";
-  static final String NON_INTERFERENCE = "NonInterference";
+  static final String SERVED = "mutex.Served";
+  static final String NON_INTERFERENCE = "mutex.NonInterference";
 
   /** The assumptions of progress that do not depend on the requests. */
   interface Assumptions {

@@ -49,12 +49,12 @@ import org.starl.trace.TraceEvent;
  */
 public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
-  static final String EXCLUSIVE = "Exclusive";
-  static final String PROMISE = "Promise";
-  static final String CONNECTED = "Connected";
+  static final String EXCLUSIVE = "mutex.Exclusive";
+  static final String PROMISE = "mutex.Promise";
+  static final String CONNECTED = "mutex.Connected";
 
-  static final String KEPT = "Kept";
-  static final String COMPLETE = "Complete";
+  static final String KEPT = "mutex.Kept";
+  static final String COMPLETE = "mutex.Complete";
 
   private final @Nullable MutexBounds bounds;
   private final @Nullable MutexBounds calm;

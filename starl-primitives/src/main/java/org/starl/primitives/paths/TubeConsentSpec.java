@@ -33,8 +33,8 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
 
-  static final String CONSENTS = "Consents";
-  static final String CLAIMED = "Claimed";
+  static final String CONSENTS = "tubes.Consents";
+  static final String CLAIMED = "tubes.Claimed";
 
   private static final long NONE = -1;
 

@@ -33,9 +33,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tube>>> {
 
-  static final String TUBES = "Tubes";
-  static final String INSIDE = "Inside";
-  static final String TOLD = "Told";
+  static final String TUBES = "tubes.Tubes";
+  static final String INSIDE = "tubes.Inside";
+  static final String TOLD = "tubes.Told";
 
   private static final long STEP_NS = 10_000_000;
 

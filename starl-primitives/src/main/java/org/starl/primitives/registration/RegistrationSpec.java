@@ -24,11 +24,11 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
-  static final String AGREEMENT = "Agreement";
-  static final String KEEPS = "Keeps";
-  static final String FRESH = "Fresh";
-  static final String SOUNDNESS = "Soundness";
-  static final String REGISTERED = "Registered";
+  static final String AGREEMENT = "registration.Agreement";
+  static final String KEEPS = "registration.Keeps";
+  static final String FRESH = "registration.Fresh";
+  static final String SOUNDNESS = "registration.Soundness";
+  static final String REGISTERED = "registration.Registered";
 
   private static final String REGISTERED_SAYS =
       "A robot that asks to be registered or removed is so within the bound, or told that it failed.";

@@ -50,7 +50,7 @@ class SynodSpecTest {
     promise(HIGH, null, D);
     sends(B, B, new Accept(1, HIGH, X));
     sends(A, D, new Decided(1, X));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
     assertThat(monitors.report().neverChecked()).isEmpty();
   }
 
@@ -63,7 +63,7 @@ class SynodSpecTest {
     }
     Json other = new Json("{}");
     monitors.observe(new Sent(0, A, B.name(), CHANNEL, 1, 1, Shapes.JSON, other));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
   }
 
   @Test
@@ -73,14 +73,14 @@ class SynodSpecTest {
     monitors.observe(new Fault(0, C, Fault.RESTART, "lost"));
     promise(LOW, null, C);
     assertThat(monitors.report().violations(SynodSpec.BALLOTS)).isEqualTo(1);
-    assertThat(violations()).isEqualTo("Ballots 1, Votes 0, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 1, synod.Votes 0, synod.Quorums 0");
   }
 
   @Test
   void anAcceptorThatForgetsItsVoteViolatesVotes() {
     vote(LOW, C);
     promise(HIGH, null, C);
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 1, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0");
   }
 
   @Test
@@ -88,21 +88,21 @@ class SynodSpecTest {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
     promise(HIGH, new Vote(LOW, Y), C);
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 1, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0");
   }
 
   @Test
   void aProposalAfterPromisesOfHalfViolatesQuorums() {
     promise(LOW, null, A, B);
     sends(A, A, new Accept(1, LOW, X));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test
   void aProposalAgainstTheVotesOfAMajorityViolatesQuorums() {
     promise(HIGH, new Vote(LOW, X), A, B, C);
     sends(B, A, new Accept(1, HIGH, Y));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test
@@ -110,14 +110,14 @@ class SynodSpecTest {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
     sends(A, B, new Accept(1, LOW, Y));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test
   void aBallotOfAnotherRobotViolatesQuorums() {
     promise(LOW, null, A, B, C);
     sends(D, A, new Accept(1, LOW, X));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test
@@ -126,7 +126,7 @@ class SynodSpecTest {
     sends(A, A, new Accept(1, LOW, X));
     vote(LOW, A, B);
     sends(A, D, new Decided(1, X));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test

@@ -56,10 +56,10 @@ class GeocastAdversaryTest {
 
   @ParameterizedTest
   @CsvSource({
-    "IGNORES_AREA, exclusion",
-    "IGNORES_DEADLINE, deadline",
-    "DELIVERS_TWICE, once",
-    "NEVER_DELIVERS, inclusion",
+    "IGNORES_AREA, geocast.exclusion",
+    "IGNORES_DEADLINE, geocast.deadline",
+    "DELIVERS_TWICE, geocast.once",
+    "NEVER_DELIVERS, geocast.inclusion",
     "IGNORES_AREA, Geocast_decls",
     "IGNORES_DEADLINE, Geocast_decls",
     "DELIVERS_TWICE, Geocast_decls"

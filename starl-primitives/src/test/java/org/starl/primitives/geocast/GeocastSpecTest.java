@@ -76,7 +76,7 @@ class GeocastSpecTest {
     castWithoutReceiversAfterTheFirstDatagram();
     see(hears(20, copyOf(FIRST)));
     monitors.finish(2000);
-    assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
+    assertThat(monitors.report().violations("geocast.inclusion")).isEqualTo(1);
   }
 
   @Test
@@ -92,7 +92,7 @@ class GeocastSpecTest {
     castWithoutReceiversAfterTheFirstDatagram();
     see(hears(20, copyOf(FIRST)), act(20, OTHER, new GeocastFact.dismiss(FIRST, why, errorMm)));
     monitors.finish(2000);
-    return monitors.report().violations("inclusion");
+    return monitors.report().violations("geocast.inclusion");
   }
 
   @Test
@@ -100,10 +100,10 @@ class GeocastSpecTest {
     castWithoutReceiversAfterTheFirstDatagram();
     GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
     see(act(20, OTHER, new GeocastFact.deliver(FIRST)), sends(20, OTHER, "bot0", 1, ack));
-    assertThat(monitors.report().violations("acknowledged")).isZero();
+    assertThat(monitors.report().violations("geocast.acknowledged")).isZero();
     see(sends(20, ORIGIN, "bot0", 2, ack));
-    assertThat(monitors.report().violations("acknowledged")).isEqualTo(1);
-    assertThat(monitors.report().checks("acknowledged")).isEqualTo(2);
+    assertThat(monitors.report().violations("geocast.acknowledged")).isEqualTo(1);
+    assertThat(monitors.report().checks("geocast.acknowledged")).isEqualTo(2);
   }
 
   @Test
@@ -121,11 +121,11 @@ class GeocastSpecTest {
     monitors = strict(2 * MS);
     castWithoutReceivers(2 * MS);
     monitors.finish(3 * MS);
-    assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
+    assertThat(monitors.report().violations("geocast.inclusion")).isEqualTo(1);
     monitors = strict(2 * MS + 1);
     castWithoutReceivers(2 * MS);
     monitors.finish(3 * MS);
-    assertThat(monitors.report().checks("inclusion")).isZero();
+    assertThat(monitors.report().checks("geocast.inclusion")).isZero();
   }
 
   /** The violations of inclusion if no copy arrives in 3 ms, and a fault ends at {@code endNs}. */
@@ -135,7 +135,7 @@ class GeocastSpecTest {
     castWithoutReceivers(3 * MS);
     see(new TraceEvent.Fault(endNs, TraceEvent.Fault.WORLD, "end", "loss(1)"));
     monitors.finish(4 * MS);
-    return monitors.report().violations("inclusion");
+    return monitors.report().violations("geocast.inclusion");
   }
 
   /** Copies take {@code delayNs}, and are repeated each ms. */

@@ -112,7 +112,7 @@ class ConsentSpecTest {
     ok(5, J, I, 1);
     ok(5, K, I, 1);
     monitors.finish(16);
-    assertThat(monitors.report().violations("Served")).isEqualTo(1);
+    assertThat(monitors.report().violations("mutex.Served")).isEqualTo(1);
   }
 
   @Test
@@ -121,7 +121,7 @@ class ConsentSpecTest {
     ask(1);
     ok(1, J, I, 1);
     monitors.finish(22);
-    assertThat(monitors.report().violations("Served")).isEqualTo(1);
+    assertThat(monitors.report().violations("mutex.Served")).isEqualTo(1);
   }
 
   @Test

@@ -39,7 +39,7 @@ class MutexSpecTest {
   void aRequestThatGivesUpBeforeItsBoundViolatesServed() {
     ask(0, I, 1, "A");
     event(49, new MutexFact.Withdraw(I, 1, MutexFailure.DEADLINE));
-    assertThat(finish(60).violations("Served")).isEqualTo(1);
+    assertThat(finish(60).violations("mutex.Served")).isEqualTo(1);
   }
 
   @Test
@@ -57,11 +57,11 @@ class MutexSpecTest {
   void onlyAGhostInTheWayExcusesARequestThatIsToldSo() {
     ask(0, I, 1, "A");
     event(60, new MutexFact.Withdraw(I, 1, MutexFailure.OCCUPIED));
-    assertThat(monitors.report().violations("Served")).isEqualTo(2);
+    assertThat(monitors.report().violations("mutex.Served")).isEqualTo(2);
     event(61, new MutexFact.Learned(J, View.closed(List.of(I, J, K)).next().confined(K, set("A"))));
     ask(62, J, 2, "A");
     event(63, new MutexFact.Withdraw(J, 1, MutexFailure.OCCUPIED));
-    assertThat(finish(70).violations("Served")).isEqualTo(2);
+    assertThat(finish(70).violations("mutex.Served")).isEqualTo(2);
   }
 
   @Test
@@ -79,7 +79,7 @@ class MutexSpecTest {
     long settledNs = 2 + FaultState.SETTLE_NS;
     both.observe(action(settledNs, new MutexFact.DoMutex(I, 2, 2, set("A"), ids(I, J, K))));
     both.observe(action(settledNs + 11, new MutexFact.OdMutex(I, 2, set("A"))));
-    assertThat(both.report().violations("NonInterference")).isEqualTo(1);
+    assertThat(both.report().violations("mutex.NonInterference")).isEqualTo(1);
   }
 
   @Test
@@ -93,7 +93,7 @@ class MutexSpecTest {
     both.observe(action(calmNs, new MutexFact.Fence(K, J, set(""))));
     assertThat(both.report().violations()).isEmpty();
     both.observe(action(calmNs, new MutexFact.Fence(I, K, set(""))));
-    assertThat(both.report().violations("Served")).isEqualTo(1);
+    assertThat(both.report().violations("mutex.Served")).isEqualTo(1);
   }
 
   @Test
@@ -104,7 +104,7 @@ class MutexSpecTest {
     enter(3, J, "B C");
     assertThat(finish(4).violations())
         .extracting(SpecReport.Violation::toString)
-        .containsExactly("Exclusive violated at 0.000 s by i j: j and i both hold B");
+        .containsExactly("mutex.Exclusive violated at 0.000 s by i j: j and i both hold B");
   }
 
   @Test

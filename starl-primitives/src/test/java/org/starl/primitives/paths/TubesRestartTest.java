@@ -81,7 +81,7 @@ class TubesRestartTest {
           control.at(crashMs * MS, () -> control.crash(first, 8_000 * MS, Unsynced.LOST)));
       SimResult result = builder.build().run();
       assertThat(result.spec().violations()).as("crash at %d ms", atMs).isEmpty();
-      held += result.spec().checks("Tubes");
+      held += result.spec().checks("tubes.Tubes");
     }
     assertThat(held).isGreaterThan(50);
   }

@@ -243,7 +243,7 @@ class TubesSimulationTest {
     builder.robot(
         new RobotSpec(new RobotId("bot0"), new Pose(4000, 1000, 0), true, ShortCutter::new));
     SimResult result = builder.build().run();
-    assertThat(result.spec().violations("Inside")).isPositive();
+    assertThat(result.spec().violations("tubes.Inside")).isPositive();
   }
 
   /** A planted bug: the planner never returns. */
@@ -253,7 +253,7 @@ class TubesSimulationTest {
     builder.robot(
         new RobotSpec(new RobotId("bot0"), new Pose(4000, 1000, 0), true, NeverTold::new));
     SimResult result = builder.build().run();
-    assertThat(result.spec().violations("Told")).isPositive();
+    assertThat(result.spec().violations("tubes.Told")).isPositive();
   }
 
   private static final class NeverTold extends LogicThread {
@@ -308,7 +308,7 @@ class TubesSimulationTest {
 
   private static void assertHolds(SimResult result) {
     assertThat(result.spec().violations()).isEmpty();
-    for (String lemma : List.of("Tubes", "Inside", "Told")) {
+    for (String lemma : List.of("tubes.Tubes", "tubes.Inside", "tubes.Told")) {
       assertThat(result.spec().checks(lemma)).as(lemma).isPositive();
     }
   }

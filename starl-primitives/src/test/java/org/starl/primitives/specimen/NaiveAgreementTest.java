@@ -19,9 +19,9 @@ class NaiveAgreementTest {
 
   @ParameterizedTest
   @CsvSource({
-    "FIRST_HEARD, Agreement",
-    "SUM_OF_ALL, Validity",
-    "LEAST_OF_ALL, Decided",
+    "FIRST_HEARD, agreement.Agreement",
+    "SUM_OF_ALL, agreement.Validity",
+    "LEAST_OF_ALL, agreement.Decided",
     "FIRST_HEARD, SetAgreement_decls",
     "SUM_OF_ALL, SetAgreement_decls",
   })

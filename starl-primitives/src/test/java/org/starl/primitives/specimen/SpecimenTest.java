@@ -62,22 +62,23 @@ class SpecimenTest {
   }
 
   enum Specimen {
-    TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS("Exclusive", TokenMutex::new, MutexSpec::new),
+    TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS("mutex.Exclusive", TokenMutex::new, MutexSpec::new),
     SET_MUTEX_WITH_LIST_INDEX_AND_DOUBLE_REPLIES(
-        "Exclusive", setMutex(false, Bug.LIST_INDEX, Bug.DOUBLE_REPLIES), MutexSpec::new),
-    SET_MUTEX_WITH_LIST_INDEX_ALONE("Exclusive", setMutex(false, Bug.LIST_INDEX), MutexSpec::new),
+        "mutex.Exclusive", setMutex(false, Bug.LIST_INDEX, Bug.DOUBLE_REPLIES), MutexSpec::new),
+    SET_MUTEX_WITH_LIST_INDEX_ALONE(
+        "mutex.Exclusive", setMutex(false, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE(
-        "Exclusive", setMutex(false, Bug.DOUBLE_REPLIES), MutexSpec::new),
-    SET_MUTEX_THAT_BREAKS_ITS_WORD("Promise", setMutex(true, Bug.LIST_INDEX), MutexSpec::new),
+        "mutex.Exclusive", setMutex(false, Bug.DOUBLE_REPLIES), MutexSpec::new),
+    SET_MUTEX_THAT_BREAKS_ITS_WORD("mutex.Promise", setMutex(true, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_THAT_ASKS_NEIGHBOURS_ONLY(
-        "Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), MutexSpec::new),
+        "mutex.Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), MutexSpec::new),
     SET_MUTEX_THAT_LETS_STRANGERS_IN(
-        "Complete", setMutex(false, Bug.LETS_STRANGERS_IN), MutexSpec::new),
+        "mutex.Complete", setMutex(false, Bug.LETS_STRANGERS_IN), MutexSpec::new),
     SET_MUTEX_THAT_ENTERS_ONE_ANSWER_EARLY(
         "Mutex_decls", setMutex(false, Bug.ENTERS_EARLY), MutexConformance::new),
     BARRIER_THAT_LOSES_EARLY_ARRIVALS(
-        "NotHung", ForgetfulBarrier::new, () -> new BarrierSpec(BOUND_NS, 2 * END_NS)),
-    GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("exclusion", CrookedGeocast::new, GeocastSpec::new),
+        "barrier.NotHung", ForgetfulBarrier::new, () -> new BarrierSpec(BOUND_NS, 2 * END_NS)),
+    GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("geocast.exclusion", CrookedGeocast::new, GeocastSpec::new),
     GEOCAST_THAT_IS_NO_RUN_OF_THE_THEORY(
         "Geocast_decls", CrookedGeocast::new, GeocastConformance::new);
 

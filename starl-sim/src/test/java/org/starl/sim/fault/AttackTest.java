@@ -30,7 +30,7 @@ class AttackTest {
   @ParameterizedTest
   @ValueSource(strings = {"forge(all,5ms)", "replay(all,5ms)"})
   void withoutAKeyForgedAndReplayedDatagramsAreHandled(String attack) {
-    assertThat(authentic(ProbeRun.of(attack)).violations("Authentic")).isPositive();
+    assertThat(authentic(ProbeRun.of(attack)).violations("datagrams.Authentic")).isPositive();
   }
 
   @ParameterizedTest
@@ -44,7 +44,7 @@ class AttackTest {
   void withAKeyOnlyGenuineDatagramsAreHandled(String fault) {
     SpecReport report = authentic(ProbeRun.sealed(fault));
     assertThat(report.violations()).isEmpty();
-    assertThat(report.checks("Authentic")).isGreaterThan(500);
+    assertThat(report.checks("datagrams.Authentic")).isGreaterThan(500);
   }
 
   private static SpecReport authentic(ProbeRun run) {

@@ -38,7 +38,7 @@ internal class InLine(private val toleranceMm: Double) : AppMonitor() {
   }
 
   companion object {
-    const val ONE_LINE = "one_line"
-    const val IN_LINE = "in_line"
+    const val ONE_LINE = "lineup.one_line"
+    const val IN_LINE = "lineup.in_line"
   }
 }

@@ -31,7 +31,7 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class ListCrit extends LemmaMonitor {
 
-  private static final String LEMMA = "Inv_list_crit";
+  private static final String LEMMA = "intersection.Inv_list_crit";
 
   private final SortedMap<RobotId, State> states = new TreeMap<>();
   private final Instance mutex;

@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class TrafficProgress extends LemmaMonitor {
 
-  private static final String LEMMA = "traffic_progress";
+  private static final String LEMMA = "intersection.traffic_progress";
 
   private final Within<RobotId> departures;
   private final FaultState faults = new FaultState();

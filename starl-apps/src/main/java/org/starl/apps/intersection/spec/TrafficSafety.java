@@ -38,9 +38,9 @@ import org.starl.trace.TraceEvent.Moved;
  */
 final class TrafficSafety extends LemmaMonitor {
 
-  private static final String SAFETY = "traffic_safety";
-  private static final String HELD = "occupied_is_held";
-  private static final String MUX = "Inv_mux_safety";
+  private static final String SAFETY = "intersection.traffic_safety";
+  private static final String HELD = "intersection.occupied_is_held";
+  private static final String MUX = "intersection.Inv_mux_safety";
 
   /** The lemmas that need each car on its way. */
   static final List<String> OF_BODIES = List.of(SAFETY, HELD);

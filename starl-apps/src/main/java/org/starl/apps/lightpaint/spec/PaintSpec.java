@@ -37,10 +37,10 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class PaintSpec implements Monitor {
 
-  private static final String ON_THE_DRAWING = "OnTheDrawing";
-  private static final String ONCE = "Once";
-  private static final String COMPLETE = "Complete";
-  private static final String PAINTED = "Painted";
+  private static final String ON_THE_DRAWING = "lightpaint.OnTheDrawing";
+  private static final String ONCE = "lightpaint.Once";
+  private static final String COMPLETE = "lightpaint.Complete";
+  private static final String PAINTED = "lightpaint.Painted";
 
   private static final String ALL = "all";
   private static final int MAX_NAMED = 8;

@@ -37,11 +37,11 @@ import org.starl.trace.TraceEvent.Joined;
  */
 public final class MazeSpec implements Monitor {
 
-  static final String REACHED = "Reached";
-  static final String NO_WAY = "NoWay";
-  static final String BELIEF = "Belief";
-  public static final String APART = "Apart";
-  static final String ANSWERED = "Answered";
+  static final String REACHED = "maze.Reached";
+  static final String NO_WAY = "maze.NoWay";
+  static final String BELIEF = "maze.Belief";
+  public static final String APART = "maze.Apart";
+  static final String ANSWERED = "maze.Answered";
 
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
   private static final double ROUNDING_MM = 0.01;

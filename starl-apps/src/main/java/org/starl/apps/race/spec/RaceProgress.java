@@ -27,9 +27,9 @@ import org.starl.trace.TraceEvent.Left;
  */
 public final class RaceProgress extends LemmaMonitor {
 
-  private static final String TOLD = "told";
-  private static final String TAKEN = "taken";
-  private static final String AGREED = "agreed";
+  private static final String TOLD = "race.told";
+  private static final String TAKEN = "race.taken";
+  private static final String AGREED = "race.agreed";
 
   /** Generous, to tell a race that stands still from one that is slow. */
   private static final double SLOWEST_MM_PER_S = 25;

@@ -36,9 +36,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class RaceSafety extends LemmaMonitor {
 
-  private static final String AT_THE_POINT = "at_the_point";
-  private static final String TRULY_WON = "truly_won";
-  private static final String ONE_WINNER = "one_winner";
+  private static final String AT_THE_POINT = "race.at_the_point";
+  private static final String TRULY_WON = "race.truly_won";
+  private static final String ONE_WINNER = "race.one_winner";
   private static final double ROUNDING_MM = 0.01;
 
   private final List<RacePoint> points;

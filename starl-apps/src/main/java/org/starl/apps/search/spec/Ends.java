@@ -24,9 +24,9 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class Ends extends InstanceSpec<Ends.Search> {
 
-  private static final String AGREED = "agreed";
-  private static final String ENDED = "ended";
-  private static final String ASSIGNED = "assigned";
+  private static final String AGREED = "search.agreed";
+  private static final String ENDED = "search.ended";
+  private static final String ASSIGNED = "search.assigned";
 
   private final Deadlines ends;
   private final Deadlines assigned;

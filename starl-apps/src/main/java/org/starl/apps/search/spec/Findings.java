@@ -18,9 +18,9 @@ import org.starl.trace.TraceEvent.Action;
 /** {@code found}, {@code nothing} and {@code gave_up}: what robots announce is true. */
 final class Findings extends InstanceMonitor<Findings> {
 
-  private static final String FOUND = "found";
-  private static final String NOTHING = "nothing";
-  private static final String GAVE_UP = "gave_up";
+  private static final String FOUND = "search.found";
+  private static final String NOTHING = "search.nothing";
+  private static final String GAVE_UP = "search.gave_up";
 
   /** Places of things are told in whole mm. */
   private static final double ROUNDING_MM = 1;

@@ -134,8 +134,8 @@ class MonitorsTest {
     after(5);
     SpecReport report = report(trafficSafety());
     // Its front crosses the border at x = 2000 after 235 mm.
-    assertRed(report, "traffic_safety", 0.94, BOT0, BOT1);
-    assertRed(report, "occupied_is_held", 0.94, BOT1);
+    assertRed(report, "intersection.traffic_safety", 0.94, BOT0, BOT1);
+    assertRed(report, "intersection.occupied_is_held", 0.94, BOT1);
   }
 
   @Test
@@ -146,8 +146,8 @@ class MonitorsTest {
     releases(BOT0, zones("C"), zones("D1"));
     after(1);
     SpecReport report = report(trafficSafety());
-    assertThat(report.violations("traffic_safety")).isZero();
-    assertRed(report, "occupied_is_held", 1, BOT0);
+    assertThat(report.violations("intersection.traffic_safety")).isZero();
+    assertRed(report, "intersection.occupied_is_held", 1, BOT0);
   }
 
   @Test
@@ -157,7 +157,7 @@ class MonitorsTest {
     after(1);
     drives(BOT0, 2250, 2250, 0);
     after(1);
-    assertRed(report(trafficSafety()), "occupied_is_held", 1, BOT0);
+    assertRed(report(trafficSafety()), "intersection.occupied_is_held", 1, BOT0);
   }
 
   @Test
@@ -169,7 +169,7 @@ class MonitorsTest {
     after(1);
     joins(BOT1, 2250, 2250);
     holds(BOT1, "C");
-    assertThat(report(trafficSafety()).violations("traffic_safety")).isZero();
+    assertThat(report(trafficSafety()).violations("intersection.traffic_safety")).isZero();
   }
 
   @Test
@@ -185,7 +185,7 @@ class MonitorsTest {
     mutex(QUEUE, BOT0, new MutexFact.Release(process(BOT0), 1, zones("C0.1"), zones()));
     after(1);
     SpecReport report = report(new TrafficSafety(Crossing.regions(Crossing.CLAIMED_PLACES)));
-    assertRed(report, "occupied_is_held", 2, BOT0);
+    assertRed(report, "intersection.occupied_is_held", 2, BOT0);
   }
 
   @Test
@@ -203,7 +203,7 @@ class MonitorsTest {
     releases(BOT0, zones("A"), zones("C", "C1"));
     after(1);
     holds(BOT1, "B", "C");
-    assertRed(report(trafficSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
+    assertRed(report(trafficSafety()), "intersection.Inv_mux_safety", 2, BOT0, BOT1);
   }
 
   private void sets(RobotId robot, String... trip) {
@@ -248,7 +248,7 @@ class MonitorsTest {
     asksForAAndA1();
     app(BOT0, Location.MOVE_WAIT);
     after(1);
-    assertRed(report(listCrit()), "Inv_list_crit", 3, BOT0);
+    assertRed(report(listCrit()), "intersection.Inv_list_crit", 3, BOT0);
   }
 
   @Test
@@ -259,7 +259,7 @@ class MonitorsTest {
     after(1);
     releases(BOT0, zones("A1"), zones("A"));
     after(1);
-    assertRed(report(listCrit()), "Inv_list_crit", 4, BOT0);
+    assertRed(report(listCrit()), "intersection.Inv_list_crit", 4, BOT0);
   }
 
   @Test
@@ -285,7 +285,7 @@ class MonitorsTest {
     asks(BOT0, "A");
     app(BOT0, Location.MUTEX_WAIT);
     after(1);
-    assertRed(report(listCrit()), "Inv_list_crit", 2, BOT0);
+    assertRed(report(listCrit()), "intersection.Inv_list_crit", 2, BOT0);
   }
 
   @Test
@@ -320,6 +320,9 @@ class MonitorsTest {
     events.add(new TraceEvent.Left(nowNs, BOT1));
     after(1000);
     assertRed(
-        report(new TrafficProgress(130 * SECOND_NS, List.of())), "traffic_progress", 130, BOT0);
+        report(new TrafficProgress(130 * SECOND_NS, List.of())),
+        "intersection.traffic_progress",
+        130,
+        BOT0);
   }
 }

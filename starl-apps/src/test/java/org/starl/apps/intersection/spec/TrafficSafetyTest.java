@@ -58,7 +58,7 @@ class TrafficSafetyTest {
 
     TreeSet<Long> reported = new TreeSet<>();
     for (Violation violation : monitors.report().violations()) {
-      if (violation.lemma().equals("traffic_safety")) {
+      if (violation.lemma().equals("intersection.traffic_safety")) {
         reported.add(violation.timeNs());
         assertThat(sharedAt(bodies, violation.timeNs())).as("%s", violation).isNotEmpty();
       }

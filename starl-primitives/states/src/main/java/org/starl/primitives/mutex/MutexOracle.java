@@ -29,13 +29,13 @@ final class MutexOracle {
       for (MutexNode j : nodes) {
         // A restarted robot may hold the sections of its own ghost.
         if (!i.id.robot().equals(j.id.robot()) && Sections.meet(i.held(), j.held())) {
-          found.add("Exclusive: " + i.protocol + " and " + j.protocol);
+          found.add(MutexSpec.EXCLUSIVE + ": " + i.protocol + " and " + j.protocol);
         }
       }
       View.Ghost ghost = last.ghost(i.id);
       SortedSet<String> atMost = ghost == null ? Sections.NONE : ghost.sections();
       if (!last.contains(i.id) && !atMost.containsAll(i.held())) {
-        found.add("Kept: " + i.protocol + " in " + last);
+        found.add(MutexSpec.KEPT + ": " + i.protocol + " in " + last);
       }
     }
     for (int a = 0; a < active.size(); a++) {
@@ -43,14 +43,14 @@ final class MutexOracle {
         MutexNode i = active.get(a);
         MutexNode j = active.get(b);
         if (a != b && breaksPromise(i, j)) {
-          found.add("Promise: " + j.protocol + " to " + i.protocol);
+          found.add(MutexSpec.PROMISE + ": " + j.protocol + " to " + i.protocol);
         }
         if (a < b
             && last.contains(i.id)
             && last.contains(j.id)
             && !known.get(a).contains(j.id)
             && !known.get(b).contains(i.id)) {
-          found.add("Connected: " + i.protocol + " and " + j.protocol);
+          found.add(MutexSpec.CONNECTED + ": " + i.protocol + " and " + j.protocol);
         }
       }
     }

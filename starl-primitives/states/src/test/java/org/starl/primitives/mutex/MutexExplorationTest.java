@@ -81,13 +81,13 @@ class MutexExplorationTest {
   void grantingAfterAFenceIsFoundWithItsSteps() {
     Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
     Outcome outcome = explore(shape, Unfenced::new);
-    assertThat(outcome.violation()).last().asString().startsWith("Kept");
+    assertThat(outcome.violation()).last().asString().startsWith("mutex.Kept");
   }
 
   @Test
   void aMutantIsFoundWithItsSteps() {
     Outcome outcome = explore(joiner(), Deaf::new);
-    assertThat(outcome.violation()).last().asString().startsWith("Exclusive");
+    assertThat(outcome.violation()).last().asString().startsWith("mutex.Exclusive");
     assertThat(outcome.violation()).anyMatch(line -> line.startsWith("b learns view 2"));
   }
 

@@ -42,76 +42,77 @@ class MutexSafetyTest {
 
   @Test
   void grantingWithoutAskingIsFound() {
-    assertFound("Exclusive", CLOSED, Unasked::new);
+    assertFound("mutex.Exclusive", CLOSED, Unasked::new);
   }
 
   @Test
   void aJoinerThatIsNotAskedBackIsFound() {
-    assertFound("Exclusive", OPEN, JoinerNotAsked::new);
+    assertFound("mutex.Exclusive", OPEN, JoinerNotAsked::new);
   }
 
   @Test
   void countingAnAnswerToAnotherRequestIsFound() {
-    assertFound("Exclusive", CLOSED, ReplyWithoutId::new);
+    assertFound("mutex.Exclusive", CLOSED, ReplyWithoutId::new);
   }
 
   @Test
   void aClockThatDoesNotAdvanceIsFound() {
-    assertFound("Exclusive", CLOSED, NoClockUpdate::new);
+    assertFound("mutex.Exclusive", CLOSED, NoClockUpdate::new);
   }
 
   @Test
   void aHolderThatAnswersByItsClockIsFound() {
-    assertFound("Exclusive", OPEN, CriticalAnswers::new);
+    assertFound("mutex.Exclusive", OPEN, CriticalAnswers::new);
   }
 
   @Test
   void continuingAfterARemovalIsFound() {
-    assertFound("Kept", new Shape(2, 1, 1, 0, 3, ViewFault.NONE), OutGoesOn::new);
+    assertFound("mutex.Kept", new Shape(2, 1, 1, 0, 3, ViewFault.NONE), OutGoesOn::new);
   }
 
   @Test
   void aFencerThatGoesOnGrantingIsFound() {
-    assertFound("Kept", new Shape(3, 0, 2, 0, 4, ViewFault.NONE), Unfenced::new);
-    assertFound("Exclusive", new Shape(3, 0, 1, 0, 6, ViewFault.NONE), Unfenced::new);
+    assertFound("mutex.Kept", new Shape(3, 0, 2, 0, 4, ViewFault.NONE), Unfenced::new);
+    assertFound("mutex.Exclusive", new Shape(3, 0, 1, 0, 6, ViewFault.NONE), Unfenced::new);
   }
 
   @Test
   void forgettingAFencedParticipantWithoutAViewIsFound() {
-    assertFound("Exclusive", new Shape(2, 0, 1, 0, 4, ViewFault.NONE), ExclusionWithoutView::new);
+    assertFound(
+        "mutex.Exclusive", new Shape(2, 0, 1, 0, 4, ViewFault.NONE), ExclusionWithoutView::new);
   }
 
   @Test
   void aFenceWithoutNeededConsentIsFound() {
-    assertFound("Kept", new Shape(2, 2, 1, 0, 4, ViewFault.NONE), FencerNeverAsked::new);
+    assertFound("mutex.Kept", new Shape(2, 2, 1, 0, 4, ViewFault.NONE), FencerNeverAsked::new);
   }
 
   @Test
   void aFenceThatCountsAfterItsFencerHasLeftIsFound() {
     Shape shape = new Shape(2, 1, 1, 0, 6, ViewFault.FENCER_GONE);
-    assertFound("Kept", shape, MutexProtocol::new);
+    assertFound("mutex.Kept", shape, MutexProtocol::new);
   }
 
   @Test
   void enteringASectionOfAGhostIsFound() {
-    assertFound("Exclusive", new Shape(3, 0, 1, 1, 4, ViewFault.NONE), GhostBlind::new);
+    assertFound("mutex.Exclusive", new Shape(3, 0, 1, 1, 4, ViewFault.NONE), GhostBlind::new);
   }
 
   @Test
   void aViewThatOmitsAMemberIsFound() {
-    assertFound("Exclusive", OPEN.with(ViewFault.LOSES_A_MEMBER), MutexProtocol::new);
+    assertFound("mutex.Exclusive", OPEN.with(ViewFault.LOSES_A_MEMBER), MutexProtocol::new);
   }
 
   @Test
   void admittingAnIdTwiceIsFound() {
     Shape shape = new Shape(3, 1, 1, 0, 2, ViewFault.READMITS);
-    assertFound("Exclusive", shape, MutexProtocol::new);
+    assertFound("mutex.Exclusive", shape, MutexProtocol::new);
   }
 
   @Test
   void aRestartUnderTheOldIdIsFound() {
     Shape shape = new Shape(3, 0, 1, 2, 0, ViewFault.RESTARTS_UNDER_THE_OLD_ID);
-    assertFound("Exclusive", shape, MutexProtocol::new);
+    assertFound("mutex.Exclusive", shape, MutexProtocol::new);
   }
 
   /** Returns the number of confined participants. */
