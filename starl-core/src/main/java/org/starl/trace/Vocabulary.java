@@ -1,5 +1,6 @@
 package org.starl.trace;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,9 +43,9 @@ public final class Vocabulary {
       Map<String, Shape<?>> messages,
       Map<String, RecordShape<?>> facts,
       Map<String, Var<?>> variables) {
-    this.messages = messages;
-    this.facts = facts;
-    this.variables = variables;
+    this.messages = Collections.unmodifiableMap(messages);
+    this.facts = Collections.unmodifiableMap(facts);
+    this.variables = Collections.unmodifiableMap(variables);
   }
 
   /** With messages of all channels of this kind: {@code mutex}, {@code election.synod}. */
@@ -164,9 +165,19 @@ public final class Vocabulary {
     return known == null || !known.shape().isReadable() ? Var.of(name, UNREAD) : known;
   }
 
-  /** All kinds and names of channels with the shapes of their messages. */
-  public Map<String, Shape<?>> allMessages() {
-    return Map.copyOf(messages);
+  /** The shapes of all messages, by kind or name of the channel. */
+  public Map<String, Shape<?>> messages() {
+    return messages;
+  }
+
+  /** The shapes of all facts, by primitive and name. */
+  public Map<String, RecordShape<?>> facts() {
+    return facts;
+  }
+
+  /** All variables, by primitive and name. */
+  public Map<String, Var<?>> variables() {
+    return variables;
   }
 
   private static String key(String primitive, String name) {
