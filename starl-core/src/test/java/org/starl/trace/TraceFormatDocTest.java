@@ -2,7 +2,6 @@ package org.starl.trace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,7 +18,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
-import org.starl.comms.Ack;
 import org.starl.comms.Codec;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
@@ -40,34 +38,30 @@ class TraceFormatDocTest {
 
   private final String doc = read(Path.of("..", "docs", "trace-format.md"));
 
+  // The other examples are of a run: ShownOutputTest compares them.
   @Test
-  void theExamplesFormATraceThatIsWrittenIdentically() throws IOException {
-    assertThat(writtenAgain(Vocabulary.NONE)).isEqualTo(examples());
-    assertThat(writtenAgain(Vocabulary.NONE.messages(Ack.CHANNEL, Ack.SHAPE)))
-        .isEqualTo(examples());
-  }
-
-  private String examples() {
-    return EXAMPLE.matcher(doc).results().map(m -> m.group(1)).collect(Collectors.joining());
-  }
-
-  private String writtenAgain(Vocabulary vocabulary) throws IOException {
+  void theNoteAndTheInterventionAreWrittenAsTheyAreRead() throws IOException {
+    String lines =
+        examples()
+            .lines()
+            .filter(line -> line.contains("{\"note\":") || line.contains("\"intervention\""))
+            .map(line -> line + "\n")
+            .collect(Collectors.joining());
+    assertThat(lines.lines()).hasSize(2);
     ByteArrayOutputStream written = new ByteArrayOutputStream();
-    try (TraceReader reader =
-        new TraceReader(
-            "trace-format.md",
-            new ByteArrayInputStream(examples().getBytes(StandardCharsets.UTF_8)),
-            vocabulary)) {
+    String text = TraceReaderTest.HEADER + lines;
+    try (TraceReader reader = TraceReaderTest.reader(text.getBytes(StandardCharsets.UTF_8))) {
       TraceWriter writer = new TraceWriter(written, reader.header());
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
         writer.record(event);
       }
-      TraceEnd end = reader.end();
-      assertThat(end).isNotNull();
-      writer.end(end.timeNs());
       writer.close();
     }
-    return written.toString(StandardCharsets.UTF_8);
+    assertThat(written.toString(StandardCharsets.UTF_8)).isEqualTo(text);
+  }
+
+  private String examples() {
+    return EXAMPLE.matcher(doc).results().map(m -> m.group(1)).collect(Collectors.joining());
   }
 
   private record Ok(int num) {
@@ -129,7 +123,7 @@ class TraceFormatDocTest {
       key.results().map(m -> m.group(1)).forEach(keys::add);
     }
     // Settings of the example header, not keys of the format.
-    keys.removeAll(List.of("delay", "loss"));
+    keys.removeAll(List.of("messageDelay", "messageLoss"));
     assertThat(keys)
         .contains("settings", "headingRad")
         .allSatisfy(key -> assertThat(withoutExamples()).contains("`" + key + "`"));

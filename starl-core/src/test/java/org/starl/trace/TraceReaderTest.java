@@ -16,7 +16,7 @@ import org.starl.shape.Shapes;
 
 class TraceReaderTest {
 
-  private static final String HEADER =
+  static final String HEADER =
       "{\"kind\":\"header\",\"format\":2,\"starl\":\"0\",\"scenario\":\"s\",\"scenarioSeed\":1,"
           + "\"behaviourSeed\":2,\"settings\":{},\"robots\":[\"bot0\"]}\n";
   private static final String LEFT = "{\"kind\":\"left\",\"timeNs\":5,\"robot\":\"bot0\"}\n";
@@ -155,7 +155,7 @@ class TraceReaderTest {
     }
   }
 
-  private static TraceReader reader(byte[] bytes) throws IOException {
+  static TraceReader reader(byte[] bytes) throws IOException {
     return new TraceReader("run.trace", new ByteArrayInputStream(bytes), VOCABULARY);
   }
 }
