@@ -9,6 +9,7 @@ import org.starl.id.RobotId;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
+import org.starl.spec.Specs;
 import org.starl.time.Time;
 
 /** A run's result as text and JSON. */
@@ -31,9 +32,12 @@ final class Outcome {
                 result.network().sent(),
                 result.network().lost()));
     if (result.spec().holds()) {
-      lines.add(held(result.spec()));
+      if (result.spec().specs() != Specs.OFF) {
+        lines.add(held(result.spec()));
+      }
       lines.addAll(unknown(result.spec()));
     }
+    lines.addAll(leftOut(result.spec()));
     lines.addAll(result.spec().exceptions());
     lines.addAll(complaints(result));
     return lines;
@@ -46,6 +50,15 @@ final class Outcome {
     long checks = held.stream().mapToLong(spec::checks).sum();
     return "%s specifications held, in %s checks: %s"
         .formatted(held.size(), checks, String.join(" ", held));
+  }
+
+  /** A line for the specifications that {@code --specs} left out. */
+  static List<String> leftOut(SpecReport spec) {
+    return switch (spec.specs()) {
+      case OFF -> List.of("specifications: not checked (--specs off)");
+      case SAFETY -> List.of("not checked (--specs safety): " + String.join(" ", spec.leftOut()));
+      case ALL -> List.of();
+    };
   }
 
   /** Lines for the specifications without a check, inapplicable ones with their reason. */
@@ -124,6 +137,7 @@ final class Outcome {
     json.put("lost", result.network().lost());
     Map<String, Object> checks = new LinkedHashMap<>();
     result.spec().lemmas().forEach(lemma -> checks.put(lemma, result.spec().checks(lemma)));
+    json.put("specs", result.spec().specs().toString());
     json.put("checks", checks);
     json.put("exceptions", result.spec().exceptions());
     json.put("violations", result.spec().violations().stream().map(Object::toString).toList());

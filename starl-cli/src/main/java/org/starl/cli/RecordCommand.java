@@ -83,6 +83,8 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private SeedOption seed = new SeedOption();
 
+  @Mixin private SpecsOption specs = new SpecsOption();
+
   @ArgGroup private @Nullable Output output;
 
   @Option(
@@ -138,6 +140,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     }
     String name = source.app() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
+    Outcome.leftOut(result.spec()).forEach(out()::println);
     if (Outcome.isGood(result)) {
       return ExitStatus.GOOD;
     }
@@ -175,6 +178,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private Source ofTrace() {
     options.requireNoneFor(options.name());
     seed.requireNoneFor(options.name());
+    specs.requireNoneFor("a trace: " + options.name());
     TraceFile trace = TraceFile.open(options.name(), demos());
     trace.requireWhole();
     return new Source(
@@ -189,6 +193,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     Plan plan = request.plan(seedNumber);
+    specs.apply(plan.simulation());
     request.unusedRobots(seedNumber).ifPresent(err()::println);
     plan.simulation().carriers(Carriers.select(null, err()));
     RunProgress.of(plan.simulation(), err());

@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "run",
     description =
-        "Runs an app or a primitive once, with all monitors. Prints its story and draws a picture.",
+        "Runs an app or a primitive once, and checks its specifications. Prints its story and draws a picture.",
     footer = {
       "",
       "Example: starl run intersection --robots 8 --seed 7 --loss 0.1",
@@ -38,6 +38,8 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   @Mixin private RunOptions options = new RunOptions();
 
   @Mixin private SeedOption seed = new SeedOption();
+
+  @Mixin private SpecsOption specs = new SpecsOption();
 
   @Option(names = "--trace", paramLabel = "FILE", description = "Write every event to FILE.")
   private @Nullable String trace;
@@ -109,12 +111,16 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput(
           "--view cannot be used with --processes: robots as processes have no window");
     }
+    if (processes.areOn()) {
+      specs.requireNoneFor("--processes: each process checks its own robot");
+    }
     if (view) {
       Viewing.requireDisplay();
     }
     RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     Plan plan = request.plan(seedNumber);
+    specs.apply(plan.simulation());
     request.unusedRobots(seedNumber).ifPresent(err()::println);
     String app = request.demo().name();
     if (result != null && plan.story().products().isEmpty()) {

@@ -57,6 +57,8 @@ class BadInputTest {
       run intersection --seed | --seed
       run intersection --seed 1 --seed 2 | --seed | only once
       run intersection --sed 3 | --sed | did you mean | --seed
+      run intersection --specs none | --specs | expected one of [OFF, SAFETY, ALL] | 'none'
+      run mutex --processes --specs off | --specs cannot be used with --processes
       run intersection --carrier horse | --carrier | expected one of | 'horse'
       run intersection --set debris | --set | KEY=VALUE
       run intersection --set debris=9 | debris | '9' | from 0 to 8

@@ -64,6 +64,26 @@ class RunTest {
   }
 
   @Test
+  void aRunWithoutSpecificationsSaysThatNoneWasChecked() {
+    Cli cli = Cli.run("run", "hello", "--seed", "1", "--specs", "off", "--png", file("a.png"));
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out()).contains("specifications: not checked (--specs off)");
+    assertThat(cli.text()).doesNotContain("held");
+  }
+
+  @Test
+  void aRunOfSafetyNamesTheSpecificationsThatItLeavesOut() {
+    Cli cli =
+        Cli.run("run", "intersection", "--seed", "7", "--specs", "safety", "--png", file("a.png"));
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out())
+        .contains(
+            "not checked (--specs safety): NonInterference Served arrives told traffic_progress")
+        .anyMatch(line -> line.matches("1[0-9] specifications held, .* traffic_safety.*"));
+    assertThat(cli.text()).doesNotContain("never checked: Served");
+  }
+
+  @Test
   void listOfAnAppHasTheSentenceOfEachSpecification() {
     Cli cli = Cli.run("list", "hello");
     assertThat(cli.out().get(0)).startsWith("app hello: ");

@@ -50,6 +50,11 @@ public final class ExceptRobots implements Monitor {
   }
 
   @Override
+  public List<String> progressLemmas() {
+    return monitor.progressLemmas();
+  }
+
+  @Override
   public List<Monitor> companions() {
     return monitor.companions();
   }

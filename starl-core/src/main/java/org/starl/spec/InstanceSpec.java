@@ -39,7 +39,7 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
       String lemma, String sentence, long boundNs, LongFunction<String> complaint) {
     Deadlines deadlines = new Deadlines(lemma, boundNs, complaint);
     if (deadlines.isBounded()) {
-      lemma(lemma, sentence);
+      progress(lemma, sentence);
     }
     progress.add(deadlines);
     return deadlines;

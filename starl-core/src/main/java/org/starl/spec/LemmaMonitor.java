@@ -1,5 +1,6 @@
 package org.starl.spec;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,11 +10,18 @@ import java.util.Map;
 public abstract class LemmaMonitor implements Monitor {
 
   private final Map<String, String> sentences = new LinkedHashMap<>();
+  private final List<String> progress = new ArrayList<>();
   private final Map<String, String> inapplicable = new LinkedHashMap<>();
 
   /** Adds a lemma, and the sentence that explains it to a user. For constructors. */
   protected final void lemma(String name, String sentence) {
     sentences.put(name, sentence);
+  }
+
+  /** Adds a lemma of progress: as {@link #lemma}. */
+  protected final void progress(String name, String sentence) {
+    lemma(name, sentence);
+    progress.add(name);
   }
 
   /** Declares that runs like this one never check a lemma, with the reason. For constructors. */
@@ -29,6 +37,11 @@ public abstract class LemmaMonitor implements Monitor {
   @Override
   public final List<String> lemmas() {
     return List.copyOf(sentences.keySet());
+  }
+
+  @Override
+  public final List<String> progressLemmas() {
+    return Collections.unmodifiableList(progress);
   }
 
   @Override

@@ -24,6 +24,14 @@ public interface Monitor {
   }
 
   /**
+   * The {@link #lemmas} of progress: something must happen in time. Of the others, which are of
+   * safety, a violation stays one, however the run continues.
+   */
+  default List<String> progressLemmas() {
+    return List.of();
+  }
+
+  /**
    * Further monitors for every run that this one checks: {@code MutexConformance} with {@code
    * MutexSpec}.
    */

@@ -12,14 +12,24 @@ import org.starl.trace.TraceEvent;
 public final class Monitors {
 
   private final List<Monitor> monitors;
-  private final SpecReport report = new SpecReport();
+  private final SpecReport report;
   private boolean finished;
   private int told;
 
   /** Exactly these monitors, without companions. */
   public Monitors(List<? extends Monitor> monitors) {
-    this.monitors = List.copyOf(monitors);
-    for (Monitor monitor : this.monitors) {
+    this(monitors, Specs.ALL);
+  }
+
+  private Monitors(List<? extends Monitor> all, Specs specs) {
+    List<Monitor> installed = new ArrayList<>(all);
+    report = new SpecReport(specs);
+    if (specs == Specs.SAFETY) {
+      all.forEach(monitor -> report.leaveOut(monitor.progressLemmas()));
+      installed.removeIf(monitor -> report.leftOut().containsAll(monitor.lemmas()));
+    }
+    monitors = List.copyOf(installed);
+    for (Monitor monitor : monitors) {
       report.expect(monitor.lemmas());
       monitor.lemmas().forEach(lemma -> report.describe(lemma, monitor.description(lemma)));
       report.except(monitor.exceptions());
@@ -32,6 +42,14 @@ public final class Monitors {
    * one of each class.
    */
   public static Monitors of(List<? extends Supplier<? extends Monitor>> makers) {
+    return of(makers, Specs.ALL);
+  }
+
+  /** Those of {@link #of(List)} that check some of {@code specs}, and only these lemmas. */
+  public static Monitors of(List<? extends Supplier<? extends Monitor>> makers, Specs specs) {
+    if (specs == Specs.OFF) {
+      return new Monitors(List.of(), specs);
+    }
     List<Monitor> monitors = new ArrayList<>();
     makers.forEach(maker -> monitors.add(maker.get()));
     Set<Class<?>> classes = new LinkedHashSet<>();
@@ -43,7 +61,7 @@ public final class Monitors {
         }
       }
     }
-    return new Monitors(monitors);
+    return new Monitors(monitors, specs);
   }
 
   /** All monitors. */

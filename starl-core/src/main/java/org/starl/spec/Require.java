@@ -72,6 +72,10 @@ public final class Require {
     return new Looking(
         lemma, "Each robot is in its region within " + Time.seconds(within.toNanos()) + " s.") {
 
+      {
+        progress(lemma, description(lemma));
+      }
+
       @Override
       public void observe(TraceEvent event, Report report) {
         super.observe(event, report);

@@ -77,10 +77,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     kernel = new Kernel(plan.carriers());
     observers =
         new RunObservers(
-            Monitors.of(plan.monitors()),
-            plan.observers(),
-            !plan.monitors().isEmpty() || !plan.observers().isEmpty(),
-            this::diagnosis);
+            Monitors.of(plan.monitors(), plan.specs()), plan.observers(), this::diagnosis);
     SimSettings settings = plan.settings();
     world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));

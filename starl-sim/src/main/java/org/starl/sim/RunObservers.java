@@ -19,29 +19,25 @@ public final class RunObservers implements TraceSink {
 
   private final Monitors monitors;
   private final List<SimObserver> observers;
-  private final boolean isOn;
   private final Function<SpecReport.Violation, Diagnosis> diagnose;
   private final Map<SpecReport.Violation, Diagnosis> diagnoses = new LinkedHashMap<>();
   private final Set<String> diagnosed = new TreeSet<>();
 
   /**
-   * @param isOn whether events are needed
    * @param diagnose tells what the robots of a violation do now, and why the run does not go on
    */
   public RunObservers(
       Monitors monitors,
       List<SimObserver> observers,
-      boolean isOn,
       Function<SpecReport.Violation, Diagnosis> diagnose) {
     this.monitors = monitors;
     this.diagnose = diagnose;
     this.observers = List.copyOf(observers);
-    this.isOn = isOn;
   }
 
   @Override
   public boolean isOn() {
-    return isOn;
+    return !monitors.monitors().isEmpty() || !observers.isEmpty();
   }
 
   @Override

@@ -31,6 +31,7 @@ import org.starl.sim.world.FloorObjects;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.spec.Authentic;
 import org.starl.spec.Monitor;
+import org.starl.spec.Specs;
 import org.starl.trace.TraceHeader;
 
 /**
@@ -114,6 +115,7 @@ public final class Simulation {
     private final List<RobotSpec> robots = new ArrayList<>();
     private final List<SimObserver> observers = new ArrayList<>();
     private final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
+    private Specs specs = Specs.ALL;
     private final SortedMap<String, String> parameters = new TreeMap<>();
     private boolean isCountGiven = true;
     private @Nullable Function<GlobalVarHolder, ? extends LogicThread> placedApp;
@@ -282,6 +284,12 @@ public final class Simulation {
       return this;
     }
 
+    /** Checks only these specifications of those added; all of them unless set. */
+    public Builder specs(Specs newSpecs) {
+      specs = newSpecs;
+      return this;
+    }
+
     /** Adds a parameter of the scenario to the trace's header: a replay must set it. */
     public Builder parameter(String key, String value) {
       parameters.put(key, value);
@@ -336,6 +344,7 @@ public final class Simulation {
               endNs(),
               actionLimit.toNanos(),
               allMonitors(),
+              specs,
               observers));
     }
 

@@ -14,6 +14,7 @@ import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.FloorObjects;
 import org.starl.spec.Monitor;
+import org.starl.spec.Specs;
 import org.starl.trace.TraceHeader;
 
 /**
@@ -37,6 +38,7 @@ import org.starl.trace.TraceHeader;
  * @param endNs latest end of the run, in ns of virtual time
  * @param actionLimitNs processor time that one action may use
  * @param monitors suppliers of the specifications to check
+ * @param specs which of them
  * @param observers in calling order
  */
 public record SimulationPlan(
@@ -55,6 +57,7 @@ public record SimulationPlan(
     long endNs,
     long actionLimitNs,
     List<Supplier<? extends Monitor>> monitors,
+    Specs specs,
     List<SimObserver> observers) {
 
   public SimulationPlan {

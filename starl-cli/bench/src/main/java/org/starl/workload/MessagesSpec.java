@@ -121,8 +121,8 @@ final class MessagesSpec extends LemmaMonitor {
     lemma(ONCE, "No start of a robot handles a reliable letter twice.");
     lemma(FRESH, "A robot that has heard of a sender's restart handles no letter from before.");
     lemma(HANDLED, "A letter that was delivered by its receipt has been handled.");
-    lemma(SETTLED, "Every reliable letter is delivered, or given up by its deadline.");
-    lemma(RECEIVED, "In a calm world every plain letter is handled once by each receiver.");
+    progress(SETTLED, "Every reliable letter is delivered, or given up by its deadline.");
+    progress(RECEIVED, "In a calm world every plain letter is handled once by each receiver.");
     lemma(PACED, "Between two transmissions of a letter time passes.");
     if (arrivals == null) {
       never(RECEIVED, "the network loses messages");

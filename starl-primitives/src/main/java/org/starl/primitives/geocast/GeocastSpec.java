@@ -65,7 +65,7 @@ public final class GeocastSpec extends LemmaMonitor {
     casts = new Casts(2 * positionErrorMm, this::judge);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
-    lemma(
+    progress(
         INCLUSION,
         "A robot that is in the area throughout, and that the network lets a copy reach, gets the"
             + " message.");

@@ -97,8 +97,8 @@ public final class MotionSpec extends LemmaMonitor {
     boolean pushes = p.collisionPolicy() == CollisionPolicy.BUMPERCARS;
     heldUpMs = waitsMs + (pushes ? p.stuckAfterMs() : 0);
     lemma(AVOIDS, "No part of a robot enters the area that its move must avoid.");
-    lemma(ARRIVES, "A move without an obstacle succeeds.");
-    lemma(
+    progress(ARRIVES, "A move without an obstacle succeeds.");
+    progress(
         TOLD,
         "A move ends in time, at its goal or failed, and not early; after a failure or a stop the robot"
             + " stands.");

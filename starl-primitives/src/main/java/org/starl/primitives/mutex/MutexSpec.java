@@ -88,10 +88,10 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     lemma(KEPT, "A removed process holds only its fenced sections.");
     lemma(COMPLETE, "A process that holds a section was on the list.");
     if (bounds != null) {
-      lemma(
+      progress(
           MutexProgress.SERVED,
           "Every request is served within the bound, if no process holds sections for too long.");
-      lemma(
+      progress(
           MutexProgress.NON_INTERFERENCE,
           "A request without competing requests is served within its shorter bound.");
     }

@@ -44,7 +44,7 @@ final class TrafficProgress extends LemmaMonitor {
   TrafficProgress(long boundNs, Collection<RobotId> stray) {
     this.stray = stray;
     departures = new Within<>(boundNs);
-    lemma(LEMMA, "Every car that has come onto the floor leaves it within the bound.");
+    progress(LEMMA, "Every car that has come onto the floor leaves it within the bound.");
   }
 
   @Override

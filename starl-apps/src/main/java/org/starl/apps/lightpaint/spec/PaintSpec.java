@@ -75,6 +75,11 @@ public final class PaintSpec implements Monitor {
   }
 
   @Override
+  public List<String> progressLemmas() {
+    return List.of(PAINTED);
+  }
+
+  @Override
   public String description(String lemma) {
     return switch (lemma) {
       case ON_THE_DRAWING ->

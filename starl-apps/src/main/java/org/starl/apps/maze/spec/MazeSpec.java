@@ -82,6 +82,11 @@ public final class MazeSpec implements Monitor {
   }
 
   @Override
+  public List<String> progressLemmas() {
+    return List.of(ANSWERED);
+  }
+
+  @Override
   public String description(String lemma) {
     return switch (lemma) {
       case REACHED -> "A robot that answers that it is at its goal is there.";

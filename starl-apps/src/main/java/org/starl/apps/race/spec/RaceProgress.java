@@ -66,9 +66,9 @@ public final class RaceProgress extends LemmaMonitor {
    */
   public RaceProgress(List<RacePoint> points, long longestDelayNs, double loss, double farthestMm) {
     this.points = List.copyOf(points);
-    lemma(
+    progress(
         TOLD, "Once a robot knows the winner of a point, all robots that are up know one in time.");
-    lemma(TAKEN, "Within the bound after one point the next one is won.");
+    progress(TAKEN, "Within the bound after one point the next one is won.");
     lemma(AGREED, "All robots that end know the same winners.");
     int copies = 1;
     for (double all = loss; all > NEVER && copies < MAX_COPIES; all *= loss) {

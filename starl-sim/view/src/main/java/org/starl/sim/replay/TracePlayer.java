@@ -42,8 +42,7 @@ public final class TracePlayer {
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
-    this.observers =
-        new RunObservers(new Monitors(monitors), observers, true, robots -> Diagnosis.NONE);
+    this.observers = new RunObservers(new Monitors(monitors), observers, robots -> Diagnosis.NONE);
   }
 
   /**

@@ -1,0 +1,67 @@
+package org.starl.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+
+/** Which monitors, and which of their lemmas, a run checks. */
+class MonitorsTest {
+
+  private static final RobotId BOT = new RobotId("bot0");
+
+  /** Finds every one of its lemmas violated at each event. */
+  private static final class Grumbler extends LemmaMonitor {
+
+    Grumbler(String safety, String progress) {
+      if (!safety.isEmpty()) {
+        lemma(safety, "");
+      }
+      progress(progress, "");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      for (String lemma : lemmas()) {
+        report.checked(lemma);
+        report.overdue(lemma, event.timeNs(), List.of(BOT), "");
+      }
+    }
+  }
+
+  private static Monitors observed(Specs specs) {
+    Monitors monitors =
+        Monitors.of(
+            List.of(() -> new Grumbler("safe", "live"), () -> new Grumbler("", "prompt")), specs);
+    monitors.observe(new TraceEvent.Left(0, BOT));
+    monitors.finish(1);
+    return monitors;
+  }
+
+  @Test
+  void allAreCheckedUnlessFewerAreWanted() {
+    Monitors monitors = observed(Specs.ALL);
+    assertThat(monitors.report().violations()).hasSize(3);
+    assertThat(monitors.report().leftOut()).isEmpty();
+  }
+
+  @Test
+  void safetyLeavesOutProgressAndTheMonitorsOfNothingElse() {
+    Monitors monitors = observed(Specs.SAFETY);
+    assertThat(monitors.monitors()).hasSize(1);
+    assertThat(monitors.report().lemmas()).containsExactly("safe");
+    assertThat(monitors.report().violations()).hasSize(1);
+    assertThat(monitors.report().checks("live")).isZero();
+    assertThat(monitors.report().leftOut()).containsExactly("live", "prompt");
+  }
+
+  @Test
+  void offChecksNothing() {
+    Monitors monitors = observed(Specs.OFF);
+    assertThat(monitors.monitors()).isEmpty();
+    assertThat(monitors.report().lemmas()).isEmpty();
+    assertThat(monitors.report().specs()).isEqualTo(Specs.OFF);
+  }
+}
