@@ -4,8 +4,8 @@ import org.starl.trace.Instance;
 import org.starl.trace.Var;
 
 /**
- * The right to write a variable of the gvh. Its owner keeps the cell private and publishes the {@link
- * #variable}, which nobody else can write.
+ * A variable of the gvh, for its writer. The writer keeps the cell private, and publishes the {@link
+ * #variable}: others can only read it.
  */
 public final class GvhCell<T> {
 

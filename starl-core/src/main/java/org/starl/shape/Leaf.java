@@ -64,16 +64,4 @@ record Leaf<T>(
     in.expect("false");
     return false;
   }
-
-  /** Reads a string, and parses it. */
-  static <V> JsonRead<V> parsed(Function<String, ? extends V> parse) {
-    return in -> {
-      String text = in.text("");
-      try {
-        return parse.apply(text);
-      } catch (IllegalArgumentException refused) {
-        throw in.refused(refused);
-      }
-    };
-  }
 }

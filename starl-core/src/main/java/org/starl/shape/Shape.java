@@ -71,23 +71,11 @@ public interface Shape<T> {
    * @param check throws an {@link IllegalArgumentException}
    */
   default Shape<T> where(Consumer<? super T> check) {
-    return new Leaf<>(
+    return as(
         describe(),
-        isReadable(),
-        this::write,
-        in -> {
-          T value = read(in);
+        value -> value,
+        value -> {
           check.accept(value);
-          return value;
-        },
-        this::writeJson,
-        in -> {
-          T value = readJson(in);
-          try {
-            check.accept(value);
-          } catch (IllegalArgumentException refused) {
-            throw in.refused(refused);
-          }
           return value;
         });
   }

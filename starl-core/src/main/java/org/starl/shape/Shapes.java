@@ -69,12 +69,8 @@ public final class Shapes {
 
   /** A process: its robot, then its incarnation as {@link #LONG}. In JSON a string. */
   public static final Shape<ProcessId> PROCESS =
-      new Leaf<>(
-          "process",
-          (v, out) -> out.process(v),
-          WireReader::process,
-          (v, out) -> out.string(v.toString()),
-          Leaf.parsed(ProcessId::parse));
+      TEXT.as("process", ProcessId::toString, ProcessId::parse)
+          .bytes((v, out) -> out.process(v), WireReader::process);
 
   /** A set of robots, as a {@link #list}. */
   public static final Shape<Participants> PARTICIPANTS =
@@ -283,18 +279,16 @@ public final class Shapes {
   /** A constant of an enum: one byte, its number from 0; in JSON its name. */
   public static <E extends Enum<E>> Shape<E> constant(Class<E> type) {
     E[] constants = type.getEnumConstants();
-    return new Leaf<>(
-        type.getSimpleName(),
-        (v, out) -> out.u8(v.ordinal()),
-        in -> {
-          int number = in.u8();
-          if (number >= constants.length) {
-            throw new WireFormatException(type.getSimpleName() + " " + number);
-          }
-          return constants[number];
-        },
-        (v, out) -> out.string(v.name()),
-        Leaf.parsed(name -> Enum.valueOf(type, name)));
+    return TEXT.<E>as(type.getSimpleName(), Enum::name, name -> Enum.valueOf(type, name))
+        .bytes(
+            (v, out) -> out.u8(v.ordinal()),
+            in -> {
+              int number = in.u8();
+              if (number >= constants.length) {
+                throw new WireFormatException(type.getSimpleName() + " " + number);
+              }
+              return constants[number];
+            });
   }
 
   /**
@@ -304,12 +298,8 @@ public final class Shapes {
    */
   public static <V> Shape<V> text(
       String type, Function<V, String> format, Function<String, ? extends V> parse) {
-    return new Leaf<>(
-        type,
-        (v, out) -> out.text(format.apply(v)),
-        in -> parse.apply(in.text()),
-        (v, out) -> out.string(format.apply(v)),
-        Leaf.parsed(parse));
+    return TEXT.<V>as(type, format, parse::apply)
+        .bytes((v, out) -> out.text(format.apply(v)), in -> parse.apply(in.text()));
   }
 
   /**
