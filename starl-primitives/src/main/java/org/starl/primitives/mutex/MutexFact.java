@@ -38,7 +38,20 @@ public sealed interface MutexFact {
   ProcessId who();
 
   /** The action of the theory that this is, if it is one: the theory has no agreement protocol. */
-  Optional<MutexAction> action();
+  default Optional<MutexAction> action() {
+    return Optional.ofNullable(
+        switch (this) {
+          case DoMutex f -> new MutexAction.do_mutex(f.who.robot(), f.want);
+          case OdMutex f -> new MutexAction.od_mutex(f.who.robot(), f.held);
+          case Release f -> new MutexAction.release(f.who.robot(), f.given);
+          case Withdraw f -> f.num == 0 ? null : new MutexAction.withdraw(f.who.robot());
+          case StandsIn f -> new MutexAction.stands_in(f.who.robot(), f.sections);
+          case Grant f -> null;
+          case Known f -> null;
+          case Learned f -> null;
+          case Fence f -> null;
+        });
+  }
 
   /**
    * A request begins.
@@ -49,88 +62,43 @@ public sealed interface MutexFact {
    */
   record DoMutex(
       ProcessId who, long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known)
-      implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.of(new MutexAction.do_mutex(who.robot(), want));
-    }
-  }
+      implements MutexFact {}
 
   /** Access to {@code held} was granted. */
-  record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.of(new MutexAction.od_mutex(who.robot(), held));
-    }
-  }
+  record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact {}
 
   /** {@code given} was released, {@code left} is still held. */
   record Release(ProcessId who, long num, SortedSet<String> given, SortedSet<String> left)
-      implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.of(new MutexAction.release(who.robot(), given));
-    }
-  }
+      implements MutexFact {}
 
   /**
    * The request ended without access.
    *
    * @param num the number of the request; 0 if it never began, which is no action of the theory
    */
-  record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return num == 0 ? Optional.empty() : Optional.of(new MutexAction.withdraw(who.robot()));
-    }
-  }
+  record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact {}
 
   /** {@code who} consents to request {@code num} of {@code to}. */
-  record Grant(ProcessId who, ProcessId to, long num) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.empty();
-    }
-  }
+  record Grant(ProcessId who, ProcessId to, long num) implements MutexFact {}
 
   /** From now on a request needs, or would need, the consent of {@code known}. */
-  record Known(ProcessId who, long num, SortedSet<ProcessId> known) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.empty();
-    }
-  }
+  record Known(ProcessId who, long num, SortedSet<ProcessId> known) implements MutexFact {}
 
   /** {@code who} has learned {@code view}. */
-  record Learned(ProcessId who, View view) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.empty();
-    }
-  }
+  record Learned(ProcessId who, View view) implements MutexFact {}
 
   /**
    * {@code who} never grants {@code suspect} anything again.
    *
    * @param open the sections that {@code who} has granted and {@code suspect} may still hold
    */
-  record Fence(ProcessId who, ProcessId suspect, SortedSet<String> open) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.empty();
-    }
-  }
+  record Fence(ProcessId who, ProcessId suspect, SortedSet<String> open) implements MutexFact {}
 
   /**
    * The robot of {@code who} declares, after a restart of its program, that its body is only in
    * these sections. Its participants of earlier starts are dead.
    */
-  record StandsIn(ProcessId who, SortedSet<String> sections) implements MutexFact {
-    @Override
-    public Optional<MutexAction> action() {
-      return Optional.of(new MutexAction.stands_in(who.robot(), sections));
-    }
-  }
+  record StandsIn(ProcessId who, SortedSet<String> sections) implements MutexFact {}
 
   /** The shapes of all facts, under the names of the paper and the theory. */
   SumShape<MutexFact> SHAPE = shape();

@@ -54,19 +54,15 @@ final class MutexProgress {
 
   /** Reports the requests whose access was due before {@code nowNs}. */
   void expire(long nowNs, Report report) {
-    boolean noneOverdue = overdue.isEmpty();
-    List<Long> deadlinesNs = new ArrayList<>();
     holding.expire(
         nowNs,
         (holder, sinceNs, deadlineNs) -> {
+          if (overdue.isEmpty()) {
+            expire(served, SERVED, deadlineNs, report);
+            ahead.keySet().forEach(request -> served.assume(request, false, deadlineNs));
+          }
           overdue.add(holder);
-          deadlinesNs.add(deadlineNs);
         });
-    if (noneOverdue && !deadlinesNs.isEmpty()) {
-      long firstNs = deadlinesNs.get(0);
-      expire(served, SERVED, firstNs, report);
-      ahead.keySet().forEach(request -> served.assume(request, false, firstNs));
-    }
     expire(served, SERVED, nowNs, report);
     expire(undisturbed, NON_INTERFERENCE, nowNs, report);
   }
