@@ -4,9 +4,11 @@ import static org.starl.shape.Shapes.ROBOT;
 import static org.starl.shape.Shapes.part;
 
 import java.util.List;
+import java.util.Optional;
 import org.starl.id.RobotId;
 import org.starl.primitives.Phases;
 import org.starl.shape.RecordShape;
+import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
@@ -21,8 +23,14 @@ public final class AgreementFact {
   /** The primitive's name in sources. */
   public static final String PRIMITIVE = "agreement";
 
-  /** The decision. Of a trace that was read, its value is the text of its bytes. */
-  public static final Var<Decision<?>> DECIDED = Var.of("decided", new DecisionShape());
+  private static final Shape<Optional<Value>> BYTES = Shapes.optional(Value.SHAPE);
+
+  /**
+   * The decision: its bytes, or none. A reader of traces need not know the shape of the values: it
+   * reads a decision on a text, the bytes in hexadecimal digits.
+   */
+  public static final Var<Decision<?>> DECIDED =
+      Var.of("decided", BYTES.as(BYTES.describe(), AgreementFact::bytes, AgreementFact::decision));
 
   /** Whether the latest proposal was given up at its deadline. */
   public static final Var<Boolean> FAILED = Var.of("failed", Shapes.BOOL);
@@ -75,6 +83,18 @@ public final class AgreementFact {
           GAVE_UP);
 
   private AgreementFact() {}
+
+  private static Optional<Value> bytes(Decision<?> decision) {
+    return decision instanceof Decision.Decided<?> decided
+        ? Optional.of(decided.bytes())
+        : Optional.empty();
+  }
+
+  private static Decision<?> decision(Optional<Value> bytes) {
+    return bytes.isPresent()
+        ? new Decision.Decided<>(bytes.get().toString(), bytes.get())
+        : new Decision.NoneYet<String>();
+  }
 
   private static String phase(String before, TraceEvent event) {
     boolean hasDecided = before.equals(HAS_DECIDED);

@@ -57,7 +57,7 @@ public final class SetAgreement<T> extends SynodPrimitive {
     super(
         gvh,
         Instance.of(AgreementFact.PRIMITIVE, xid),
-        new Channel<>(AgreementFact.PRIMITIVE, xid, new SynodCodec(SynodCodec.Format.of(shape))));
+        new Channel<>(AgreementFact.PRIMITIVE, xid, SynodCodec.of(SynodCodec.Format.of(shape))));
     this.shape = shape;
     this.acceptors = acceptors;
     this.deadlineMs = settings.deadlineMs();

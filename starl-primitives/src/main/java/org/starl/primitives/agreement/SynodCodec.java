@@ -1,30 +1,24 @@
 package org.starl.primitives.agreement;
 
 import java.util.function.Consumer;
-import org.starl.shape.JsonFormatException;
-import org.starl.shape.JsonReader;
-import org.starl.shape.JsonWriter;
 import org.starl.shape.Shape;
 import org.starl.shape.WireFormatException;
-import org.starl.shape.WireReader;
-import org.starl.shape.WireWriter;
 
 /**
  * The shape of {@link SynodMessage}s on a channel whose owner accepts some values and wishes only. Its
  * bytes are in {@code docs/wire-format.md}.
  */
-public final class SynodCodec implements Shape<SynodMessage> {
+public final class SynodCodec {
 
-  private final Shape<SynodMessage> shape;
+  private SynodCodec() {}
 
   /**
    * @param format rejects malformed values and wishes, so that their datagrams are dropped on arrival
    */
-  public SynodCodec(Format format) {
-    shape =
-        SynodMessage.shape(
-            Value.SHAPE.where(refusing(format::checkValue)),
-            Value.SHAPE.where(refusing(format::checkWish)));
+  public static Shape<SynodMessage> of(Format format) {
+    return SynodMessage.shape(
+        Value.SHAPE.where(refusing(format::checkValue)),
+        Value.SHAPE.where(refusing(format::checkWish)));
   }
 
   /** The values and wishes that the owner of a channel accepts. */
@@ -56,30 +50,5 @@ public final class SynodCodec implements Shape<SynodMessage> {
         throw new IllegalArgumentException(malformed.getMessage(), malformed);
       }
     };
-  }
-
-  @Override
-  public void write(SynodMessage message, WireWriter out) {
-    shape.write(message, out);
-  }
-
-  @Override
-  public SynodMessage read(WireReader in) {
-    return shape.read(in);
-  }
-
-  @Override
-  public void writeJson(SynodMessage message, JsonWriter out) {
-    shape.writeJson(message, out);
-  }
-
-  @Override
-  public SynodMessage readJson(JsonReader in) throws JsonFormatException {
-    return shape.readJson(in);
-  }
-
-  @Override
-  public String describe() {
-    return shape.describe();
   }
 }

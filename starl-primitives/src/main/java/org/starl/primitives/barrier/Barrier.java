@@ -77,7 +77,7 @@ public final class Barrier extends SynodPrimitive implements BarrierPrim {
     super(
         gvh,
         firstInstance(gvh, Instance.of(BarrierFact.PRIMITIVE, instance)),
-        new Channel<>(BarrierFact.SYNOD, instance, new SynodCodec(new OutcomesFormat(first))));
+        new Channel<>(BarrierFact.SYNOD, instance, SynodCodec.of(new OutcomesFormat(first))));
     outcome = gvh.variable(source, BarrierFact.OUTCOME, BarrierOutcome.NONE_YET);
     protocol =
         new BarrierProtocol(

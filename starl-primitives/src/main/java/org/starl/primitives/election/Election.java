@@ -46,7 +46,7 @@ public final class Election extends SynodPrimitive implements ElectionPrim {
         gvh,
         Instance.of(ElectionFact.PRIMITIVE, xid),
         new Channel<>(
-            ElectionFact.SYNOD, xid, new SynodCodec(SynodCodec.Format.of(Shapes.PROCESS))));
+            ElectionFact.SYNOD, xid, SynodCodec.of(SynodCodec.Format.of(Shapes.PROCESS))));
     leader = gvh.variable(source, ElectionFact.LEADER, Leader.NONE);
     failed = gvh.variable(source, ElectionFact.FAILED, false);
     me = gvh.id.freshProcess();

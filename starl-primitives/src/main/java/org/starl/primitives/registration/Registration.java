@@ -11,13 +11,13 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
-import org.starl.primitives.registration.RegistrationFact.Acceptors;
 import org.starl.trace.Instance;
 
 /**
@@ -53,11 +53,12 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
     super(
         gvh,
         Instance.of(RegistrationFact.PRIMITIVE, xid),
-        new Channel<>(RegistrationFact.PRIMITIVE, xid, new SynodCodec(new ViewFormat())));
+        new Channel<>(RegistrationFact.PRIMITIVE, xid, SynodCodec.of(new ViewFormat())));
     rList = gvh.variable(source, RegistrationFact.R_LIST, RList.UNKNOWN);
     failed = gvh.variable(source, RegistrationFact.FAILED, false);
     view = gvh.variable(source, RegistrationFact.VIEW, View.NONE);
-    gvh.trace.action(source, Acceptors.SHAPE, new Acceptors(acceptors.asList()));
+    gvh.trace.action(
+        source, AgreementFact.ACCEPTORS, new AgreementFact.Acceptors(acceptors.asList()));
     protocol =
         new RegistrationProtocol(
             gvh.id.name(),

@@ -3,9 +3,8 @@ package org.starl.primitives.registration;
 import static org.starl.shape.Shapes.PROCESS;
 import static org.starl.shape.Shapes.part;
 
-import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.primitives.Phases;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -35,21 +34,6 @@ public final class RegistrationFact {
   /** The latest view that the robot has learned. */
   public static final Var<View> VIEW = Var.of("view", View.SHAPE);
 
-  /** The robots that vote. */
-  record Acceptors(List<RobotId> robots) {
-
-    static final RecordShape<Acceptors> SHAPE =
-        Shapes.of(
-                Acceptors.class,
-                part("robots", Shapes.list(Shapes.ROBOT, 0xFFFF), Acceptors::robots),
-                Acceptors::new)
-            .named("acceptors");
-
-    Acceptors {
-      robots = List.copyOf(robots);
-    }
-  }
-
   /** The actions of the theory that a robot takes; the others are seen by their results. */
   static final SumShape<RegistrationAction> ACTIONS =
       Shapes.oneOf(
@@ -75,7 +59,7 @@ public final class RegistrationFact {
       Vocabulary.NONE
           .messages(PRIMITIVE, SynodMessage.SHAPE)
           .facts(PRIMITIVE, ACTIONS)
-          .facts(PRIMITIVE, Acceptors.SHAPE, CONFINE)
+          .facts(PRIMITIVE, AgreementFact.ACCEPTORS, CONFINE)
           .variables(PRIMITIVE, R_LIST, FAILED, VIEW);
 
   /** The phases of {@link RegistrationProtocol.Phase}. */

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -97,7 +98,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         history.asked(action.robot(), asked.i());
         progress.start(key, action.timeNs());
       }
-      case RegistrationFact.Acceptors acceptors -> history.vote(acceptors.robots());
+      case AgreementFact.Acceptors acceptors -> history.vote(acceptors.robots());
       case Confinement confinement -> history.mayBeConfined(action.robot(), confinement);
       case RegistrationAction.unregister left ->
           leaves(history, action, new Leaver(left.i(), false), report);

@@ -31,6 +31,7 @@ import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.shape.JsonFormatException;
+import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
 import org.starl.shape.WireFormatException;
 import org.starl.shape.WireReader;
@@ -53,13 +54,13 @@ class SynodCodecTest {
 
   @Test
   void aValueThatTheCodecCannotReadIsRefused() {
-    SynodCodec texts = new SynodCodec(SynodCodec.Format.of(Codec.text()));
+    Shape<SynodMessage> texts = SynodCodec.of(SynodCodec.Format.of(Codec.text()));
     assertThat(texts.read(new WireReader(decided((byte) 'a')))).isInstanceOf(Decided.class);
     assertThatThrownBy(() -> texts.read(new WireReader(decided((byte) 0xFF))))
         .isInstanceOf(WireFormatException.class)
         .hasMessage("a string that is not UTF-8");
-    SynodCodec flags =
-        new SynodCodec(SynodCodec.Format.of(Codec.of((b, out) -> out.bool(b), WireReader::bool)));
+    Shape<SynodMessage> flags =
+        SynodCodec.of(SynodCodec.Format.of(Codec.of((b, out) -> out.bool(b), WireReader::bool)));
     assertThatThrownBy(() -> flags.read(new WireReader(decided((byte) 1, (byte) 1))))
         .isInstanceOf(WireFormatException.class)
         .hasMessage("1 bytes after a value");
@@ -67,10 +68,10 @@ class SynodCodecTest {
 
   private static byte[] decided(byte... value) {
     return WireWriter.toBytes(
-        out -> new SynodCodec(ANYTHING).write(new Decided(1, Value.of(value)), out));
+        out -> SynodCodec.of(ANYTHING).write(new Decided(1, Value.of(value)), out));
   }
 
-  private final SynodCodec codec = new SynodCodec(ANYTHING);
+  private final Shape<SynodMessage> codec = SynodCodec.of(ANYTHING);
 
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
   void everyMessageIsReadAsItWasWritten(@ForAll("messages") SynodMessage message) {
@@ -143,7 +144,7 @@ class SynodCodecTest {
   /** The channel's own condition holds for a trace as well. */
   @Test
   void aMalformedValueInATraceIsRefused() {
-    SynodCodec flags = new SynodCodec(SynodCodec.Format.of(Shapes.BOOL));
+    Shape<SynodMessage> flags = SynodCodec.of(SynodCodec.Format.of(Shapes.BOOL));
     String decided = "{\"Decided\":{\"number\":1,\"value\":\"02\"}}";
     assertThatThrownBy(() -> OneSpelling.fromJson(flags, decided))
         .isInstanceOf(JsonFormatException.class)
@@ -204,7 +205,7 @@ class SynodCodecTest {
     assertThatThrownBy(() -> codec.read(new WireReader(zero)))
         .isInstanceOf(WireFormatException.class);
     byte[] wish = bytes(new Prepare(1, ballot, Value.of(new byte[1])));
-    SynodCodec withoutWishes = new SynodCodec(value -> {});
+    Shape<SynodMessage> withoutWishes = SynodCodec.of(value -> {});
     assertThatThrownBy(() -> withoutWishes.read(new WireReader(wish)))
         .isInstanceOf(WireFormatException.class);
   }

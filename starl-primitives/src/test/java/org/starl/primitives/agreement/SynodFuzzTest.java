@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
+import org.starl.shape.Shape;
 import org.starl.shape.WireFormatException;
 import org.starl.shape.WireReader;
 import org.starl.sim.check.MalformedBytes;
@@ -19,7 +20,7 @@ import org.starl.sim.check.MalformedBytes;
 /** Any bytes as a message of the Synod, and as an acceptor's record. */
 public class SynodFuzzTest {
 
-  private static final SynodCodec CODEC = new SynodCodec(value -> {});
+  private static final Shape<SynodMessage> CODEC = SynodCodec.of(value -> {});
 
   public static void fuzzerTestOneInput(byte[] input) {
     OneSpelling.require(CODEC, input);

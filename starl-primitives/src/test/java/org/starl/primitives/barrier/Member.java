@@ -59,7 +59,7 @@ final class Member extends LiveRobot {
     private final BarrierProtocol protocol;
 
     Stay(ProcessId me) {
-      super(new SynodCodec(new OutcomesFormat(gathering.first())));
+      super(SynodCodec.of(new OutcomesFormat(gathering.first())));
       show(BarrierFact.OUTCOME, BarrierOutcome.NONE_YET);
       protocol =
           gathering.maker.make(

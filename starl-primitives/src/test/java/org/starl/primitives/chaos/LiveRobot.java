@@ -7,7 +7,6 @@ import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodProtocol;
@@ -79,12 +78,12 @@ public abstract class LiveRobot {
   /** One run of the robot's program. */
   public abstract class Program implements SynodLink {
 
-    private final SynodCodec synodCodec;
+    private final Shape<SynodMessage> synodCodec;
     private final Map<String, Object> shown = new TreeMap<>();
     private long timerSetForNs = Long.MAX_VALUE;
     private long lastFlushNs;
 
-    protected Program(SynodCodec synodCodec) {
+    protected Program(Shape<SynodMessage> synodCodec) {
       this.synodCodec = synodCodec;
     }
 

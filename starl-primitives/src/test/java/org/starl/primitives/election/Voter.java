@@ -5,15 +5,17 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.chaos.LiveRobot;
 import org.starl.random.Rng;
+import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
 
 /** One robot of a {@link Convoy}. */
 final class Voter extends LiveRobot {
 
-  private static final SynodCodec SYNOD_CODEC =
-      new SynodCodec(SynodCodec.Format.of(Shapes.PROCESS));
+  private static final Shape<SynodMessage> SYNOD_CODEC =
+      SynodCodec.of(SynodCodec.Format.of(Shapes.PROCESS));
 
   private final Convoy convoy;
 

@@ -5,6 +5,7 @@ import java.util.List;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Short;
 import org.starl.trace.Instance;
@@ -42,8 +43,8 @@ public final class Shown {
     for (String name : robots) {
       names.add(new RobotId(name));
     }
-    RegistrationFact.Acceptors acceptors = new RegistrationFact.Acceptors(names);
-    return Action.of(atNs, new RobotId(robot), HERE, RegistrationFact.Acceptors.SHAPE, acceptors);
+    AgreementFact.Acceptors acceptors = new AgreementFact.Acceptors(names);
+    return Action.of(atNs, new RobotId(robot), HERE, AgreementFact.ACCEPTORS, acceptors);
   }
 
   /** A view as its {@code toString}. */

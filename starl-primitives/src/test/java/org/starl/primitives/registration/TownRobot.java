@@ -14,6 +14,7 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.random.Rng;
+import org.starl.shape.Shape;
 import org.starl.shape.WireReader;
 import org.starl.shape.WireWriter;
 import org.starl.trace.TraceEvent;
@@ -22,7 +23,7 @@ import org.starl.trace.Var;
 /** One robot of a {@link Town}: its disk, which survives, and its program, which may not. */
 final class TownRobot {
 
-  private static final SynodCodec CODEC = new SynodCodec(new ViewFormat());
+  private static final Shape<SynodMessage> CODEC = SynodCodec.of(new ViewFormat());
   private static final int RELIABLE_TRIES = 15;
 
   private final Town town;
