@@ -72,7 +72,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new AgreementConformance(), new SynodSpec(AgreementFact.PRIMITIVE));
+    return List.of(new AgreementConformance(), new SynodSpec());
   }
 
   @Override

@@ -47,16 +47,10 @@ public final class SynodSpec extends LemmaMonitor {
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;
 
-  private final String kind;
   private final Map<Instance, Run> runs = new TreeMap<>();
   private boolean isRealTime;
 
-  /**
-   * @param kind of the channels that carry messages of a Synod, such as {@code registration} or {@code
-   *     election.synod}
-   */
-  public SynodSpec(String kind) {
-    this.kind = kind;
+  public SynodSpec() {
     lemma(BALLOTS, "An acceptor answers no ballot below one that it has answered.");
     lemma(VOTES, "An acceptor's promise reports its latest vote.");
     lemma(QUORUMS, "A value is proposed, and reported as decided, only as a majority allows.");
@@ -64,12 +58,11 @@ public final class SynodSpec extends LemmaMonitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (event instanceof Sent sent) {
-      if (sent.channel().kind().equals(kind) && sent.message() instanceof SynodMessage message) {
-        sent(sent, message, report);
-      }
-    } else if (event instanceof Fault fault) {
-      isRealTime |= fault.isRealTime();
+    switch (event) {
+      case Sent sent when sent.message() instanceof SynodMessage message ->
+          sent(sent, message, report);
+      case Fault fault -> isRealTime |= fault.isRealTime();
+      default -> {}
     }
   }
 

@@ -84,7 +84,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new BarrierConformance(), new SynodSpec(BarrierFact.SYNOD));
+    return List.of(new BarrierConformance(), new SynodSpec());
   }
 
   @Override

@@ -82,7 +82,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new ElectionConformance(), new SynodSpec(ElectionFact.SYNOD));
+    return List.of(new ElectionConformance(), new SynodSpec());
   }
 
   @Override

@@ -86,7 +86,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new RegistrationConformance(), new SynodSpec(RegistrationFact.PRIMITIVE));
+    return List.of(new RegistrationConformance(), new SynodSpec());
   }
 
   @Override

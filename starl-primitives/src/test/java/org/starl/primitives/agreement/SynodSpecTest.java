@@ -33,7 +33,7 @@ class SynodSpecTest {
   private static final Value X = Value.of(new byte[] {1});
   private static final Value Y = Value.of(new byte[] {2});
 
-  private final Monitors monitors = new Monitors(List.of(new SynodSpec(AgreementFact.PRIMITIVE)));
+  private final Monitors monitors = new Monitors(List.of(new SynodSpec()));
 
   SynodSpecTest() {
     for (RobotId acceptor : List.of(A, B, C, D)) {
@@ -55,12 +55,19 @@ class SynodSpecTest {
   }
 
   @Test
-  void otherChannelsAndOtherMessagesHaveNoRule() {
-    Accept wrong = new Accept(1, HIGH, X);
-    for (String channel : List.of("orders", "agreement.orders")) {
-      Instance orders = Instance.of(channel, "x");
-      monitors.observe(new Sent(0, A, B.name(), orders, 1, 1, SynodMessage.SHAPE, wrong));
+  void eachChannelHasRulesOfItsOwn() {
+    for (RobotId robot : List.of(A, B, C)) {
+      Instance other = Instance.of("registration", "x");
+      Promise elsewhere = new Promise(1, HIGH, null, List.of());
+      monitors.observe(new Sent(0, robot, A.name(), other, 1, 1, SynodMessage.SHAPE, elsewhere));
     }
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
+    sends(B, B, new Accept(1, HIGH, X));
+    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+  }
+
+  @Test
+  void otherMessagesHaveNoRule() {
     Json other = new Json("{}");
     monitors.observe(new Sent(0, A, B.name(), CHANNEL, 1, 1, Shapes.JSON, other));
     assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
