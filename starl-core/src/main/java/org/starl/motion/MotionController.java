@@ -108,7 +108,7 @@ public final class MotionController {
    * app, which reads {@link #bumps}.
    */
   public void doDrive(WheelCommand command) {
-    if (!command.equals(commanded)) {
+    if (run != null || !command.equals(commanded)) {
       record(new MotionFact.doDrive(command.linearMmPerS(), command.angularRadPerS()));
     }
     inUse = parameters;

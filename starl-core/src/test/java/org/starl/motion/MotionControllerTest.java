@@ -75,6 +75,15 @@ class MotionControllerTest {
   }
 
   @Test
+  void aCommandThatEndsAFailureIsRecordedThoughTheWheelsStand() {
+    fix(0, 0, 0);
+    moat.doMove(AHEAD, new Circle(AHEAD.at(), 100));
+    assertThat(moat.failed()).isTrue();
+    moat.doDrive(WheelCommand.STOP);
+    assertThat(traced()).endsWith("doDrive", "(target, avoid)=none", "motionflag=IDLE");
+  }
+
+  @Test
   void aStartingProgramStopsTheWheels() {
     assertThat(robot.driven).containsExactly(WheelCommand.STOP);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
