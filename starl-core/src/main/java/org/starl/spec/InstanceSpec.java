@@ -10,6 +10,7 @@ import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.Var;
 
 /**
  * The specification of a primitive: safety of each instance at every event, and progress within
@@ -21,6 +22,7 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
 
   protected final FaultState faults = new FaultState();
   private final List<Deadlines> progress = new ArrayList<>();
+  private final List<FlagCheck<?>> flags = new ArrayList<>();
 
   /**
    * @param isInstance whether a source is an instance of the primitive
@@ -45,9 +47,17 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
     return deadlines;
   }
 
+  /** Adds a check of a variable that apps read. For constructors. */
+  protected final <T> FlagCheck<T> flag(Var<T> variable, String lemma) {
+    FlagCheck<T> flag = new FlagCheck<>(variable, lemma);
+    flags.add(flag);
+    return flag;
+  }
+
   @Override
   public final void observe(TraceEvent event, Report report) {
     finish(event.timeNs(), report);
+    flags.forEach(flag -> flag.observe(event, report));
     boolean isReviewed = faults.observe(event);
     if (event instanceof Left || (event instanceof Fault f && f.name().equals(Fault.CRASH))) {
       ended(event.robot());

@@ -129,6 +129,10 @@ final class ElectionRecord {
     }
   }
 
+  Leader shownBy(RobotId robot) {
+    return shown.getOrDefault(robot, Leader.NONE);
+  }
+
   /** Every robot seen so far, in order. */
   Set<RobotId> robots() {
     return seen;
@@ -143,7 +147,7 @@ final class ElectionRecord {
     if (!callers.contains(robot) || !faults.isUp(robot)) {
       return Standing.NO_CANDIDATE;
     }
-    return switch (shown.getOrDefault(robot, Leader.NONE)) {
+    return switch (shownBy(robot)) {
       case Leader.None none -> Standing.WAITING;
       case Leader.Fail fail -> Standing.FAILED;
       case Leader.Name name ->

@@ -6,9 +6,11 @@ import org.starl.primitives.agreement.SynodSpec;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -23,8 +25,10 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String TERMS = "election.Terms";
   static final String ELECTED = "election.Elected";
   static final String TOLD = "election.Told";
+  static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
+  private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
   private final Deadlines elected;
   private final Deadlines told;
 
@@ -47,6 +51,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
     lemma(SOUNDNESS, "A leader stood for election in its term.");
     lemma(TERMS, "The term of a robot's program never goes back.");
+    lemma(
+        LEADER,
+        "Leader is null, and no older leader, after a candidacy; it is null and fail at no other time.");
     elected =
         progress(
             ELECTED,
@@ -77,7 +84,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<String> perRobotLemmas() {
-    return List.of(AGREEMENT);
+    return List.of(AGREEMENT, LEADER);
   }
 
   @Override
@@ -90,12 +97,16 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     ElectionRecord ballots = instance(action.source());
     switch (action.fact()) {
       case ElectionFact.Created created -> ballots.created(created.size(), created.i());
-      case ElectionAction.do_election call -> ballots.called(action.robot());
+      case ElectionAction.do_election call -> {
+        ballots.called(action.robot());
+        allow(ballots, action, action.source(), 0, report);
+      }
       case ElectionAction.candidate stands -> {
         if (leaderStays && faults.isCalm(action.timeNs(), FaultState.SETTLE_NS)) {
           ballots.checkStays(stands.n(), action, report);
         }
         ballots.stood(stands.n(), stands.i());
+        allow(ballots, action, action.source(), stands.n(), report);
       }
       default -> {}
     }
@@ -105,8 +116,32 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void changed(Variable variable, Report report) {
     Leader leader = variable.of(ElectionFact.LEADER);
     if (leader != null) {
-      instance(variable.source()).shown(variable, leader, report);
+      ElectionRecord ballots = instance(variable.source());
+      ballots.shown(variable, leader, report);
+      shown.shows(variable, report);
+      allow(ballots, variable, variable.source(), 0, report);
     }
+  }
+
+  /**
+   * A candidacy ends an earlier leader and a failure; nothing else makes {@code Leader} null, and only
+   * null becomes fail.
+   */
+  private void allow(
+      ElectionRecord ballots, TraceEvent event, Instance source, long term, Report report) {
+    Leader now = ballots.shownBy(event.robot());
+    boolean isNull = now.equals(Leader.NONE);
+    boolean isCall = event instanceof Action;
+    shown.says(
+        new ProcessKey(source, event.robot()),
+        event,
+        leader ->
+            switch (leader) {
+              case Leader.None none -> isNull || term > 0 || (isCall && !now.isElected());
+              case Leader.Fail fail -> isNull || (!isCall && !now.isElected());
+              case Leader.Name name -> name.term() >= term;
+            },
+        report);
   }
 
   @Override

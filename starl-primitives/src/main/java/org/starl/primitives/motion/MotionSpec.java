@@ -16,6 +16,8 @@ import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFailure;
 import org.starl.motion.MotionFlag;
+import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -27,7 +29,7 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of motion (paper, section 4.1), after the package's contract: {@code avoids},
- * {@code arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and
+ * {@code arrives}, {@code told} and {@code motionflag}. It uses the true bodies. It watches {@code gvh.plat.moat}, and
  * so both {@link MotionControl} and apps that use the motion automaton directly.
  */
 public final class MotionSpec extends LemmaMonitor {
@@ -35,6 +37,7 @@ public final class MotionSpec extends LemmaMonitor {
   static final String AVOIDS = "motion.avoids";
   static final String ARRIVES = "motion.arrives";
   static final String TOLD = "motion.told";
+  static final String FLAG = "motion.motionflag";
 
   private static final long NEVER = Long.MAX_VALUE;
 
@@ -52,6 +55,7 @@ public final class MotionSpec extends LemmaMonitor {
   private final MotionParameters p;
   private final double marginMm;
   private final MotionBodies bodies;
+  private final FlagCheck<MotionFlag> flag = new FlagCheck<>(MotionFact.FLAG, FLAG);
 
   // The numbers of active faults, and of active faults that affect time.
   private int faults;
@@ -102,6 +106,7 @@ public final class MotionSpec extends LemmaMonitor {
         TOLD,
         "A move ends in time, at its goal or failed, and not early; after a failure or a stop the robot"
             + " stands.");
+    lemma(FLAG, "The variable motionflag says how the latest command stands.");
   }
 
   /** Of robots that drive in tubes: {@code arrives} is not owed in so little room. */
@@ -127,6 +132,7 @@ public final class MotionSpec extends LemmaMonitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
+    flag.observe(event, report);
     checkDeadlines(event.timeNs(), report);
     checkStanding(event.timeNs(), report);
     if (event instanceof Moved moved) {
@@ -160,6 +166,9 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void acted(Action action, Report report) {
+    if (action.fact() instanceof MotionFact fact) {
+      checkFlag(action, fact, report);
+    }
     switch (action.fact()) {
       case MotionFact.doMove f -> startOf(action.robot(), action.timeNs());
       case MotionFact.turnTo f -> startOf(action.robot(), action.timeNs());
@@ -170,6 +179,24 @@ public final class MotionSpec extends LemmaMonitor {
         }
       }
       default -> {}
+    }
+  }
+
+  private void checkFlag(Action action, MotionFact fact, Report report) {
+    MotionFlag next =
+        switch (fact) {
+          case MotionFact.doMove f -> MotionFlag.MOVING;
+          case MotionFact.turnTo f -> MotionFlag.MOVING;
+          case MotionFact.arrived f -> MotionFlag.DONE;
+          case MotionFact.failed f -> MotionFlag.FAIL;
+          case MotionFact.motion_stop f -> MotionFlag.IDLE;
+          case MotionFact.doDrive f -> MotionFlag.IDLE;
+          case MotionFact.gotopoint f -> null;
+          case MotionFact.do_move f -> null;
+        };
+    if (next != null) {
+      ProcessKey key = new ProcessKey(action.source(), action.robot());
+      flag.says(key, action, next::equals, report);
     }
   }
 
@@ -238,11 +265,12 @@ public final class MotionSpec extends LemmaMonitor {
   }
 
   private void flagged(Variable variable, Report report) {
-    MotionFlag flag = variable.of(MotionFact.FLAG);
-    if (flag == null) {
+    MotionFlag value = variable.of(MotionFact.FLAG);
+    if (value == null) {
       return;
     }
-    if (flag == MotionFlag.FAIL || flag == MotionFlag.IDLE) {
+    flag.shows(variable, report);
+    if (value == MotionFlag.FAIL || value == MotionFlag.IDLE) {
       long fromNs = variable.timeNs() + p.reactionMs() * NS_PER_MS;
       standsFromNs.put(variable.robot(), fromNs);
       firstStandsNs = Math.min(firstStandsNs, fromNs);
@@ -253,7 +281,7 @@ public final class MotionSpec extends LemmaMonitor {
     if (motion == null) {
       return;
     }
-    switch (flag) {
+    switch (value) {
       case MOVING, IDLE -> {
         // Nothing to check.
       }

@@ -14,8 +14,8 @@ import org.starl.trace.TraceEvent.Fault;
 
 /**
  * Every run of every mutex is a run of the theory {@code Mutex_decls}. A fact that has an {@link
- * MutexFact#action} is that action; after an access or a release, {@code crit_set(i)} and the
- * variable {@code crit} say what the fact says. The other events:
+ * MutexFact#action} is that action; after an access or a release, {@code crit_set(i)} is
+ * what the fact says. The other events:
  *
  * <pre>
  * event                action, where i is the event's robot

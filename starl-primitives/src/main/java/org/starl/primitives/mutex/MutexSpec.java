@@ -6,7 +6,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.primitives.membership.Liveness;
 import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
@@ -26,6 +28,8 @@ import org.starl.trace.TraceEvent;
  *       other's consent.
  *   <li>{@code Kept}: a removed participant holds only its fenced sections.
  *   <li>{@code Complete}: a participant that holds a section was on a list.
+ *   <li>{@code crit}: the variable is true after an access, and after a release that leaves a
+ *       section; it is false after a release of all.
  *   <li>{@code Served}, if there are bounds: a request has access, or has ended, within d2; owed
  *       while no participant has held for longer than d1.
  *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while no other
@@ -55,10 +59,12 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   static final String KEPT = "mutex.Kept";
   static final String COMPLETE = "mutex.Complete";
+  static final String CRIT = "mutex.crit";
 
   private final @Nullable MutexBounds bounds;
   private final @Nullable MutexBounds calm;
   private final Liveness liveness = new Liveness();
+  private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
   private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */
@@ -87,6 +93,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     lemma(CONNECTED, "Of two requests by listed processes, one needs the other's consent.");
     lemma(KEPT, "A removed process holds only its fenced sections.");
     lemma(COMPLETE, "A process that holds a section was on the list.");
+    lemma(CRIT, "The variable crit says whether the robot holds a section.");
     if (bounds != null) {
       progress(
           MutexProgress.SERVED,
@@ -115,7 +122,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public List<String> perRobotLemmas() {
-    return List.of(KEPT, COMPLETE);
+    return List.of(KEPT, COMPLETE, CRIT);
   }
 
   @Override
@@ -131,6 +138,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public void observe(TraceEvent event, Report report) {
+    crit.observe(event, report);
     if (liveness.observe(event)) {
       instances().values().forEach(mutex -> mutex.livenessChanged(event.timeNs(), report));
     }
@@ -143,7 +151,21 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     if (action.fact() instanceof MutexFact fact) {
       mutex.expire(action.timeNs(), report);
       mutex.happened(fact, action.timeNs(), report);
+      ProcessKey key = new ProcessKey(action.source(), action.robot());
+      switch (fact) {
+        case MutexFact.OdMutex access -> crit.says(key, action, isTrue -> isTrue, report);
+        case MutexFact.Release release -> {
+          boolean holds = !release.left().isEmpty();
+          crit.says(key, action, isTrue -> isTrue == holds, report);
+        }
+        default -> {}
+      }
     }
+  }
+
+  @Override
+  protected void changed(TraceEvent.Variable variable, Report report) {
+    crit.shows(variable, report);
   }
 
   @Override

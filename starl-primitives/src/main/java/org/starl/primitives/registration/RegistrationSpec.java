@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
@@ -12,16 +13,18 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
- * {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}: of joining and of
- * leaving.
+ * {@code Fresh}, {@code Soundness}, {@code rList}, and, where a bound is given, {@code Registered}: of
+ * joining and of leaving.
  */
 public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
@@ -30,6 +33,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String FRESH = "registration.Fresh";
   static final String SOUNDNESS = "registration.Soundness";
   static final String REGISTERED = "registration.Registered";
+  static final String R_LIST = "registration.rList";
 
   private static final String REGISTERED_SAYS =
       "A robot that asks to be registered or removed is so within the bound, or told that it failed.";
@@ -37,6 +41,17 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final Deadlines progress;
   private final Deadlines removal;
   private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
+  private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
+  private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
+
+  /** One start of a robot's program: the id that asked and has not left, and its latest view. */
+  private record Program(@Nullable ProcessId id, View view) {
+    RList list() {
+      return id != null && view.contains(id)
+          ? new RList.Agreed(view.participants(), view.number())
+          : RList.UNKNOWN;
+    }
+  }
 
   /** The latest id of a robot that must go from the views. */
   private record Leaver(ProcessId id, boolean isGivenUp) {}
@@ -60,6 +75,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
     lemma(FRESH, "An id that has left the list never comes back.");
     lemma(SOUNDNESS, "Every id on a list has asked to be registered.");
+    lemma(R_LIST, "rList is null, or the list of the robot's latest view, and the robot is on it.");
     progress =
         progress(
             REGISTERED,
@@ -81,7 +97,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<String> perRobotLemmas() {
-    return List.of(AGREEMENT, FRESH);
+    return List.of(AGREEMENT, FRESH, R_LIST);
   }
 
   @Override
@@ -97,6 +113,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationAction.do_register asked -> {
         history.asked(action.robot(), asked.i());
         progress.start(key, action.timeNs());
+        has(key, new Program(asked.i(), program(key).view), action, report);
       }
       case AgreementFact.Acceptors acceptors -> history.vote(acceptors.robots());
       case Confinement confinement -> history.mayBeConfined(action.robot(), confinement);
@@ -110,17 +127,33 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private void leaves(ViewHistory history, Action action, Leaver leaver, Report report) {
     history.mayLeave(action.robot(), leaver.id());
-    leaving.put(new ProcessKey(action.source(), action.robot()), leaver);
+    ProcessKey key = new ProcessKey(action.source(), action.robot());
+    leaving.put(key, leaver);
+    if (leaver.id().equals(program(key).id)) {
+      has(key, new Program(null, program(key).view), action, report);
+    }
     awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
+  }
+
+  private Program program(ProcessKey key) {
+    return programs.getOrDefault(key, new Program(null, View.NONE));
+  }
+
+  private void has(ProcessKey key, Program program, TraceEvent event, Report report) {
+    programs.put(key, program);
+    RList agreed = program.list();
+    list.says(key, event, shown -> !shown.isAgreed() || shown.equals(agreed), report);
   }
 
   @Override
   protected void changed(Variable variable, Report report) {
     ViewHistory history = instance(variable.source());
     ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+    list.shows(variable, report);
     View view = variable.of(RegistrationFact.VIEW);
     if (view != null) {
       history.learned(variable, view, report);
+      has(key, new Program(program(key).id, view), variable, report);
       awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
       ProcessId asked = history.latestAsked(variable.robot());
       if (view.number() == 0) {
@@ -129,8 +162,6 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       } else if (asked != null && view.contains(asked)) {
         progress.meet(key, report);
       }
-    } else if (variable.of(RegistrationFact.R_LIST) instanceof RList.Agreed list) {
-      history.shown(variable, list, report);
     } else if (Boolean.TRUE.equals(variable.of(RegistrationFact.FAILED))) {
       progress.stop(key);
       Leaver leaver = leaving.get(key);
@@ -160,6 +191,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       progress.stop(key);
       removal.stop(key);
       leaving.remove(key);
+      programs.remove(key);
     }
   }
 

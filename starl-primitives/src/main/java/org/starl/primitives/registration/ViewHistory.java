@@ -111,18 +111,6 @@ final class ViewHistory {
     return views.size() >= KEPT_VIEWS && number < views.firstKey();
   }
 
-  /** The list that the app sees must be the one of the view with the same number. */
-  void shown(Variable event, RList.Agreed list, Report report) {
-    if (isForgotten(list.ts())) {
-      return;
-    }
-    report.checked(RegistrationSpec.AGREEMENT);
-    View view = views.get(list.ts());
-    if (view == null || !new RList.Agreed(view.participants(), view.number()).equals(list)) {
-      violated(RegistrationSpec.AGREEMENT, event, report, "rList " + list + ", but view " + view);
-    }
-  }
-
   private void follows(Variable event, View before, View after, Report report) {
     report.checked(RegistrationSpec.KEEPS);
     for (ProcessId id : before.mentioned()) {

@@ -145,6 +145,26 @@ class ElectionSpecTest {
     assertThat(stay.report().violations(ElectionSpec.ELECTED)).isEqualTo(1);
   }
 
+  @Test
+  void anOlderLeaderOrAFailureAfterACandidacyViolatesLeader() {
+    follows(A, Leader.NONE, 0);
+    follows(B, Leader.NONE, 0);
+    allTakePart();
+    follows(A, leader(1, B), 10);
+    follows(B, Leader.FAIL, 10);
+    stands(A, 2);
+    stands(B, 2);
+    follows(A, Leader.NONE, 10);
+    assertThat(monitors.report().violations(ElectionSpec.LEADER)).isZero();
+    follows(B, Leader.NONE, 11);
+    assertThat(monitors.report().violations(ElectionSpec.LEADER)).isEqualTo(1);
+    follows(A, leader(2, B), 12);
+    nowNs = 13;
+    see(Seen.calls(13, A, id(A)));
+    follows(A, Leader.FAIL, 13);
+    assertThat(monitors.report().violations(ElectionSpec.LEADER)).isEqualTo(2);
+  }
+
   private void allTakePart() {
     for (RobotId robot : List.of(A, B, C)) {
       exists(robot);

@@ -39,11 +39,37 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void aListThatDiffersFromItsViewViolatesAgreement() {
+  void aListThatDiffersFromItsViewViolatesRList() {
     acts(0, "a", "do_register", "a");
     sees(10, "a", "1:a@1");
     shows(10, "a", "1:[a, b]");
-    assertThat(report(50).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
+    assertThat(report(50).violations(RegistrationSpec.R_LIST)).isEqualTo(1);
+  }
+
+  @Test
+  void theListOfARobotThatIsNotOnItViolatesRList() {
+    shows(0, "b", "null");
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "b", "1:a@1");
+    shows(10, "b", "1:[a]");
+    assertThat(report(50).violations(RegistrationSpec.R_LIST)).isEqualTo(1);
+  }
+
+  @Test
+  void anOlderListIsNotShownAfterANewerView() {
+    acts(0, "a", "do_register", "a");
+    acts(0, "b", "do_register", "b");
+    sees(10, "a", "1:a@1");
+    shows(10, "a", "1:[a]");
+    sees(20, "a", "2:a@1,b@2");
+    shows(20, "a", "2:[a, b]");
+    sees(30, "a", "3:a@1,b@2");
+    shows(31, "a", "null");
+    assertThat(report(50).violations())
+        .extracting(SpecReport.Violation::toString)
+        .containsExactly(
+            "registration.rList violated at 0.000 s by a: registration/here: rList is 2:[a, b] after view");
   }
 
   @Test

@@ -156,6 +156,7 @@ final class TownRobot {
     Program(int itsBoot, byte @Nullable [] record) {
       this.itsBoot = itsBoot;
       this.record = record;
+      show(RegistrationFact.R_LIST, RList.UNKNOWN);
       show(RegistrationFact.VIEW, View.NONE);
       protocol =
           town.maker.make(
