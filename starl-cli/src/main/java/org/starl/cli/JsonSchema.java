@@ -159,7 +159,7 @@ final class JsonSchema {
 
   private static Map<String, Object> named(Form.Named named) {
     Map<String, Object> json = Json.object(TYPE, "object", "minProperties", 1);
-    json.put("propertyNames", Map.of(PATTERN, "^[A-Za-z][A-Za-z0-9_.-]{0,31}$"));
+    json.put("propertyNames", Map.of(PATTERN, "^(?!.*\\.[0-9]+$)[A-Za-z][A-Za-z0-9_.-]{0,31}$"));
     json.put("additionalProperties", mapping(named.each().fields()));
     return json;
   }

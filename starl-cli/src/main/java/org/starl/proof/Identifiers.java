@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 
 /**
  * Names the constants of one theory: a PVS identifier for each value, unique, and as close to the
- * value's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#2.7} is {@code bot1_2_7}.
+ * value's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1.2.7} is {@code bot1_2_7}.
  */
 final class Identifiers {
 

@@ -200,7 +200,7 @@ class RunTheoriesTest {
     acts("b", "registration/x", "{'do_register':{'i':'b'}}");
     sets(
         5, "registration/x", "view", "{'number':1,'admitted':[{'key':'b','value':1}],'ghosts':[]}");
-    acts("b", "registration/x", "{'do_register':{'i':'b#2'}}");
+    acts("b", "registration/x", "{'do_register':{'i':'b.2'}}");
     assertThat(text())
         .contains("  a_5: actions = learn(b_2, 1)\n")
         .contains("  result_5: LEMMA rList(b_2, s_5) = {x: PIDS | x = b_1}\n");

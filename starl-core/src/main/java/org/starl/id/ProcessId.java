@@ -5,21 +5,23 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A participant of a primitive: a robot and an incarnation number that this robot never uses twice.
  * A robot that restarts or registers again gets a new id; an old id never becomes valid again.
  *
  * <p>Its text has no more than tells it from the robot's other ids: {@code bot0} is the first id of the
- * first boot, {@code bot0#2} the first id of the second boot, {@code bot0#2.7} the seventh one of that
- * boot. Names of robots have no {@code #}.
+ * first boot, {@code bot0.2} the first id of the second boot, {@code bot0.2.7} the seventh one of that
+ * boot. No robot's name ends so.
  *
  * @param inc incarnation number above 0; later ids of one robot have higher numbers. Its upper half
  *     is the boot number, its lower half the id's number in that boot
  */
 public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId> {
 
-  private static final Pattern TEXT = Pattern.compile("([^#]*)#(\\d{1,10})(?:\\.(\\d{1,10}))?");
+  private static final Pattern TEXT =
+      Pattern.compile("(.*?)(?:\\.(\\d{1,10}))?(?:\\.(\\d{1,10}))?");
 
   public ProcessId {
     if (inc <= 0) {
@@ -52,9 +54,9 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
   public String toString() {
     long number = inc & 0xffff_ffffL;
     if (number != 1) {
-      return robot + "#" + boot() + "." + number;
+      return robot + "." + boot() + "." + number;
     }
-    return boot() == 1 ? robot.name() : robot + "#" + boot();
+    return boot() == 1 ? robot.name() : robot + "." + boot();
   }
 
   /**
@@ -63,15 +65,9 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
    * @throws IllegalArgumentException if {@code text} has another form
    */
   public static ProcessId parse(String text) {
-    if (RobotId.isValid(text)) {
-      return first(new RobotId(text), 1);
-    }
     Matcher parts = TEXT.matcher(text);
-    if (parts.matches()) {
-      String number = parts.group(3);
-      long inc =
-          (Long.parseLong(parts.group(2)) << Integer.SIZE)
-              + (number == null ? 1 : Long.parseLong(number));
+    if (parts.matches() && RobotId.isValid(parts.group(1))) {
+      long inc = (number(parts.group(2)) << Integer.SIZE) + number(parts.group(3));
       ProcessId id = new ProcessId(new RobotId(parts.group(1)), inc);
       // Each id has one text.
       if (id.toString().equals(text)) {
@@ -81,6 +77,10 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
     throw new IllegalArgumentException(
         "process id '"
             + text
-            + "': expected a robot, such as bot0, or robot#boot or robot#boot.number");
+            + "': expected a robot, such as bot0, or robot.boot or robot.boot.number");
+  }
+
+  private static long number(@Nullable String digits) {
+    return digits == null ? 1 : Long.parseLong(digits);
   }
 }

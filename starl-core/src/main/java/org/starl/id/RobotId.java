@@ -4,11 +4,16 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A robot's name, unique in its deployment: 1 to 32 letters, digits, {@code _}, {@code -} or {@code
- * .}, starting with a letter. Natural order: {@code bot2} before {@code bot10}.
+ * .}, starting with a letter, without a number after the last dot: {@code bot0.2} is a {@link ProcessId}.
+ * Natural order: {@code bot2} before {@code bot10}.
  */
 public final class RobotId implements Comparable<RobotId> {
 
   public static final int MAX_LENGTH = 32;
+
+  /** What a name is, for messages. */
+  public static final String FORM =
+      "a letter, then up to 31 of A-Z a-z 0-9 _ - ., and no number after the last dot";
 
   private final String name;
 
@@ -22,8 +27,7 @@ public final class RobotId implements Comparable<RobotId> {
 
   public RobotId(String name) {
     if (!isValid(name)) {
-      throw new IllegalArgumentException(
-          "robot name '" + name + "': expected a letter, then up to 31 of A-Z a-z 0-9 _ - .");
+      throw new IllegalArgumentException("robot name '" + name + "': expected " + FORM);
     }
     this.name = name;
     this.hash = name.hashCode();
@@ -71,7 +75,8 @@ public final class RobotId implements Comparable<RobotId> {
         return false;
       }
     }
-    return true;
+    int digits = startOfNumber(name);
+    return digits == name.length() || name.charAt(digits - 1) != '.';
   }
 
   /** Compares runs of digits by value, other characters one by one; a total order. */

@@ -224,16 +224,22 @@ public final class SpecReport implements Monitor.Report {
     return List.copyOf(new TreeMap<>(tallies).keySet());
   }
 
-  /** Number of checks of {@code lemma}. */
+  /** Number of checks of one of the {@link #lemmas}; another name is refused. */
   public long checks(String lemma) {
-    Tally tally = tallies.get(lemma);
-    return tally == null ? 0 : tally.checks;
+    return known(lemma).checks;
   }
 
-  /** Number of violations of {@code lemma}, kept or not. */
+  /** Number of violations of one of the {@link #lemmas}, kept or not; another name is refused. */
   public long violations(String lemma) {
+    return known(lemma).violations;
+  }
+
+  private Tally known(String lemma) {
     Tally tally = tallies.get(lemma);
-    return tally == null ? 0 : tally.violations;
+    if (tally == null) {
+      throw new IllegalArgumentException("lemma " + lemma + ": expected one of " + lemmas());
+    }
+    return tally;
   }
 
   /** The kept violations, in the order of their detection. */

@@ -94,7 +94,7 @@ class ShapeTest {
     assertThat(
             Sample.SHAPE.json(new Sample.Names("a\"b", BOT, process, Sample.Colour.GREEN, place)))
         .isEqualTo(
-            "{\"do_name\":{\"text\":\"a\\\"b\",\"robot\":\"bot0\",\"process\":\"bot0#2\","
+            "{\"do_name\":{\"text\":\"a\\\"b\",\"robot\":\"bot0\",\"process\":\"bot0.2\","
                 + "\"colour\":\"GREEN\",\"place\":{\"xMm\":1.0E9,\"yMm\":0.1}}}");
   }
 

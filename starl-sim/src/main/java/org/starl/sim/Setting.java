@@ -69,8 +69,8 @@ public final class Setting<T> {
               String::strip,
               text -> text,
               text -> RobotId.isValid(text + "00000000"),
-              "a letter, then up to 23 of A-Z a-z 0-9 _ - .",
-              new Form.Text("^\\s*[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$")),
+              "a letter, then up to 23 of A-Z a-z 0-9 _ - ., and no number after the last dot",
+              new Form.Text("^\\s*(?!.*\\.[0-9]*\\s*$)[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$")),
           "bot",
           "first part of robots' names; a number from 0 follows");
   public static final Setting<Double> ROBOT_RADIUS =

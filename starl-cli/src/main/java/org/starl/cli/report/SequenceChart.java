@@ -36,8 +36,8 @@ public final class SequenceChart implements SimObserver {
   private static final int HEAD = 40;
   private static final int MOST_CHARACTERS = 28;
 
-  /** What the arrows show already: both ends of a message, and incarnations. */
-  private static final Pattern SHOWN = Pattern.compile("(from|to)=[^,\\]]*(, )?|#[\\d.]+");
+  /** What the arrows show already: both ends of a message. */
+  private static final Pattern SHOWN = Pattern.compile("(from|to)=[^,\\]]*(, )?");
 
   private static final String STYLE =
       "text{font:11px sans-serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:3px}.time{fill:#777}.lane{stroke:#bbb}.act{fill:#eef3fb;"

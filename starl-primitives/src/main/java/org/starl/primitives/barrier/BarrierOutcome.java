@@ -65,7 +65,7 @@ public sealed interface BarrierOutcome {
       missing = Collections.unmodifiableSortedSet(new TreeSet<>(missing));
     }
 
-    /** {@code 3:failed[bot1#1, bot2#1]}. */
+    /** {@code 3:failed[bot1, bot2]}. */
     @Override
     public String toString() {
       return generation + ":failed" + missing;

@@ -61,9 +61,9 @@ class SynodSpecTest {
       Promise elsewhere = new Promise(1, HIGH, null, List.of());
       monitors.observe(new Sent(0, robot, A.name(), other, 1, 1, SynodMessage.SHAPE, elsewhere));
     }
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 0");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
     sends(B, B, new Accept(1, HIGH, X));
-    assertThat(violations()).isEqualTo("Ballots 0, Votes 0, Quorums 1");
+    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
   }
 
   @Test

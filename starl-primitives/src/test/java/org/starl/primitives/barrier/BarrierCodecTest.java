@@ -125,7 +125,7 @@ class BarrierCodecTest {
   private static SortedSet<ProcessId> members(int count) {
     SortedSet<ProcessId> ids = new TreeSet<>();
     for (int i = 0; i < count; i++) {
-      ids.add(new ProcessId(new RobotId("a.rather.long.name.for.robot." + i), 1));
+      ids.add(new ProcessId(new RobotId("a-rather-long-name-for-robot-" + i), 1));
     }
     return ids;
   }

@@ -107,7 +107,7 @@ class BarrierConformanceTest {
     arrives("a", 1);
     shows("a", passed(1));
     made();
-    exists("a#2", "a", "b", "c");
+    exists("a.2", "a", "b", "c");
     run.forgetSteps();
     shows("a", BarrierOutcome.NONE_YET);
     shows("a", excluded(0));

@@ -15,7 +15,7 @@ class BarrierFactTest {
 
   @Test
   void theFactsAreReadBackUnderTheirNames() throws JsonFormatException {
-    check(BarrierFact.CREATED, new BarrierFact.Created(ID, Seen.ids("b#2", "a")), "Barrier");
+    check(BarrierFact.CREATED, new BarrierFact.Created(ID, Seen.ids("b.2", "a")), "Barrier");
     check(BarrierFact.ARRIVE, new BarrierAction.arrive(ID, 5), "arrive");
   }
 

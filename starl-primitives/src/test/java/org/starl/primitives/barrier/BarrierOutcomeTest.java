@@ -39,7 +39,7 @@ class BarrierOutcomeTest {
     assertThat(OUTCOMES)
         .extracting(BarrierOutcome::toString)
         .containsExactly(
-            "null", "3:passed", "3:failed[a]", "4:failed[a, b#2]", "0:excluded", "12:unknown");
+            "null", "3:passed", "3:failed[a]", "4:failed[a, b.2]", "0:excluded", "12:unknown");
   }
 
   @ParameterizedTest
@@ -51,7 +51,7 @@ class BarrierOutcomeTest {
         "{\"Passed\":{}}",
         "{\"Passed\":{\"generation\":0}}",
         "{\"Failed\":{\"generation\":3}}",
-        "{\"Failed\":{\"generation\":3,\"missing\":[\"a#1\"]}}",
+        "{\"Failed\":{\"generation\":3,\"missing\":[\"a.1\"]}}",
         "{\"Failed\":{\"generation\":3,\"missing\":[\"b\",\"a\"]}}"
       })
   void malformedOutcomesAreRefused(String json) {

@@ -158,9 +158,9 @@ class BarrierSpecTest {
   @Test
   void aRobotIsOneAcceptorThoughAnEarlierProcessOfItIsAMember() {
     Instance other = Instance.of(BarrierFact.PRIMITIVE, "x2");
-    for (String id : List.of("a#2", "b")) {
+    for (String id : List.of("a.2", "b")) {
       RobotId robot = new RobotId(id.substring(0, 1));
-      see(Seen.exists(0, other, id, "a", "a#2", "b", "c", "d"));
+      see(Seen.exists(0, other, id, "a", "a.2", "b", "c", "d"));
       see(Seen.arrives(0, robot, other, 1, id));
     }
     see(new Variable(300, A, Instance.APP, LOC, "x"));

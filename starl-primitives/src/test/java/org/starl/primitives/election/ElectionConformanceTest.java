@@ -85,12 +85,12 @@ class ElectionConformanceTest {
         .containsExactly(
             "fail(a)",
             "Leader(a) = Known[term=1, who=bottom]",
-            "learn(a#2, 1)",
-            "Leader(a#2) = Known[term=1, who=up(a)]");
+            "learn(a.2, 1)",
+            "Leader(a.2) = Known[term=1, who=up(a)]");
     stands(A2, 2);
     assertThat(run.details())
         .containsExactly(
-            "election/x: candidate(a#2, 2) is not enabled: i in part is false: part = [a]");
+            "election/x: candidate(a.2, 2) is not enabled: i in part is false: part = [a]");
   }
 
   @Test

@@ -38,7 +38,7 @@ class LeaderTest {
         "{\"None\":{}",
         "{\"Other\":{}}",
         "{\"Name\":{}}",
-        "{\"Name\":{\"id\":\"bot1#1\",\"term\":3}}",
+        "{\"Name\":{\"id\":\"bot1.1\",\"term\":3}}",
         "{\"Name\":{\"id\":\"bot1\",\"term\":0}}"
       })
   void malformedLeadersAreRefused(String json) {

@@ -104,7 +104,12 @@ class FlagsTest {
     SpecReport report = judge(RUN);
     assertThat(report.violations()).isEmpty();
     assertThat(report.neverChecked())
-        .doesNotContain("mutex.crit", "registration.rList", "election.Leader", "motion.motionflag", "synod.Quorums");
+        .doesNotContain(
+            "mutex.crit",
+            "registration.rList",
+            "election.Leader",
+            "motion.motionflag",
+            "synod.Quorums");
   }
 
   /** What robots show instead, and the lemma that tells. */
@@ -115,7 +120,8 @@ class FlagsTest {
     FALSE_AFTER_THE_FIRST_RELEASE("mutex.crit", Bug::falseTooEarly),
     LISTED_AFTER_UNREGISTER("registration.rList", event -> without(event, R_LIST, RList.UNKNOWN)),
     FORGETS_ITS_LEADER("election.Leader", Bug::forgetful),
-    MOVING_AFTER_STOP("motion.motionflag", event -> without(event, MotionFact.FLAG, MotionFlag.IDLE));
+    MOVING_AFTER_STOP(
+        "motion.motionflag", event -> without(event, MotionFact.FLAG, MotionFlag.IDLE));
 
     private final String lemma;
     private final Function<TraceEvent, Stream<TraceEvent>> change;

@@ -79,7 +79,7 @@ class ForeignEventsTest {
     ALL.forEach(simulation::monitor);
     SimResult result = simulation.build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
-    assertThat(result.spec().checks("once")).isPositive();
+    assertThat(result.spec().checks("geocast.once")).isPositive();
   }
 
   @Test

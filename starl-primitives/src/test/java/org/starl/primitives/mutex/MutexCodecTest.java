@@ -94,9 +94,9 @@ class MutexCodecTest {
         });
     assertThatThrownBy(() -> codec.read(new WireReader(toItself)))
         .isInstanceOf(WireFormatException.class)
-        .hasMessage("a message of one#0 to or about itself");
+        .hasMessage("a message of one.0 to or about itself");
     assertThatThrownBy(() -> new FenceQ(ONE, TWO, ONE, 1))
-        .hasMessage("a message of one#0 to or about itself");
+        .hasMessage("a message of one.0 to or about itself");
     assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1L << 62, req.want())))
         .hasMessageStartingWith("logical time");

@@ -55,7 +55,7 @@ class RegistrationConformanceTest {
     sees("b", "3:b@2|a@1[A B]");
     acts("b", "unregister", "b");
     acts("a", "give_up", "a");
-    acts("a", "give_up", "a#2"); // has not asked
+    acts("a", "give_up", "a.2"); // has not asked
     assertThat(details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(

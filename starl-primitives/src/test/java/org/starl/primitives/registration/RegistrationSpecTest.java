@@ -117,15 +117,15 @@ class RegistrationSpecTest {
   @Test
   void anIdThatNeverAskedViolatesSoundness() {
     acts(0, "a", "do_register", "a");
-    acts(0, "b", "do_register", "a#2");
-    sees(10, "a", "1:a@1,a#2@1");
+    acts(0, "b", "do_register", "a.2");
+    sees(10, "a", "1:a@1,a.2@1");
     assertThat(report(50).violations(RegistrationSpec.SOUNDNESS)).isEqualTo(1);
   }
 
   @Test
   void aRobotNotRegisteredWithinTheBoundViolatesRegistered() {
     acts(0, "a", "do_register", "a");
-    acts(500, "a", "do_register", "a#2");
+    acts(500, "a", "do_register", "a.2");
     sees(900, "a", "1:a@1");
     assertThat(report(1_001).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }

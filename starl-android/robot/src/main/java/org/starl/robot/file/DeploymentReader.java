@@ -153,7 +153,7 @@ public final class DeploymentReader {
     SortedMap<RobotId, RobotEntry> robots = new TreeMap<>();
     for (String name : given.keys()) {
       if (!RobotId.isValid(name)) {
-        throw given.wrong(name, name, "a name: a letter, then up to 31 of A-Z a-z 0-9 _ - .");
+        throw given.wrong(name, name, "a name: " + RobotId.FORM);
       }
       Section robot = given.section(Field.mapping(name, DeploymentFormat.ROBOT, ""));
       RobotId id = new RobotId(name);
