@@ -79,8 +79,8 @@ class RunTest {
     assertThat(cli.out())
         .contains(
             "not checked (--specs safety): NonInterference Served arrives told traffic_progress")
-        .anyMatch(line -> line.matches("1[0-9] specifications held, .* traffic_safety.*"));
-    assertThat(cli.text()).doesNotContain("never checked: Served");
+        .anyMatch(line -> line.matches("[0-9]+ specifications held, .* traffic_safety.*"));
+    assertThat(cli.text()).doesNotContain("never checked");
   }
 
   @Test
