@@ -16,6 +16,7 @@ import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -34,6 +35,7 @@ class ForeignEventsTest {
           BarrierSpec::new,
           ElectionSpec::new,
           GeocastSpec::new,
+          MotionSpec::new,
           MutexSpec::new,
           RegistrationSpec::new,
           TubesSpec::new);
