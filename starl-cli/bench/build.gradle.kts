@@ -14,6 +14,7 @@ dependencies {
     api(project(":starl-apps"))
     api(libs.jspecify)
     testImplementation(project(":starl-lang"))
+    testImplementation(libs.archunit)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)
