@@ -58,7 +58,7 @@ class RunTest {
     Cli cli = Cli.run("run", "hello", "--seed", "1", "--explain");
     assertThat(cli.out())
         .filteredOn(line -> line.startsWith("  "))
-        .hasSize(4)
+        .hasSize(5)
         .allMatch(line -> line.matches("  [\\w.]+: [A-Z].*\\. \\([0-9]+ checks\\)"));
     assertThat(Cli.run("run", "hello", "--seed", "1").text()).doesNotContain("checks)");
   }
@@ -78,8 +78,9 @@ class RunTest {
     assertThat(cli.status()).isZero();
     assertThat(cli.out())
         .contains(
-            "not checked (--specs safety): NonInterference Served arrives told traffic_progress")
-        .anyMatch(line -> line.matches("[0-9]+ specifications held, .* traffic_safety.*"));
+            "not checked (--specs safety): intersection.traffic_progress motion.arrives motion.told"
+                + " mutex.NonInterference mutex.Served")
+        .anyMatch(line -> line.matches("[0-9]+ specifications held, .* intersection\\.traffic_safety .*"));
     assertThat(cli.text()).doesNotContain("never checked");
   }
 
@@ -89,7 +90,7 @@ class RunTest {
     assertThat(cli.out().get(0)).startsWith("app hello: ");
     assertThat(cli.out())
         .filteredOn(line -> line.startsWith("  lemma "))
-        .hasSize(4)
+        .hasSize(5)
         .allMatch(line -> line.matches("  lemma [\\w.]+: [A-Z].*\\."));
     Cli wrong = Cli.run("list", "helo");
     assertThat(wrong.status()).isEqualTo(ExitStatus.BAD_INPUT);

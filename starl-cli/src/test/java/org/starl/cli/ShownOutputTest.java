@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class ShownOutputTest {
 
-  private static final Path ROOT = Path.of("../..");
+  private static final Path ROOT = Path.of("..");
   private static final Pattern SHOWN =
       Pattern.compile("(?m)^    \\$ \\./starl (.*)\n((?:    (?!\\$ ).*\n)+)");
   private static final Pattern WORD = Pattern.compile("'([^']*)'|\\S+");

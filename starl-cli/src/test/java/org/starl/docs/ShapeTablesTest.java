@@ -25,7 +25,7 @@ import org.starl.shape.SumShape;
  */
 class ShapeTablesTest {
 
-  private static final Path DOCS = Path.of("../../docs");
+  private static final Path DOCS = Path.of("../docs");
   private static final String LINE = "|---|---|---|";
   private static final Pattern TABLE =
       Pattern.compile("(?m)^<!-- shapes: (\\w+)(?: ([\\w.]+))? -->\n(?:\\|.*\n)*");

@@ -173,25 +173,25 @@ class RunTheoriesTest {
         5, "registration/x", "view", "{'number':1,'admitted':[{'key':'b','value':1}],'ghosts':[]}");
     assertThat(text())
         .contains("  IMPORTING Registration_decls[PIDS]\n")
-        .contains("  PIDS: TYPE = {b_1}\n")
-        .contains("  a_2: actions = decide({x: PIDS | x = b_1})\n")
-        .contains("  a_3: actions = learn(b_1, 1)\n")
+        .contains("  PIDS: TYPE = {b}\n")
+        .contains("  a_2: actions = decide({x: PIDS | x = b})\n")
+        .contains("  a_3: actions = learn(b, 1)\n")
         .contains(
             """
               s_3: states =
-                (# asked := {x: PIDS | x = b_1},
+                (# asked := {x: PIDS | x = b},
                    gone := emptyset,
-                   entered := {x: PIDS | x = b_1},
+                   entered := {x: PIDS | x = b},
                    number := 1,
                    list := LAMBDA (i: nat):
-                      IF i = 1 THEN {x: PIDS | x = b_1}
+                      IF i = 1 THEN {x: PIDS | x = b}
                       ELSE emptyset ENDIF,
                    ts := LAMBDA (i: PIDS):
-                      IF i = b_1 THEN 1
+                      IF i = b THEN 1
                       ELSE 0 ENDIF #)
             """)
         .contains("case \"x!1 = s_2`number\"")
-        .contains("  result_3: LEMMA rList(b_1, s_3) = {x: PIDS | x = b_1}\n");
+        .contains("  result_3: LEMMA rList(b, s_3) = {x: PIDS | x = b}\n");
   }
 
   /** Each learn has its result, so that its absence shows. */
@@ -203,7 +203,7 @@ class RunTheoriesTest {
     acts("b", "registration/x", "{'do_register':{'i':'b.2'}}");
     assertThat(text())
         .contains("  a_5: actions = learn(b_2, 1)\n")
-        .contains("  result_5: LEMMA rList(b_2, s_5) = {x: PIDS | x = b_1}\n");
+        .contains("  result_5: LEMMA rList(b_2, s_5) = {x: PIDS | x = b}\n");
   }
 
   @Test
@@ -236,22 +236,22 @@ class RunTheoriesTest {
     sets(5, "election/x", "Leader", "{'Name':{'id':'b','term':1}}");
     assertThat(text())
         .contains("  IMPORTING Election_decls[PIDS]\n")
-        .contains("  a_3: actions = elect(1, b_1)\n")
+        .contains("  a_3: actions = elect(1, b)\n")
         .contains(
             """
               s_4: states =
-                (# part := {x: PIDS | x = b_1},
+                (# part := {x: PIDS | x = b},
                    stood := LAMBDA (i: nat):
-                      IF i = 1 THEN {x: PIDS | x = b_1}
+                      IF i = 1 THEN {x: PIDS | x = b}
                       ELSE emptyset ENDIF,
                    elected := LAMBDA (i: nat):
-                      IF i = 1 THEN up(b_1)
+                      IF i = 1 THEN up(b)
                       ELSE bottom ENDIF,
                    Leader := LAMBDA (i: PIDS):
-                      IF i = b_1 THEN (# term := 1, who := up(b_1) #)
+                      IF i = b THEN (# term := 1, who := up(b) #)
                       ELSE (# term := 0, who := bottom #) ENDIF #)
             """)
-        .contains("  result_4: LEMMA s_4`Leader(b_1) = (# term := 1, who := up(b_1) #)\n");
+        .contains("  result_4: LEMMA s_4`Leader(b) = (# term := 1, who := up(b) #)\n");
   }
 
   @Test
@@ -338,7 +338,7 @@ class RunTheoriesTest {
     assertThat(statements(folder, text.replace("reached_2: LEMMA", "reached_2: AXIOM")))
         .contains("wrong ");
     assertThat(statements(folder, text.replaceFirst("  result_4: LEMMA .*\n.*\n\n", "")))
-        .contains("step_4 has no result; expected result_4: LEMMA s_4`Leader(b_1) = ...");
+        .contains("step_4 has no result; expected result_4: LEMMA s_4`Leader(b) = ...");
     assertThat(statements(folder, text.replaceFirst("  result_2: LEMMA .*\n.*\n\n", "")))
         .contains("step_2 has no result; expected result_2: LEMMA s_2`crit_set(b) = ...");
     assertThat(statements(folder, text.replace("  IMPORTING ", "  IMPORTING own, ")))
