@@ -80,7 +80,8 @@ class RunTest {
         .contains(
             "not checked (--specs safety): intersection.traffic_progress motion.arrives motion.told"
                 + " mutex.NonInterference mutex.Served")
-        .anyMatch(line -> line.matches("[0-9]+ specifications held, .* intersection\\.traffic_safety .*"));
+        .anyMatch(line ->
+            line.matches("[0-9]+ specifications held, .* intersection\\.traffic_safety .*"));
     assertThat(cli.text()).doesNotContain("never checked");
   }
 

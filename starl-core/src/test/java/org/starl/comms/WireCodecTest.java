@@ -31,7 +31,7 @@ class WireCodecTest {
             .withCharRange('0', '9')
             .withChars("._-")
             .ofMaxLength(31);
-    return first.flatMap(c -> rest.map(tail -> c + tail));
+    return first.flatMap(c -> rest.map(tail -> c + tail)).filter(RobotId::isValid);
   }
 
   @Property

@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
+import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -42,15 +43,14 @@ class RegistrationPhasesTest {
   private void check(Town town) {
     for (; read < town.trace.size(); read++) {
       TraceEvent event = town.trace.get(read);
-      if (event instanceof TraceEvent.Variable start
-          && View.NONE.equals(start.of(RegistrationFact.VIEW))) {
+      boolean isStart =
+          event instanceof TraceEvent.Variable start && start.value().equals(View.NONE);
+      if (isStart) {
         steps.put(event.robot(), RegistrationFact.PHASES.steps().get());
         shown.put(event.robot(), RegistrationFact.PHASES.first());
       }
-      Phases.Step step = steps.get(event.robot());
-      if (step != null) { // else it shows what it begins with
-        shown.compute(event.robot(), (robot, before) -> step.after(before, event));
-      }
+      Phases.Step step = Objects.requireNonNull(steps.get(event.robot()));
+      shown.compute(event.robot(), (robot, before) -> step.after(before, event));
     }
     for (TownRobot robot : town.robots.values()) {
       if (robot.isUp()) {

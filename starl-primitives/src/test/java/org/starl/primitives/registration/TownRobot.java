@@ -156,8 +156,8 @@ final class TownRobot {
     Program(int itsBoot, byte @Nullable [] record) {
       this.itsBoot = itsBoot;
       this.record = record;
-      show(RegistrationFact.R_LIST, RList.UNKNOWN);
       show(RegistrationFact.VIEW, View.NONE);
+      show(RegistrationFact.R_LIST, RList.UNKNOWN);
       protocol =
           town.maker.make(
               name,
@@ -244,7 +244,8 @@ final class TownRobot {
           name,
           to,
           () -> {
-            if (!done[0] && receiver.isUp()) {
+            // No robot has the name that stands in ballots which collide.
+            if (!done[0] && receiver != null && receiver.isUp()) {
               done[0] = true;
               receiver.arrived(name, message);
             }

@@ -50,7 +50,7 @@ final class Intruder {
       List<Intruder> intruders = new ArrayList<>();
       for (RobotId robot : context.robots()) {
         if (context.target().body(robot) != null) {
-          RobotId name = new RobotId("intruder" + context.number() + "." + intruders.size());
+          RobotId name = new RobotId("intruder" + context.number() + "-" + intruders.size());
           intruders.add(new Intruder(name, robot, speedMmPerS, context));
         }
       }

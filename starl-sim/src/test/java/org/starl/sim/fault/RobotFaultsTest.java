@@ -197,9 +197,9 @@ class RobotFaultsTest {
   @Test
   void aRammerTouchesTheRobotAndDisappears() {
     ProbeRun run = ProbeRun.of("ram(bot0," + FOR_3_S);
-    assertThat(joined(run, "intruder0.0")).isEqualTo(1);
-    assertThat(moved(run, "intruder0.0")).isPositive();
-    assertThat(left(run, "intruder0.0")).containsExactly(UNTIL);
+    assertThat(joined(run, "intruder0-0")).isEqualTo(1);
+    assertThat(moved(run, "intruder0-0")).isPositive();
+    assertThat(left(run, "intruder0-0")).containsExactly(UNTIL);
     double soundMm = drivenMm(ProbeRun.of(), FROM, UNTIL);
     assertThat(drivenMm(run, FROM, UNTIL)).isLessThan(soundMm / 2);
   }
@@ -207,9 +207,9 @@ class RobotFaultsTest {
   @Test
   void aBlockerParksInTheWayOfTheRobot() {
     ProbeRun run = ProbeRun.of("block(bot0," + FOR_3_S);
-    assertThat(joined(run, "intruder0.0")).isEqualTo(1);
-    assertThat(moved(run, "intruder0.0")).isZero();
-    assertThat(left(run, "intruder0.0")).containsExactly(UNTIL);
+    assertThat(joined(run, "intruder0-0")).isEqualTo(1);
+    assertThat(moved(run, "intruder0-0")).isZero();
+    assertThat(left(run, "intruder0-0")).containsExactly(UNTIL);
     assertThat(drivenMm(run, FROM, UNTIL)).isLessThan(drivenMm(ProbeRun.of(), FROM, UNTIL));
   }
 
