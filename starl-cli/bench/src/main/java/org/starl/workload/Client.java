@@ -61,7 +61,7 @@ abstract class Client extends LogicThread {
   protected final void pause(long ms) {
     long dueNs = gvh.plat.clock.nowNs() + ms * Time.NS_PER_MS;
     sleep(ms);
-    checkWoken(dueNs, false);
+    checkWoken(dueNs, ms, false);
   }
 
   /** As {@link #await} with a timeout; fails and traces as {@link #pause} does. */
@@ -71,17 +71,17 @@ abstract class Client extends LogicThread {
     if (held != condition.getAsBoolean()) {
       throw new IllegalStateException("await returned " + held + ": the condition says otherwise");
     }
-    checkWoken(dueNs, held);
+    checkWoken(dueNs, ms, held);
     return held;
   }
 
-  private void checkWoken(long dueNs, boolean mayBeEarly) {
+  private void checkWoken(long dueNs, long ofMs, boolean mayBeEarly) {
     long lateNs = gvh.plat.clock.nowNs() - dueNs;
     if (lateNs < 0 && !mayBeEarly) {
       throw new IllegalStateException("woken " + -lateNs + " ns too early");
     }
     if (lateNs >= Time.NS_PER_MS) {
-      record(new ClientFact.late(lateNs / Time.NS_PER_MS));
+      record(new ClientFact.late(lateNs / Time.NS_PER_MS, ofMs));
     }
   }
 

@@ -22,8 +22,8 @@ sealed interface ClientFact {
   /** The request failed. */
   record told(int round) implements ClientFact {}
 
-  /** A wait ended so much too late by the robot's clock. */
-  record late(long ms) implements ClientFact {}
+  /** A wait of {@code ofMs} ended so much too late by the robot's clock. */
+  record late(long ms, long ofMs) implements ClientFact {}
 
   /** The shapes of all facts. */
   SumShape<ClientFact> SHAPE =
@@ -32,5 +32,9 @@ sealed interface ClientFact {
           Shapes.of(ask.class, part("round", INT, ask::round), ask::new),
           Shapes.of(served.class, part("round", INT, served::round), served::new),
           Shapes.of(told.class, part("round", INT, told::round), told::new),
-          Shapes.of(late.class, part("ms", Shapes.LONG, late::ms), late::new));
+          Shapes.of(
+              late.class,
+              part("ms", Shapes.LONG, late::ms),
+              part("ofMs", Shapes.LONG, late::ofMs),
+              late::new));
 }

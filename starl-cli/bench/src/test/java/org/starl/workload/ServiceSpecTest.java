@@ -53,12 +53,13 @@ class ServiceSpecTest {
   @Test
   void aWaitThatEndsTooLateInACalmWorldViolatesPrompt() {
     fault(1, "begin");
-    act(2, new ClientFact.late(1));
+    act(2, new ClientFact.late(1, 0));
     fault(3, "end");
-    act(12, new ClientFact.late(1));
+    act(12, new ClientFact.late(1, 0));
+    act(20, new ClientFact.late(1, 8000)); // begun when the world was not calm yet
     assertThat(monitors.report().violations("service.Prompt")).isZero();
-    act(13, new ClientFact.late(1));
-    assertThat(end(14).violations("service.Prompt")).isEqualTo(1);
+    act(21, new ClientFact.late(1, 7000));
+    assertThat(end(22).violations("service.Prompt")).isEqualTo(1);
   }
 
   @Test

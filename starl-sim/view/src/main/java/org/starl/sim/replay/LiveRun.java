@@ -186,8 +186,11 @@ public final class LiveRun implements AutoCloseable {
       try {
         request.what().accept(controller);
         request.whenDone().complete(controller.nowNs());
-      } catch (BadInput e) {
+      } catch (RuntimeException e) {
         request.whenDone().completeExceptionally(e);
+        if (!(e instanceof BadInput)) {
+          throw e; // ends the run
+        }
       }
     }
 

@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.Timeout;
 import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.sim.SimObserver;
 import org.starl.sim.Simulation;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.record.Layer;
@@ -158,6 +160,24 @@ class LiveRunTest {
         .ofMinSize(1)
         .ofMaxSize(6)
         .map(list -> list.stream().sorted(Comparator.comparingInt(UserAction::atMs)).toList());
+  }
+
+  @Test
+  @Timeout(60)
+  void anInterventionThatEndsTheRunWithAnErrorIsAnswered() {
+    SimObserver broken =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            if (event instanceof Intervention) {
+              throw new IllegalStateException("broken");
+            }
+          }
+        };
+    try (LiveRun run = new LiveRun(Wander.simulation(1).observer(broken), recording())) {
+      run.start();
+      assertThat(run.fault("loss(0.5)")).failsWithin(30, TimeUnit.SECONDS);
+    }
   }
 
   @Test
