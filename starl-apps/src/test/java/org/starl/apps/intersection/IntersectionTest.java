@@ -59,8 +59,9 @@ class IntersectionTest {
     SimResult result = run(request(seed, 6, Map.of()), Map.of(setting, "2"));
     assertThat(result.spec().exceptions())
         .containsExactly(
-            "not required of bot4 bot5, which leave their way: traffic_safety occupied_is_held",
-            "not required of bot4 bot5, which leave their way: traffic_progress");
+            "not required of bot4 bot5, which leave their way: intersection.traffic_safety"
+                + " intersection.occupied_is_held",
+            "not required of bot4 bot5, which leave their way: intersection.traffic_progress");
   }
 
   @Test
