@@ -75,7 +75,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
     lemma(FRESH, "An id that has left the list never comes back.");
     lemma(SOUNDNESS, "Every id on a list has asked to be registered.");
-    lemma(R_LIST, "rList is null, or the list of the robot's latest view, and the robot is on it.");
+    lemma(
+        R_LIST,
+        "The variable rList is null, or the list of the robot's latest view, and the robot is on it.");
     progress =
         progress(
             REGISTERED,
