@@ -15,9 +15,11 @@ import java.net.URLClassLoader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Classes with shapes refer to each other's constants: whichever is used first, all are there. */
+@Tag("long")
 class ShapesInAnyOrderTest {
 
   private static URL[] classPath() throws MalformedURLException {

@@ -37,6 +37,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 
 /** {@code starl explore}. */
+@Tag("long")
 class ExploreTest {
 
   private static final Demos IMPATIENT = new Demos(List.of(new Impatient()));

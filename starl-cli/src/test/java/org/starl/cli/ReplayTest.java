@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.Demos;
@@ -20,6 +21,7 @@ import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 
 /** {@code starl replay} and {@code starl record} on traces, good ones and others. */
+@Tag("long")
 class ReplayTest {
 
   private static final Demos DEMOS = new Demos(List.of(new HelloDemo(), new Strict()));

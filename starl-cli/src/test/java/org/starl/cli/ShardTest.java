@@ -11,6 +11,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,6 +25,7 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 
 /** {@code starl campaign --shard}, {@code --resume}, {@code --until}, and {@code starl merge}. */
+@Tag("long")
 class ShardTest {
 
   private static final Demos MIXED = new Demos(List.of(new Mixed()));

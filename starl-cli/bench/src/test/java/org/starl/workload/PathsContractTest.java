@@ -2,8 +2,10 @@ package org.starl.workload;
 
 import java.util.Map;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Tag;
 
 /** The contract of {@code DistributedPathPlanning}, over both planners. */
+@Tag("long")
 class PathsContractTest {
 
   /** Motion takes long to simulate: few and short runs. */
