@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.sim.check.Percentile;
+import org.starl.time.Time;
 
 /**
  * Figures of one run of an app, for the sums of a campaign.
@@ -36,6 +37,11 @@ public record Measures(
   /** Without figures and counts. */
   public Measures(int came, int completed, List<Long> waitsNs) {
     this(came, completed, waitsNs, new TreeMap<>());
+  }
+
+  /** The mean of times in ns, in s; 0 if there are none. */
+  public static double meanS(List<Long> timesNs) {
+    return timesNs.stream().mapToLong(Long::longValue).average().orElse(0) / Time.NS_PER_S;
   }
 
   /** A percentile of the waits, in ns; 0 if there are none. */

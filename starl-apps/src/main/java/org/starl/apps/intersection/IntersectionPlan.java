@@ -99,7 +99,9 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
       posts.put(new RobotId(UNIT + posts.size()), Pose.of(at, 0));
     }
     Participants units = Participants.of(posts.keySet());
-    OpenRoadStory story = new OpenRoadStory(untilNs);
+    OpenRoadStory story =
+        new OpenRoadStory(
+            untilNs, settings.robotRadiusMm(), settings.motionParameters(0).linSpeedMaxMmPerS());
     OpenRoad road =
         new OpenRoad(
             settings.robotRadiusMm(),
@@ -131,7 +133,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
         onFloor,
         gvh ->
             traffic.isOffFloor(car.id())
-                ? new TowedCar(gvh, XID, acceptors.apply(gvh), car.trip().approach().size())
+                ? new TowedCar(gvh, XID, acceptors.apply(gvh), !car.trip().approach().isEmpty())
                 : program.of(gvh, car.trip(), acceptors.apply(gvh)));
   }
 

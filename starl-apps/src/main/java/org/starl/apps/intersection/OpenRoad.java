@@ -75,7 +75,7 @@ final class OpenRoad extends Traffic {
       story.arrivalsEnded(control.nowNs());
     } else if (!arrivalsAreOver && control.nowNs() >= untilNs) {
       arrivalsAreOver = true;
-      story.turnedAway(queues.values().stream().mapToInt(Deque::size).sum());
+      queues.values().forEach(queue -> story.turnedAway(queue, control.nowNs()));
       queues.values().forEach(Deque::clear);
     }
     story.towed(towed());

@@ -1,6 +1,7 @@
 package org.starl.apps.intersection;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -11,6 +12,7 @@ import java.util.TreeSet;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
+import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.robot.Car;
@@ -29,6 +31,10 @@ final class OpenRoadStory implements Story {
 
   private final List<Long> waitsNs = new ArrayList<>();
   private final List<Long> leftNs = new ArrayList<>();
+  private final List<Long> delaysNs = new ArrayList<>();
+  private final Map<RobotId, Car> cars = new TreeMap<>();
+  private final double radiusMm;
+  private final double mmPerS;
   private int arrived;
   private int entered;
   private int turnedAway;
@@ -39,9 +45,13 @@ final class OpenRoadStory implements Story {
 
   /**
    * @param untilNs the latest end of arrivals
+   * @param radiusMm of a car's body
+   * @param mmPerS speed of a car that is alone
    */
-  OpenRoadStory(long untilNs) {
+  OpenRoadStory(long untilNs, double radiusMm, double mmPerS) {
     this.untilNs = untilNs;
+    this.radiusMm = radiusMm;
+    this.mmPerS = mmPerS;
   }
 
   /** All cars have arrived. */
@@ -65,12 +75,17 @@ final class OpenRoadStory implements Story {
   void entered(Car car) {
     entered++;
     waiting.put(car.id(), car);
+    cars.put(car.id(), car);
     onFloor.add(car.id());
   }
 
-  /** So many cars that had arrived never entered. */
-  void turnedAway(int cars) {
-    turnedAway = cars;
+  /** Cars that had arrived turn away; they have waited until now. */
+  void turnedAway(Collection<Car> away, long nowNs) {
+    turnedAway += away.size();
+    away.forEach(car -> {
+      waitsNs.add(nowNs - car.readyNs());
+      delaysNs.add(nowNs - car.readyNs());
+    });
   }
 
   /** So many cars have been towed so far. */
@@ -90,7 +105,26 @@ final class OpenRoadStory implements Story {
     } else if (event instanceof TraceEvent.Left && onFloor.remove(event.robot())) {
       leftNs.add(event.timeNs());
       waiting.remove(event.robot());
+      Car car = cars.remove(event.robot());
+      if (car != null) {
+        delaysNs.add(event.timeNs() - car.readyNs() - freeNs(car));
+      }
     }
+  }
+
+  /** Number of cars that crossed before arrivals ended. */
+  private int inTime() {
+    return (int) leftNs.stream().filter(timeNs -> timeNs <= untilNs).count();
+  }
+
+  /** The time that a car needs that is alone on the road. */
+  private long freeNs(Car car) {
+    double wayMm =
+        car.trip()
+            .route()
+            .map(route -> Crossing.wayMm(route, Crossing.PLACES - 1, radiusMm))
+            .orElse(0.0);
+    return (long) (wayMm / mmPerS * Time.NS_PER_S);
   }
 
   private int crossed() {
@@ -128,10 +162,15 @@ final class OpenRoadStory implements Story {
     lines.add(
         String.format(
             Locale.ROOT,
-            "time from arrival to the grant of its zones: median %s, 95 %% up to %s, longest %s",
+            "time from arrival to the grant of zones, or to turning away: median %s, 95 %% up to %s, longest %s",
             Time.text(Measures.waitNs(waits, 50), 1),
             Time.text(Measures.waitNs(waits, 95), 1),
             Time.text(Measures.waitNs(waits, 100), 1)));
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "delay over a car that is alone: mean %.1f s, of all that arrived",
+            Measures.meanS(delaysNs)));
     lines.add(
         String.format(
             Locale.ROOT,
@@ -150,9 +189,11 @@ final class OpenRoadStory implements Story {
   @Override
   public Measures measures() {
     SortedMap<String, Double> figures = new TreeMap<>();
+    figures.put("crossed_in_time", (double) inTime());
     figures.put("arrived", (double) arrived);
     figures.put("crossed", (double) crossed());
     figures.put("crossed_per_min", perMinute(crossed(), lastLeftNs()));
+    figures.put("delay_mean_s", Measures.meanS(delaysNs));
     figures.put("longest_queue", (double) longestQueue);
     figures.put("towed", (double) towed);
     figures.put("turned_away", (double) turnedAway);

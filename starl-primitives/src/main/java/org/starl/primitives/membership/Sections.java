@@ -56,6 +56,12 @@ public final class Sections {
     return Collections.unmodifiableSortedSet(rest);
   }
 
+  public static SortedSet<String> union(SortedSet<String> a, Collection<String> b) {
+    TreeSet<String> both = new TreeSet<>(a);
+    both.addAll(b);
+    return Collections.unmodifiableSortedSet(both);
+  }
+
   public static SortedSet<String> common(SortedSet<String> a, SortedSet<String> b) {
     TreeSet<String> both = new TreeSet<>(a);
     both.retainAll(b);

@@ -76,11 +76,13 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     private final ProcessId who;
     private boolean isTrying;
     private long num;
-    private SortedSet<String> want = Sections.NONE;
+    private boolean inOrder;
+    private SortedSet<String> held = Sections.NONE;
+    private SortedSet<String> waiting = Sections.NONE;
     private Collection<ProcessId> known = List.of();
     private View view = View.NONE;
     private final Map<ProcessId, Long> heard = new TreeMap<>();
-    private final Set<ProcessId> answered = new TreeSet<>();
+    private final Map<ProcessId, SortedSet<String>> answered = new TreeMap<>();
     private final Map<ProcessId, Long> granted = new TreeMap<>();
     private final Set<ProcessId> fenced = new TreeSet<>();
     private final Set<ProcessId> awaited = new TreeSet<>();
@@ -89,7 +91,8 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       this.who = who;
     }
 
-    private Set<ProcessId> missing() {
+    /** Those whose consent to one of {@code sections} is missing. */
+    private Set<ProcessId> missing(SortedSet<String> sections) {
       Set<ProcessId> missing = new TreeSet<>(known);
       missing.addAll(view.admitted().keySet());
       heard.forEach((id, admittedBy) -> {
@@ -98,20 +101,20 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
         }
       });
       missing.remove(who);
-      missing.removeAll(answered);
+      missing.removeIf(id -> answered.getOrDefault(id, Sections.NONE).containsAll(sections));
       return missing;
     }
 
-    private boolean hasGhostInTheWay() {
+    private boolean hasGhostIn(SortedSet<String> sections) {
       return view.ghosts().entrySet().stream()
           .anyMatch(ghost ->
               !ghost.getKey().robot().equals(who.robot())
-                  && Sections.meet(ghost.getValue().sections(), want));
+                  && Sections.meet(ghost.getValue().sections(), sections));
     }
 
     @Override
     public String toString() {
-      return who + "'s request " + num + " for " + want;
+      return who + "'s request " + num + " for " + Sections.union(held, waiting);
     }
   }
 
@@ -166,7 +169,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     switch (event) {
       case MutexFact.DoMutex e -> {
         asker.num = e.num();
-        asker.want = e.want();
+        asker.inOrder = !e.sequence().isEmpty();
+        asker.held = Sections.NONE;
+        asker.waiting = e.want();
         asker.known = e.known();
         asker.answered.clear();
         asker.isTrying = true;
@@ -176,10 +181,13 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       case MutexFact.Fence e -> asker.fenced.add(e.suspect());
       case MutexFact.Grant e -> granted(asker, e.to(), e.num(), nowNs, report);
       case MutexFact.OdMutex e -> {
-        asker.want = e.held();
-        entered(mutex, asker, nowNs, report);
-        asker.isTrying = false;
+        SortedSet<String> isNew = Sections.without(e.held(), asker.held);
+        entered(mutex, asker, isNew, nowNs, report);
+        asker.held = e.held();
+        asker.waiting = asker.inOrder ? Sections.without(asker.waiting, e.held()) : Sections.NONE;
+        asker.isTrying = !asker.waiting.isEmpty();
       }
+      case MutexFact.Release e -> asker.held = e.left();
       case MutexFact.Withdraw e -> asker.isTrying &= e.num() != asker.num;
       default -> {}
     }
@@ -209,7 +217,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       Asker from = mutex.of(ok.from());
       granted(from, ok.to(), ok.num(), sent.timeNs(), report);
       Asker asker = mutex.of(ok.to());
-      if (asker.num == ok.num() && asker.answered.add(from.who)) {
+      if (asker.num == ok.num()) {
+        SortedSet<String> all = Sections.union(asker.held, asker.waiting);
+        asker.answered.merge(from.who, ok.part().isEmpty() ? all : ok.part(), Sections::union);
         await(mutex, asker, sent.timeNs());
       }
     }
@@ -225,13 +235,14 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     }
   }
 
-  private void entered(Group mutex, Asker asker, long nowNs, Report report) {
+  private void entered(
+      Group mutex, Asker asker, SortedSet<String> sections, long nowNs, Report report) {
     if (isRealTime || !mutex.hasMessages) {
       return;
     }
     report.checked(CONSENT);
-    Set<ProcessId> missing = asker.missing();
-    if (!missing.isEmpty() || asker.hasGhostInTheWay()) {
+    Set<ProcessId> missing = asker.missing(sections);
+    if (!missing.isEmpty() || asker.hasGhostIn(sections)) {
       String detail =
           asker + " enters " + (missing.isEmpty() ? "a ghost's section" : "without " + missing);
       report.violated(CONSENT, nowNs, List.of(asker.who.robot()), detail);
@@ -240,8 +251,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
   /** Updates what a request waits for. */
   private void await(Group mutex, Asker asker, long nowNs) {
-    Set<ProcessId> missing = asker.isTrying ? asker.missing() : Set.of();
-    if (asker.isTrying && missing.isEmpty() && asker.hasGhostInTheWay()) {
+    Set<ProcessId> missing = asker.isTrying ? asker.missing(asker.waiting) : Set.of();
+    boolean holds = !asker.held.isEmpty();
+    if (asker.isTrying && !holds && missing.isEmpty() && asker.hasGhostIn(asker.waiting)) {
       behindGhosts.start(asker, nowNs);
     } else {
       behindGhosts.stop(asker);

@@ -28,6 +28,7 @@ import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
+import org.starl.primitives.mutex.MutexProtocol.Resume;
 import org.starl.primitives.mutex.MutexProtocol.Self;
 import org.starl.random.Rng;
 import org.starl.trace.Instance;
@@ -38,9 +39,10 @@ import org.starl.trace.Instance;
  *
  * <p>Each registration gives the robot a new id, and each id is a separate participant. An older id
  * sends no requests, and grants all requests. If it still holds sections, it defers requests for
- * them, and the robot cannot request until it has released them.
+ * them, and the robot cannot request until it has released them; but the rest of a sequence, with these
+ * sections, may be requested at once.
  */
-public final class M_Mutex implements MutexPrim {
+public final class M_Mutex implements PipelinePrim {
 
   private final GlobalVarHolder gvh;
   private final Membership membership;
@@ -55,6 +57,7 @@ public final class M_Mutex implements MutexPrim {
 
   private MutexProtocol current;
   private @Nullable MutexProtocol lingering;
+  private Resume resume = Resume.NOTHING;
   // Older ids, permanently idle, each with the participants that it has fenced.
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
   // Calls to the membership, which may call back: they run after the protocol's step.
@@ -146,6 +149,43 @@ public final class M_Mutex implements MutexPrim {
   }
 
   @Override
+  public void do_sequence(List<String> sections) {
+    requireOpen();
+    if (Sections.copyOf(sections).size() < sections.size()) {
+      throw new IllegalArgumentException(source + ": do_sequence of " + sections + ": one twice");
+    }
+    if (!sections.containsAll(holder().held())) {
+      throw new IllegalArgumentException(
+          source + ": do_sequence of " + sections + " while holding " + holder().held());
+    }
+    if (current.phase() == Phase.IDLE && !sections.isEmpty()) {
+      failed.set(false);
+      failure.set(MutexFailure.NONE);
+    }
+    current.request(List.copyOf(sections), true, gvh.plat.clock.nowNs());
+    settle();
+  }
+
+  @Override
+  public void resume(Collection<String> stands, List<String> sections) {
+    standsIn(stands);
+    if (!sections.containsAll(stands)) {
+      throw new IllegalArgumentException(
+          source + ": resume in " + stands + " with " + sections + ": expected all of the first");
+    }
+    resume =
+        stands.isEmpty()
+            ? Resume.NOTHING
+            : new Resume(Sections.copyOf(stands), Sections.copyOf(sections));
+    current.takeOver(resume);
+  }
+
+  @Override
+  public int contenders(String... sections) {
+    return current.contenders(Arrays.asList(sections));
+  }
+
+  @Override
   public void do_mutex(Collection<String> sections, Participants plist) {
     RobotId me = current.me().robot();
     if (!plist.contains(me)) {
@@ -193,12 +233,35 @@ public final class M_Mutex implements MutexPrim {
   @Override
   public void release(Collection<String> sections) {
     requireOpen();
-    holder().release(Sections.copyOf(sections));
+    SortedSet<String> given = Sections.copyOf(sections);
+    if (given.isEmpty() || !held().containsAll(given)) {
+      throw new IllegalArgumentException(
+          source + ": release of " + given + " while holding " + held());
+    }
+    release(lingering, given);
+    release(current, given);
+    settle();
+  }
+
+  private void release(@Nullable MutexProtocol holder, SortedSet<String> given) {
+    if (holder != null && Sections.meet(holder.held(), given)) {
+      holder.release(Sections.common(holder.held(), given));
+    }
     if (lingering != null && lingering.phase() == Phase.IDLE) {
       retire(lingering);
       lingering = null;
     }
-    settle();
+    if (!resume.isOver() && holder == current) {
+      resume = current.resume();
+      standsIn(resume.stands());
+    }
+  }
+
+  /** What an older id holds passes to the current one, when this has access to all of it. */
+  private void takeOver() {
+    if (lingering != null && current.held().containsAll(lingering.held())) {
+      release(lingering, lingering.held());
+    }
   }
 
   @Override
@@ -218,7 +281,7 @@ public final class M_Mutex implements MutexPrim {
 
   @Override
   public SortedSet<String> held() {
-    return holder().held();
+    return lingering == null ? current.held() : Sections.union(lingering.held(), current.held());
   }
 
   @Override
@@ -237,7 +300,7 @@ public final class M_Mutex implements MutexPrim {
   }
 
   private @Nullable Wait waitsFor() {
-    SortedSet<String> held = holder().held();
+    SortedSet<String> held = held();
     String holds = held.isEmpty() ? "" : "holds " + held;
     if (closed || current.phase() != Phase.TRYING) {
       String state = held.isEmpty() && failed.get() ? "failed: " + failure.get() : holds;
@@ -259,7 +322,8 @@ public final class M_Mutex implements MutexPrim {
   private MutexProtocol participant(ProcessId me) {
     Rng its = rng.fork(me.toString());
     return new MutexProtocol(
-        new Self(me, gvh.comms.lamportClock(), times, its, membership.confines()), new Wiring(me));
+        new Self(me, gvh.comms.lamportClock(), times, its, membership.confines(), resume),
+        new Wiring(me));
   }
 
   private void retire(MutexProtocol participant) {
@@ -271,6 +335,7 @@ public final class M_Mutex implements MutexPrim {
       return;
     }
     if (!membership.me().equals(current.me())) {
+      resume = current.rest().isOver() ? resume : current.rest();
       current.withdraw(MutexFailure.REMOVED);
       if (current.phase() == Phase.IDLE) {
         retire(current);
@@ -296,9 +361,9 @@ public final class M_Mutex implements MutexPrim {
     if (closed) {
       return;
     }
-    if (!holder().held().isEmpty()) {
+    if (!held().isEmpty()) {
       throw new IllegalStateException(
-          source + ": unregister while holding " + holder().held() + ": release it first");
+          source + ": unregister while holding " + held() + ": release it first");
     }
     current.withdraw(MutexFailure.REMOVED);
     current.beginLeave();
@@ -361,8 +426,14 @@ public final class M_Mutex implements MutexPrim {
     }
 
     @Override
-    public void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
-      trace(() -> new MutexFact.DoMutex(me, num, ts, want, copy(known)));
+    public void requested(
+        long num,
+        long ts,
+        SortedSet<String> want,
+        List<String> sequence,
+        boolean resumes,
+        SortedSet<ProcessId> known) {
+      trace(() -> new MutexFact.DoMutex(me, num, ts, want, sequence, resumes, copy(known)));
     }
 
     @Override
@@ -371,20 +442,21 @@ public final class M_Mutex implements MutexPrim {
     }
 
     @Override
-    public void granted(ProcessId to, long num) {
-      trace(() -> new MutexFact.Grant(me, to, num));
+    public void granted(ProcessId to, long num, SortedSet<String> part) {
+      trace(() -> new MutexFact.Grant(me, to, num, part));
     }
 
     @Override
     public void entered(long num, SortedSet<String> held) {
       trace(() -> new MutexFact.OdMutex(me, num, held));
       crit.set(true);
+      membershipCalls.add(M_Mutex.this::takeOver);
     }
 
     @Override
     public void released(long num, SortedSet<String> given, SortedSet<String> left) {
       trace(() -> new MutexFact.Release(me, num, given, left));
-      crit.set(!left.isEmpty());
+      crit.set(!held().isEmpty());
     }
 
     @Override

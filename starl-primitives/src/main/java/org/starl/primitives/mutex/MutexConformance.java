@@ -1,5 +1,6 @@
 package org.starl.primitives.mutex;
 
+import java.util.HashSet;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -9,6 +10,7 @@ import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -33,6 +35,7 @@ import org.starl.trace.TraceEvent.Fault;
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
   private final Set<RobotId> gone = new TreeSet<>();
+  private final Set<Instance> withSequences = new HashSet<>();
 
   public MutexConformance() {
     this(AutomatonListener.none());
@@ -69,6 +72,12 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
     // The run of an instance begins with its first action: other facts are no actions.
+    if (action.fact() instanceof MutexFact.DoMutex request && !request.sequence().isEmpty()) {
+      withSequences.add(action.source());
+    }
+    if (withSequences.contains(action.source())) {
+      return;
+    }
     if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {
       instance(action.source()).step(action, fact.action().get(), report);
       switch (fact) {

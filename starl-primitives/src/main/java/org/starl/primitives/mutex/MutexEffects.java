@@ -1,5 +1,6 @@
 package org.starl.primitives.mutex;
 
+import java.util.List;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Confinement;
@@ -10,20 +11,33 @@ interface MutexEffects {
 
   void send(MutexMessage message);
 
-  /** A request begins; it needs the consent of {@code known}. */
-  void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known);
+  /**
+   * A request begins; it needs the consent of {@code known}.
+   *
+   * @param sequence the order of {@code want}; empty for a set, which is granted at once
+   * @param resumes whether it takes all of it over from the robot's earlier processes
+   */
+  void requested(
+      long num,
+      long ts,
+      SortedSet<String> want,
+      List<String> sequence,
+      boolean resumes,
+      SortedSet<ProcessId> known);
 
   /** The participants whose consent a request needs, or would need now, have changed. */
   void known(long num, SortedSet<ProcessId> known);
 
-  /** Request {@code num} of {@code to} is granted for the first time. */
-  void granted(ProcessId to, long num);
+  /** It consents to {@code part} of request {@code num} of {@code to}, or to all of it if empty. */
+  void granted(ProcessId to, long num, SortedSet<String> part);
 
+  /** It now holds {@code held}: all of a set, or more of a sequence than before. */
   void entered(long num, SortedSet<String> held);
 
+  /** It has released {@code given} and holds {@code left}. */
   void released(long num, SortedSet<String> given, SortedSet<String> left);
 
-  /** The request ended without access; number 0 if it never began. */
+  /** The request waits no longer, without access to the rest; number 0 if it never began. */
   void failed(long num, MutexFailure why);
 
   void learned(View view);

@@ -4,6 +4,7 @@ import static org.starl.shape.Shapes.LONG;
 import static org.starl.shape.Shapes.PROCESS;
 import static org.starl.shape.Shapes.part;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
@@ -58,13 +59,32 @@ public sealed interface MutexFact {
    *
    * @param num the number of the request, counted for each {@code who}
    * @param ts the logical time of the request
+   * @param sequence the order in which {@code want} is granted; empty for a set, granted at once
+   * @param resumes whether it takes {@code want} over from the robot's earlier processes
    * @param known the participants whose consent it needs
    */
   record DoMutex(
-      ProcessId who, long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known)
-      implements MutexFact {}
+      ProcessId who,
+      long num,
+      long ts,
+      SortedSet<String> want,
+      List<String> sequence,
+      boolean resumes,
+      SortedSet<ProcessId> known)
+      implements MutexFact {
 
-  /** Access to {@code held} was granted. */
+    public DoMutex {
+      sequence = List.copyOf(sequence);
+    }
+
+    /** For a set. */
+    public DoMutex(
+        ProcessId who, long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
+      this(who, num, ts, want, List.of(), false, known);
+    }
+  }
+
+  /** Access was granted: it now holds {@code held}. */
   record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact {}
 
   /** {@code given} was released, {@code left} is still held. */
@@ -78,8 +98,18 @@ public sealed interface MutexFact {
    */
   record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact {}
 
-  /** {@code who} consents to request {@code num} of {@code to}. */
-  record Grant(ProcessId who, ProcessId to, long num) implements MutexFact {}
+  /**
+   * {@code who} consents to request {@code num} of {@code to}.
+   *
+   * @param part the sections to which it consents from now on; empty for all
+   */
+  record Grant(ProcessId who, ProcessId to, long num, SortedSet<String> part) implements MutexFact {
+
+    /** To all of it. */
+    public Grant(ProcessId who, ProcessId to, long num) {
+      this(who, to, num, Sections.NONE);
+    }
+  }
 
   /** From now on a request needs, or would need, the consent of {@code known}. */
   record Known(ProcessId who, long num, SortedSet<ProcessId> known) implements MutexFact {}
@@ -114,6 +144,8 @@ public sealed interface MutexFact {
                 part("num", LONG, DoMutex::num),
                 part("ts", LONG, DoMutex::ts),
                 part("want", sections, DoMutex::want),
+                part("sequence", Shapes.list(Shapes.TEXT, Sections.MAX_COUNT), DoMutex::sequence),
+                part("resumes", Shapes.BOOL, DoMutex::resumes),
                 part("known", processes, DoMutex::known),
                 DoMutex::new)
             .named("do_mutex"),
@@ -144,6 +176,7 @@ public sealed interface MutexFact {
                 part("who", PROCESS, Grant::who),
                 part("to", PROCESS, Grant::to),
                 part("num", LONG, Grant::num),
+                part("part", sections, Grant::part),
                 Grant::new)
             .named("grant"),
         Shapes.of(

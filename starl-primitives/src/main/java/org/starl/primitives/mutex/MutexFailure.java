@@ -10,6 +10,11 @@ public enum MutexFailure {
   DEADLINE(false),
   /** A ghost occupies a section: a robot that seems to have crashed inside may still be there. */
   OCCUPIED(false),
+  /**
+   * Its logical time is earlier than that of a process that holds a section and waits for others, or a
+   * robot in the way has started again. The request held nothing; ask again.
+   */
+  LATE(false),
   /** The app withdrew the request. */
   WITHDRAWN(false),
   /** A later view does not list this robot's participant, or the robot has registered again. */

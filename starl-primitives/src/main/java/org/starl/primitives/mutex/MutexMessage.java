@@ -16,6 +16,16 @@ sealed interface MutexMessage {
   /** The limit of datagram headers: a received time must not make a clock overflow. */
   long MAX_TS = (1L << 62) - 1;
 
+  /** What is requested. */
+  enum Kind {
+    /** Sections that are granted at once. */
+    SET,
+    /** Sections that are granted one by one. */
+    SEQUENCE,
+    /** The rest of a sequence, all of it taken over from the robot's earlier processes. */
+    RESUMED
+  }
+
   ProcessId from();
 
   /** The addressed participant: a robot may also answer under an older id. */
@@ -29,8 +39,29 @@ sealed interface MutexMessage {
    * @param ts the request's logical time; the lower one goes first
    */
   record Req(
-      ProcessId from, ProcessId to, long num, long admittedBy, long ts, SortedSet<String> want)
+      ProcessId from,
+      ProcessId to,
+      long num,
+      long admittedBy,
+      long ts,
+      Kind kind,
+      SortedSet<String> want)
       implements MutexMessage {
+
+    /** For a set. */
+    Req(ProcessId from, ProcessId to, long num, long admittedBy, long ts, SortedSet<String> want) {
+      this(from, to, num, admittedBy, ts, Kind.SET, want);
+    }
+
+    /** Whether it takes consent to a part of {@link #want}. */
+    boolean inOrder() {
+      return kind != Kind.SET;
+    }
+
+    boolean resumes() {
+      return kind == Kind.RESUMED;
+    }
+
     public Req {
       requireOther(from, to);
       if (want.isEmpty()) {
@@ -39,10 +70,21 @@ sealed interface MutexMessage {
     }
   }
 
-  /** {@code from} grants request {@code num} of {@code to}, and no other request. */
-  record Ok(ProcessId from, ProcessId to, long num) implements MutexMessage {
+  /**
+   * {@code from} consents to request {@code num} of {@code to}, and to no other request.
+   *
+   * @param part of a sequence, the sections to which it consents, with those of earlier answers; empty
+   *     for all
+   */
+  record Ok(ProcessId from, ProcessId to, long num, SortedSet<String> part)
+      implements MutexMessage {
     public Ok {
       requireOther(from, to);
+    }
+
+    /** To all of it. */
+    Ok(ProcessId from, ProcessId to, long num) {
+      this(from, to, num, Sections.NONE);
     }
   }
 
@@ -57,10 +99,17 @@ sealed interface MutexMessage {
   /**
    * {@code from} is alive, and defers its answer to request {@code num} of {@code to}. Sent when
    * the request is repeated.
+   *
+   * @param ahead whether {@code from} holds a section of it, or stands there, and waits for others
    */
-  record Noted(ProcessId from, ProcessId to, long num) implements MutexMessage {
+  record Noted(ProcessId from, ProcessId to, long num, boolean ahead) implements MutexMessage {
     public Noted {
       requireOther(from, to);
+    }
+
+    /** Not ahead. */
+    Noted(ProcessId from, ProcessId to, long num) {
+      this(from, to, num, false);
     }
   }
 
@@ -117,6 +166,7 @@ sealed interface MutexMessage {
             part("num", num, Req::num),
             part("admittedBy", admittedBy, Req::admittedBy),
             part("ts", Shapes.within(1, MAX_TS, "logical time"), Req::ts),
+            part("kind", Shapes.constant(Kind.class), Req::kind),
             part("want", Sections.SHAPE, Req::want),
             Req::new),
         Shapes.of(
@@ -124,6 +174,7 @@ sealed interface MutexMessage {
             part("from", PROCESS, Ok::from),
             part("to", PROCESS, Ok::to),
             part("num", num, Ok::num),
+            part("part", Sections.SHAPE, Ok::part),
             Ok::new),
         Shapes.of(
             Rem.class,
@@ -137,6 +188,7 @@ sealed interface MutexMessage {
             part("from", PROCESS, Noted::from),
             part("to", PROCESS, Noted::to),
             part("num", num, Noted::num),
+            part("ahead", Shapes.BOOL, Noted::ahead),
             Noted::new),
         Shapes.of(
             FenceQ.class,

@@ -86,7 +86,7 @@ final class MutexProgress {
   void began(Request request, long nowNs) {
     Set<Request> before = new LinkedHashSet<>();
     for (Request other : contenders(request, request.want)) {
-      if (other.critical || other.isBefore(request)) {
+      if (other.holds() || other.isBefore(request)) {
         before.add(other);
       } else {
         standsBefore(request, other, nowNs);
@@ -132,12 +132,14 @@ final class MutexProgress {
   }
 
   void entered(Request request, long nowNs, Report report) {
-    if (ahead.remove(request) != null) {
-      report.checked(SERVED);
-      report.checked(NON_INTERFERENCE);
+    if (request.hasAll()) {
+      if (ahead.remove(request) != null) {
+        report.checked(SERVED);
+        report.checked(NON_INTERFERENCE);
+      }
+      settle(request);
+      unimpede(request, nowNs);
     }
-    settle(request);
-    unimpede(request, nowNs);
     holding.start(request, nowNs);
     for (Request other : contenders(request, request.want)) {
       standsBefore(request, other, nowNs);

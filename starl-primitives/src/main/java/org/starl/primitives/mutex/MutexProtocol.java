@@ -1,5 +1,6 @@
 package org.starl.primitives.mutex;
 
+import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -30,6 +31,21 @@ import org.starl.random.Rng;
  * only after it has learned a view that lists itself and not the other. So of two participants the
  * younger has a view that lists the elder, and asks it; the elder learns of the younger by its
  * request, and asks back.
+ *
+ * <p>A request is for a set, granted all at once, or for a sequence, granted section by section in
+ * its order. Consent is given for each section: to a sequence, also for a part of it. So a holder
+ * hands over each section as it leaves it, and all sections have one order, that of the requests'
+ * logical times. Two rules keep circles out of it, since a sequence holds while it waits:
+ *
+ * <ul>
+ *   <li>A request is <em>late</em> if an earlier time than that of a waiting holder is on it: such a
+ *       holder consents to nothing of it, and tells ({@code ahead}). A late request, which so holds
+ *       nothing, ends.
+ *   <li>A new process of a robot whose earlier one may hold sections <em>resumes</em>: it claims the
+ *       sections ahead of it. It comes before all that wait and hold none of these, which would wait
+ *       for its body, and after those that hold one and tell it that they are ahead. It consents to no
+ *       other request for what it claims.
+ * </ul>
  */
 class MutexProtocol {
 
@@ -40,8 +56,43 @@ class MutexProtocol {
     CRITICAL
   }
 
-  /** A participant's identity and resources. */
-  record Self(ProcessId me, LamportClock clock, MutexTimes times, Rng rng, boolean canConfine) {}
+  /**
+   * A participant's identity and resources.
+   *
+   * @param resume what the robot's earlier processes had of a sequence
+   */
+  record Self(
+      ProcessId me,
+      LamportClock clock,
+      MutexTimes times,
+      Rng rng,
+      boolean canConfine,
+      Resume resume) {
+
+    /** Of a robot without earlier processes. */
+    Self(ProcessId me, LamportClock clock, MutexTimes times, Rng rng, boolean canConfine) {
+      this(me, clock, times, rng, canConfine, Resume.NOTHING);
+    }
+  }
+
+  /**
+   * What a new process of a robot takes over from the robot's earlier ones.
+   *
+   * @param stands the sections in which the body may be
+   * @param claims these and the sections ahead of them
+   */
+  record Resume(SortedSet<String> stands, SortedSet<String> claims) {
+
+    static final Resume NOTHING = new Resume(Sections.NONE, Sections.NONE);
+
+    boolean isOver() {
+      return claims.isEmpty();
+    }
+
+    private Resume without(SortedSet<String> sections) {
+      return new Resume(Sections.without(stands, sections), Sections.without(claims, sections));
+    }
+  }
 
   private final ProcessId me;
   private final LamportClock clock;
@@ -56,11 +107,18 @@ class MutexProtocol {
   private Phase phase = Phase.IDLE;
   private long num;
   private long ts;
+  // What it holds, and what it waits for, in order; want is both.
+  private SortedSet<String> held = Sections.NONE;
+  private List<String> waiting = List.of();
   private SortedSet<String> want = Sections.NONE;
-  // The receivers of the current request, and those of them whose needed answer is missing.
-  private final TreeSet<ProcessId> asked = new TreeSet<>();
-  private final TreeSet<ProcessId> missing = new TreeSet<>();
+  private boolean inOrder;
+  // The receivers of the current request, and for each the sections without its needed consent.
+  private final TreeMap<ProcessId, SortedSet<String>> asked = new TreeMap<>();
   private final RequestTimers timers;
+
+  // What it takes over, and those that told to be ahead of it.
+  private Resume resume;
+  private final TreeSet<ProcessId> ahead = new TreeSet<>();
 
   // Participants that sent a request and were admitted by a view later than mine, and its number.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
@@ -71,6 +129,7 @@ class MutexProtocol {
     this.me = self.me();
     this.clock = self.clock();
     this.canConfine = self.canConfine();
+    this.resume = self.resume();
     this.effects = effects;
     this.fences = new Fences(this, effects, self.rng());
     this.timers = new RequestTimers(self.times());
@@ -95,7 +154,7 @@ class MutexProtocol {
 
   /** The sections that it has access to. */
   SortedSet<String> held() {
-    return phase == Phase.CRITICAL ? want : Sections.NONE;
+    return held;
   }
 
   /** The sections of the latest request that it has not released. */
@@ -127,9 +186,39 @@ class MutexProtocol {
     return fences.all();
   }
 
-  /** The participants whose needed answers are missing. */
+  /** The participants whose consent to a section that it waits for is missing. */
   SortedSet<ProcessId> missing() {
-    return new TreeSet<>(missing);
+    TreeSet<ProcessId> missing = new TreeSet<>();
+    if (phase == Phase.TRYING) {
+      asked.forEach((id, lacking) -> {
+        if (!lacking.isEmpty()) {
+          missing.add(id);
+        }
+      });
+    }
+    return missing;
+  }
+
+  /** Number of other participants that are known to hold or to wait for all of {@code sections}. */
+  int contenders(List<String> sections) {
+    return peers.wanting(sections);
+  }
+
+  /** It takes this over from earlier processes; before it is in a view. */
+  void takeOver(Resume earlier) {
+    resume = earlier;
+  }
+
+  /** What it still takes over from earlier processes. */
+  Resume resume() {
+    return resume;
+  }
+
+  /** What a later process of this robot takes over from this one. */
+  Resume rest() {
+    return inOrder && !held.isEmpty()
+        ? new Resume(Sections.union(resume.stands, held), Sections.union(resume.claims, want))
+        : resume;
   }
 
   /**
@@ -152,6 +241,16 @@ class MutexProtocol {
 
   /** {@code do_mutex}: requests {@code sections} from all known participants, or fails at once. */
   void request(SortedSet<String> sections, long nowNs) {
+    request(List.copyOf(sections), false, nowNs);
+  }
+
+  /**
+   * The same for a set or a sequence.
+   *
+   * @param sections no two equal
+   * @param oneByOne whether they are granted one by one, in this order
+   */
+  void request(List<String> sections, boolean oneByOne, long nowNs) {
     if (phase != Phase.IDLE) {
       throw new IllegalStateException(
           "do_mutex of " + sections + " while " + phase + " for " + want);
@@ -165,14 +264,17 @@ class MutexProtocol {
     }
     num++;
     ts = clock.tick();
-    want = sections;
+    waiting = sections;
+    want = Sections.copyOf(sections);
+    inOrder = oneByOne;
     phase = Phase.TRYING;
+    ahead.clear();
     asked.clear();
-    asked.addAll(known());
-    missing.addAll(asked);
+    known().forEach(other -> asked.put(other, want));
     timers.begin(nowNs);
-    effects.requested(num, ts, want, asked);
+    effects.requested(num, ts, want, inOrder ? sections : List.of(), resumes(), known());
     sendRequests();
+    answerPending();
     enter();
   }
 
@@ -182,10 +284,12 @@ class MutexProtocol {
       throw new IllegalArgumentException("release of " + sections + " while holding " + held());
     }
     want = Sections.without(want, sections);
+    held = Sections.without(held, sections);
+    resume = resume.without(sections);
     if (want.isEmpty()) {
       phase = Phase.IDLE;
     }
-    effects.released(num, sections, want);
+    effects.released(num, sections, held);
     tellRest();
     answerPending();
     if (over && phase == Phase.IDLE) {
@@ -193,15 +297,18 @@ class MutexProtocol {
     }
   }
 
-  /** Cancels a waiting request; no effect without one. */
+  /** Ends waiting; what is held stays held. No effect without a waiting request. */
   void withdraw(MutexFailure why) {
     if (phase != Phase.TRYING) {
       return;
     }
-    phase = Phase.IDLE;
-    want = Sections.NONE;
-    missing.clear();
-    timers.needsOnly(missing);
+    if (why.mustRegister()) {
+      resume = rest();
+    }
+    phase = held.isEmpty() ? Phase.IDLE : Phase.CRITICAL;
+    want = held;
+    waiting = List.of();
+    timers.needsOnly(missing());
     effects.failed(num, why);
     tellRest();
     answerPending();
@@ -241,7 +348,7 @@ class MutexProtocol {
   /** Repeats or ends the request, and continues fencing, if it is time. */
   void timer(long nowNs) {
     if (phase == Phase.TRYING && timers.isOver(nowNs)) {
-      withdraw(missing.isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
+      withdraw(missing().isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
     } else if (phase == Phase.TRYING && timers.resends(nowNs)) {
       goOnWaiting(nowNs);
     }
@@ -250,14 +357,16 @@ class MutexProtocol {
 
   /** Suspects {@code peer}, whose answer it needs, of a crash; it may be wrong. */
   final void suspect(ProcessId peer, long nowNs) {
-    if (canConfine && missing.contains(peer) && mayRequest()) {
+    if (canConfine && missing().contains(peer) && mayRequest()) {
       Long by = heard.get(peer);
       fences.suspect(peer, by == null ? view.admittedBy(peer) : by, nowNs);
     }
   }
 
   private void goOnWaiting(long nowNs) {
-    if (missing.isEmpty() && isOccupied() && timers.isGhostTimeOver(nowNs)) {
+    SortedSet<ProcessId> missing = missing();
+    // Who holds sections goes on waiting: its turn for the others is lost otherwise.
+    if (held.isEmpty() && missing.isEmpty() && isOccupied() && timers.isGhostTimeOver(nowNs)) {
       withdraw(MutexFailure.OCCUPIED);
       return;
     }
@@ -283,9 +392,7 @@ class MutexProtocol {
       case Req req -> hear(req);
       case Ok ok -> hearOk(ok);
       case Rem rem -> hearRem(rem);
-      case Noted noted -> {
-        // It only shows that its sender is alive.
-      }
+      case Noted noted -> hearNoted(noted);
       case FenceQ question -> fences.asked(question, nowNs);
       case Fence fence -> fences.answered(fence);
       case Fenced fenced -> hearFenced();
@@ -299,24 +406,52 @@ class MutexProtocol {
     if (peer == null) {
       return;
     }
-    if (peer.isGranted()) {
+    if (peer.hasAll(req)) {
       effects.send(new Ok(me, req.from(), req.num()));
     } else if (refuses(req.from())) {
       effects.send(new Fenced(me, req.from()));
-    } else if (defers(req)) {
-      if (peers.defer(req)) {
-        effects.send(new Noted(me, req.from(), req.num()));
-      }
     } else {
-      grant(req, peer);
+      giveWay(req);
+      answer(req, peer);
     }
     lookAtGhost(req.from());
   }
 
+  /** Consents to what it does not defer, and tells that it is alive if something is left. */
+  private void answer(Req req, Peers.Peer peer) {
+    SortedSet<String> free = free(req);
+    boolean isNew = !peer.granted().containsAll(free);
+    if (isNew) {
+      grant(req, peer, free);
+    }
+    if (!peer.hasAll(req)) {
+      boolean isRepeated = peers.defer(req);
+      boolean isAhead = isAheadOf(req);
+      if (isAhead || (isRepeated && !isNew && peer.granted().isEmpty())) {
+        effects.send(new Noted(me, req.from(), req.num(), isAhead));
+      } else if (isRepeated && !isNew) {
+        effects.send(new Ok(me, req.from(), req.num(), peer.granted()));
+      }
+    }
+  }
+
   private void hearOk(Ok ok) {
-    if (phase == Phase.TRYING && answersMyRequest(ok) && missing.remove(ok.from())) {
-      timers.needsOnly(missing);
+    SortedSet<String> lacking = asked.get(ok.from());
+    if (phase == Phase.TRYING && answersMyRequest(ok) && lacking != null) {
+      asked.put(ok.from(), Sections.without(lacking, ok.part().isEmpty() ? want : ok.part()));
+      timers.needsOnly(missing());
       enter();
+    }
+  }
+
+  private void hearNoted(Noted noted) {
+    if (phase != Phase.TRYING || noted.num() != num || !noted.ahead()) {
+      return;
+    }
+    if (!resumes()) {
+      withdraw(MutexFailure.LATE);
+    } else if (ahead.add(noted.from())) {
+      answerPending();
     }
   }
 
@@ -339,12 +474,72 @@ class MutexProtocol {
 
   // ------------------------------------------------------------------ rules
 
-  /** Whether it defers its answer to {@code req}. */
-  boolean defers(Req req) {
-    return phase != Phase.IDLE
-        && Sections.meet(want, req.want())
-        // A holder defers every request: a new participant's clock may be low.
-        && (phase == Phase.CRITICAL || isBefore(ts, me, req.ts(), req.from()));
+  /** The sections of {@code req} to which it consents now: of a set all or none. */
+  private SortedSet<String> free(Req req) {
+    if (isAheadOf(req) && !req.resumes()) {
+      return Sections.NONE;
+    }
+    TreeSet<String> free = new TreeSet<>(req.want());
+    free.removeIf(section -> defers(req, section));
+    return free.size() == req.want().size() || req.inOrder()
+        ? Sections.copyOf(free)
+        : Sections.NONE;
+  }
+
+  /** Whether it defers its consent to {@code section} of {@code req}. */
+  boolean defers(Req req, String section) {
+    if (held.contains(section)) {
+      return true; // a holder defers every request: a new participant's clock may be low
+    }
+    boolean isClaimed = resume.claims.contains(section) && !ahead.contains(req.from());
+    if (isClaimed && !(req.resumes() && phase == Phase.TRYING)) {
+      return true;
+    }
+    return (isClaimed || want.contains(section)) && comesBefore(req);
+  }
+
+  /** Whether its own request comes before {@code req}, where neither of them holds. */
+  private boolean comesBefore(Req req) {
+    if (req.resumes() && !ahead.contains(req.from())) {
+      return isInTheWayOf(req) || (resumes() && isEarlierThan(req));
+    }
+    return isEarlierThan(req);
+  }
+
+  private boolean isEarlierThan(Req req) {
+    return isBefore(ts, me, req.ts(), req.from());
+  }
+
+  /** Whether its request is for what it takes over. */
+  private boolean resumes() {
+    return inOrder && !resume.isOver() && resume.claims.containsAll(want);
+  }
+
+  private MutexMessage.Kind kind() {
+    return !inOrder
+        ? MutexMessage.Kind.SET
+        : resumes() ? MutexMessage.Kind.RESUMED : MutexMessage.Kind.SEQUENCE;
+  }
+
+  /** Whether it holds something of {@code req}, or its body may be there. */
+  private boolean isInTheWayOf(Req req) {
+    return Sections.meet(held, req.want()) || Sections.meet(resume.stands, req.want());
+  }
+
+  /** Whether it still waits while it is in the way of a request that would go first. */
+  private boolean isAheadOf(Req req) {
+    return phase == Phase.TRYING && isInTheWayOf(req) && (req.resumes() || !isEarlierThan(req));
+  }
+
+  /** Ends its request if it holds nothing and waits for what a resuming process claims. */
+  private void giveWay(Req req) {
+    if (req.resumes()
+        && !resumes()
+        && phase == Phase.TRYING
+        && held.isEmpty()
+        && Sections.meet(want, req.want())) {
+      withdraw(MutexFailure.LATE);
+    }
   }
 
   /** Whether it never grants {@code peer} anything. */
@@ -379,9 +574,9 @@ class MutexProtocol {
     }
   }
 
-  /** Whether all needed answers have arrived. */
-  boolean hasAllAnswers() {
-    return missing.isEmpty();
+  /** Whether all needed consents to {@code section} have arrived. */
+  boolean hasConsents(String section) {
+    return asked.values().stream().noneMatch(lacking -> lacking.contains(section));
   }
 
   /** Ends this participant after a view that lists it no longer, or only as a ghost. */
@@ -395,12 +590,16 @@ class MutexProtocol {
     }
   }
 
-  /** Whether a ghost of another robot may be in a wanted section. */
+  /** Whether a ghost of another robot may be in a section that it waits for. */
   boolean isOccupied() {
+    return waiting.stream().anyMatch(this::isOccupied);
+  }
+
+  boolean isOccupied(String section) {
     return view.ghosts().entrySet().stream()
         .anyMatch(ghost ->
             !ghost.getKey().robot().equals(me.robot())
-                && Sections.meet(ghost.getValue().sections(), want));
+                && ghost.getValue().sections().contains(section));
   }
 
   static boolean isBefore(long ts, ProcessId id, long otherTs, ProcessId other) {
@@ -411,23 +610,43 @@ class MutexProtocol {
 
   /** Enters if possible; called after every change that may allow it. */
   final void enter() {
-    if (phase == Phase.TRYING && hasAllAnswers() && !isOccupied()) {
-      phase = Phase.CRITICAL;
-      effects.entered(num, want);
+    int free = phase == Phase.TRYING ? grantable() : 0;
+    if (free > 0) {
+      held = Sections.union(held, waiting.subList(0, free));
+      waiting = List.copyOf(waiting.subList(free, waiting.size()));
+      phase = waiting.isEmpty() ? Phase.CRITICAL : Phase.TRYING;
+      timers.needsOnly(missing());
+      effects.entered(num, held);
     }
   }
 
-  private void grant(Req req, Peers.Peer peer) {
-    peers.grant(req, peer);
-    effects.granted(req.from(), req.num());
-    effects.send(new Ok(me, req.from(), req.num()));
+  /** How many of the sections that it waits for it may hold now, from the first. */
+  private int grantable() {
+    int free = 0;
+    while (free < waiting.size()
+        && !isOccupied(waiting.get(free))
+        && hasConsents(waiting.get(free))) {
+      free++;
+    }
+    // While a removed process may be inside, nobody new stops on its way there.
+    boolean isAtOnce = !inOrder || (held.isEmpty() && !view.ghosts().isEmpty());
+    return isAtOnce && free < waiting.size() ? 0 : free;
+  }
+
+  private void grant(Req req, Peers.Peer peer, SortedSet<String> sections) {
+    peer.grant(sections);
+    boolean isWhole = peer.hasAll(req);
+    effects.granted(req.from(), req.num(), isWhole ? Sections.NONE : sections);
+    effects.send(new Ok(me, req.from(), req.num(), isWhole ? Sections.NONE : peer.granted()));
   }
 
   private void answerPending() {
-    for (Req req : peers.takePending(each -> !defers(each))) {
+    for (Req req : peers.pending()) {
       Peers.Peer peer = peers.find(req.from());
-      if (peer != null && !refuses(req.from())) {
-        grant(req, peer);
+      SortedSet<String> free = free(req);
+      if (peer != null && !refuses(req.from()) && !peer.granted().containsAll(free)) {
+        grant(req, peer, free);
+        peers.settle(req);
       }
     }
   }
@@ -437,11 +656,11 @@ class MutexProtocol {
     SortedSet<ProcessId> now = known();
     effects.known(num, now);
     if (phase == Phase.TRYING) {
-      missing.retainAll(now);
-      timers.needsOnly(missing);
+      // Who is no longer known needs no answer, but is told of releases.
+      asked.replaceAll((other, lacking) -> now.contains(other) ? lacking : Sections.NONE);
+      timers.needsOnly(missing());
       for (ProcessId other : now) {
-        if (asked.add(other)) {
-          missing.add(other);
+        if (asked.putIfAbsent(other, Sections.copyOf(waiting)) == null) {
           sendRequest(other);
         }
       }
@@ -456,17 +675,17 @@ class MutexProtocol {
   }
 
   private void sendRequests() {
-    for (ProcessId other : missing) {
+    for (ProcessId other : missing()) {
       sendRequest(other);
     }
   }
 
   private void sendRequest(ProcessId other) {
-    effects.send(new Req(me, other, num, admittedBy, ts, want));
+    effects.send(new Req(me, other, num, admittedBy, ts, kind(), want));
   }
 
   private void tellRest() {
-    for (ProcessId other : asked) {
+    for (ProcessId other : asked.keySet()) {
       effects.send(new Rem(me, other, num, want));
     }
   }
@@ -476,7 +695,14 @@ class MutexProtocol {
     StringBuilder text = new StringBuilder();
     text.append(clock.now()).append(' ').append(this);
     text.append(over ? " over " : " ").append(num).append(' ').append(ts);
-    text.append(' ').append(asked).append(missing).append(heard);
+    text.append(' ')
+        .append(inOrder)
+        .append(resume)
+        .append(ahead)
+        .append(asked)
+        .append(held)
+        .append(waiting)
+        .append(heard);
     return text.append(peers).append(fences).toString();
   }
 

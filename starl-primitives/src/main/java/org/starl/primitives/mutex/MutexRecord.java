@@ -93,7 +93,7 @@ final class MutexRecord {
         progress(p -> p.entered(request, nowNs, report));
       }
       case MutexFact.Release e -> {
-        requests.shrink(request, e.left());
+        requests.shrink(request, Sections.without(request.want, e.given()));
         progress(p -> p.shrank(request, e.given(), nowNs));
       }
       case MutexFact.Withdraw e -> withdrew(request, e.why(), nowNs, report);
@@ -118,7 +118,7 @@ final class MutexRecord {
       last = view;
       progress(p -> p.look(nowNs));
       for (Requests.Request request : requests.active()) {
-        if (request.critical) {
+        if (request.holds()) {
           checkListed(request, nowNs, report);
         }
       }
@@ -131,9 +131,7 @@ final class MutexRecord {
       if (request.who.robot().equals(declared.who().robot())
           && isOfEarlierStart(request, declared)) {
         SortedSet<String> before = request.want;
-        requests.shrink(
-            request,
-            request.critical ? Sections.common(before, declared.sections()) : Sections.NONE);
+        requests.shrink(request, Sections.common(request.held, declared.sections()));
         progress(p -> p.shrank(request, Sections.without(before, request.want), nowNs));
       }
     }
@@ -150,14 +148,14 @@ final class MutexRecord {
     report.checked(MutexSpec.COMPLETE);
     View.Ghost ghost = last.ghost(holder.who);
     SortedSet<String> atMost = ghost == null ? Sections.NONE : ghost.sections();
-    if (!last.contains(holder.who) && !atMost.containsAll(holder.want)) {
+    if (!last.contains(holder.who) && !atMost.containsAll(holder.held)) {
       report.violated(
           lemma,
           nowNs,
           List.of(holder.who.robot()),
           holder.who
               + " holds "
-              + holder.want
+              + holder.held
               + ", but in view "
               + last
               + " it may hold at most "
@@ -170,8 +168,8 @@ final class MutexRecord {
       return; // failed before it began
     }
     checkReason(request, why, nowNs, report);
-    TreeSet<String> wanted = new TreeSet<>(request.want);
-    requests.shrink(request, Sections.NONE);
+    SortedSet<String> wanted = Sections.without(request.want, request.held);
+    requests.shrink(request, request.held);
     progress(p -> p.shrank(request, wanted, nowNs));
   }
 
@@ -216,9 +214,9 @@ final class MutexRecord {
 
   private void checkExclusive(Requests.Request entering, long nowNs, Report report) {
     report.checked(MutexSpec.EXCLUSIVE);
-    for (String section : entering.want) {
+    for (String section : entering.held) {
       for (Requests.Request other : requests.contendersFor(section)) {
-        if (other.critical && !other.who.robot().equals(entering.who.robot())) {
+        if (other.held.contains(section) && !other.who.robot().equals(entering.who.robot())) {
           report.violated(
               MutexSpec.EXCLUSIVE,
               nowNs,
@@ -232,13 +230,13 @@ final class MutexRecord {
   private void granted(Requests.Request to, MutexFact.Grant grant, long nowNs, Report report) {
     if (to.isActive() && to.num == grant.num()) {
       Requests.Request by = requests.of(grant.who());
-      requests.consent(by, to);
+      requests.consent(by, to, grant.part().isEmpty() ? to.want : grant.part());
       checkPromise(to, by, nowNs, report);
     }
   }
 
   private void checkPromises(Requests.Request beginning, long nowNs, Report report) {
-    for (Requests.Request to : beginning.consentedTo) {
+    for (Requests.Request to : beginning.consentedTo.keySet()) {
       checkPromise(to, beginning, nowNs, report);
     }
   }
@@ -246,7 +244,11 @@ final class MutexRecord {
   private static void checkPromise(
       Requests.Request to, Requests.Request by, long nowNs, Report report) {
     report.checked(MutexSpec.PROMISE);
-    if (by.isActive() && Sections.meet(to.want, by.want) && (by.critical || !to.isBefore(by))) {
+    SortedSet<String> promised =
+        Sections.common(to.want, by.consentedTo.getOrDefault(to, Sections.NONE));
+    boolean isOutOfOrder =
+        Sections.meet(promised, by.want) && !to.resumes && !by.resumes && !to.isBefore(by);
+    if (isOutOfOrder || Sections.meet(promised, by.held)) {
       report.violated(
           MutexSpec.PROMISE,
           nowNs,
@@ -289,13 +291,14 @@ final class MutexRecord {
     public boolean isImpeded(Requests.Request request) {
       return !isFair.getAsBoolean()
           || request.known.stream().anyMatch(liveness::isDead)
+          || (request.inOrder && !last.ghosts().isEmpty())
           || hasGhostInTheWay(last, request);
     }
 
     @Override
     public boolean isOwedNothing(Requests.Request request) {
       return (listed.contains(request.who) && !last.contains(request.who))
-          || (liveness.isDead(request.who) && !request.critical);
+          || (liveness.isDead(request.who) && !request.holds());
     }
   }
 }

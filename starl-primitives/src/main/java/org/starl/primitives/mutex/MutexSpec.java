@@ -2,8 +2,13 @@ package org.starl.primitives.mutex;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Liveness;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
@@ -65,6 +70,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final @Nullable MutexBounds calm;
   private final Liveness liveness = new Liveness();
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
+  // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
+  private final Map<ProcessKey, Set<ProcessId>> holders = new HashMap<>();
   private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */
@@ -153,9 +160,16 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
       mutex.happened(fact, action.timeNs(), report);
       ProcessKey key = new ProcessKey(action.source(), action.robot());
       switch (fact) {
-        case MutexFact.OdMutex access -> crit.says(key, action, isTrue -> isTrue, report);
+        case MutexFact.OdMutex access -> {
+          holders.computeIfAbsent(key, robot -> new TreeSet<>()).add(access.who());
+          crit.says(key, action, isTrue -> isTrue, report);
+        }
         case MutexFact.Release release -> {
-          boolean holds = !release.left().isEmpty();
+          Set<ProcessId> ids = holders.computeIfAbsent(key, robot -> new TreeSet<>());
+          ids.removeIf(id ->
+              id.boot() < release.who().boot()
+                  || (id.equals(release.who()) && release.left().isEmpty()));
+          boolean holds = !ids.isEmpty();
           crit.says(key, action, isTrue -> isTrue == holds, report);
         }
         default -> {}

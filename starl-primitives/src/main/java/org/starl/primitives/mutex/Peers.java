@@ -1,12 +1,12 @@
 package org.starl.primitives.mutex;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
@@ -19,20 +19,32 @@ final class Peers {
   /** The newest request of another participant. */
   static final class Peer {
     private long seen;
-    private boolean granted;
     private boolean done;
-    // The granted sections that the other may still hold.
+    // What it holds or waits for; what was granted; and of that, what it may still hold.
+    private SortedSet<String> want = Sections.NONE;
+    private SortedSet<String> granted = Sections.NONE;
     private SortedSet<String> open = Sections.NONE;
 
-    private void begin(long num) {
+    private void begin(long num, SortedSet<String> sections) {
       seen = num;
-      granted = false;
       done = false;
+      want = sections;
+      granted = Sections.NONE;
       open = Sections.NONE;
     }
 
-    boolean isGranted() {
+    /** All sections of its newest request that were granted. */
+    SortedSet<String> granted() {
       return granted;
+    }
+
+    boolean hasAll(Req req) {
+      return granted.containsAll(req.want());
+    }
+
+    void grant(SortedSet<String> sections) {
+      granted = Sections.union(granted, sections);
+      open = Sections.common(want, Sections.union(open, sections));
     }
   }
 
@@ -46,7 +58,7 @@ final class Peers {
       return null;
     }
     if (req.num() > peer.seen) {
-      peer.begin(req.num());
+      peer.begin(req.num(), req.want());
       pending.remove(req.from());
     }
     return peer;
@@ -56,9 +68,10 @@ final class Peers {
     Peer peer = peers.computeIfAbsent(rem.from(), id -> new Peer());
     boolean isOver = rem.left().isEmpty();
     if (rem.num() > peer.seen && isOver) {
-      peer.begin(rem.num());
+      peer.begin(rem.num(), Sections.NONE);
     }
     if (rem.num() == peer.seen) {
+      peer.want = Sections.common(peer.want, rem.left());
       peer.open = Sections.common(peer.open, rem.left());
       peer.done |= isOver;
       if (isOver) {
@@ -67,21 +80,27 @@ final class Peers {
     }
   }
 
-  void grant(Req req, Peer peer) {
-    peer.granted = true;
-    peer.open = req.want();
-  }
-
   /** Defers the answer; returns whether it was already deferred. */
   boolean defer(Req req) {
     return req.equals(pending.put(req.from(), req));
   }
 
-  /** Removes and returns the deferred requests that are free now, in order of arrival. */
-  List<Req> takePending(Predicate<Req> isFree) {
-    List<Req> free = pending.values().stream().filter(isFree).collect(Collectors.toList());
-    free.forEach(req -> pending.remove(req.from()));
-    return free;
+  /** The requests whose answer, or a part of it, is deferred, in order of arrival. */
+  List<Req> pending() {
+    return new ArrayList<>(pending.values());
+  }
+
+  /** Forgets a deferred request that has all consents. */
+  void settle(Req req) {
+    Peer peer = peers.get(req.from());
+    if (peer == null || peer.hasAll(req)) {
+      pending.remove(req.from());
+    }
+  }
+
+  /** Number of participants that hold or wait for all of {@code sections}. */
+  int wanting(List<String> sections) {
+    return (int) peers.values().stream().filter(peer -> peer.want.containsAll(sections)).count();
   }
 
   @Nullable Peer find(ProcessId id) {
@@ -114,7 +133,8 @@ final class Peers {
             .append(id)
             .append(':')
             .append(peer.seen)
-            .append(peer.granted ? "g" : "")
+            .append(peer.granted)
+            .append(peer.want)
             .append(peer.done ? "d" : "")
             .append(peer.open));
     return text.append(' ').append(pending).toString();

@@ -23,15 +23,28 @@ final class Requests {
     long num;
     long ts;
     long begunNs;
-    boolean critical;
+    boolean inOrder;
+    boolean resumes;
+    // What it holds, and what it holds or waits for.
+    SortedSet<String> held = Sections.NONE;
     SortedSet<String> want = Sections.NONE;
     SortedSet<ProcessId> known = Collections.emptySortedSet();
-    // The open requests that this participant consented to, and those that consented to this one.
-    final Set<Request> consentedTo = new LinkedHashSet<>();
+    // The open requests that this participant consented to, and those that consented to this one,
+    // each with the sections.
+    final Map<Request, SortedSet<String>> consentedTo = new LinkedHashMap<>();
     final Set<Request> consentedBy = new LinkedHashSet<>();
 
     private Request(ProcessId who) {
       this.who = who;
+    }
+
+    boolean holds() {
+      return !held.isEmpty();
+    }
+
+    /** Whether it has all that it requested. */
+    boolean hasAll() {
+      return held.equals(want);
     }
 
     /** Whether it waits or holds. */
@@ -80,20 +93,24 @@ final class Requests {
     request.begunNs = nowNs;
     request.num = event.num();
     request.ts = event.ts();
-    request.critical = false;
+    request.inOrder = !event.sequence().isEmpty();
+    request.resumes = event.resumes();
+    request.held = Sections.NONE;
     request.known = event.known();
   }
 
   void enter(Request request, SortedSet<String> held) {
-    wants(request, held);
-    request.critical = true;
+    request.held = held;
+    if (!request.inOrder) {
+      wants(request, held);
+    }
   }
 
   /** Reduces a request to {@code left}; it ends if nothing is left. */
   void shrink(Request request, SortedSet<String> left) {
     wants(request, left);
+    request.held = Sections.common(request.held, left);
     if (left.isEmpty()) {
-      request.critical = false;
       for (Request by : request.consentedBy) {
         by.consentedTo.remove(request);
       }
@@ -101,9 +118,9 @@ final class Requests {
     }
   }
 
-  void consent(Request by, Request to) {
+  void consent(Request by, Request to, SortedSet<String> sections) {
     to.consentedBy.add(by);
-    by.consentedTo.add(to);
+    by.consentedTo.merge(to, sections, Sections::union);
   }
 
   private void wants(Request request, SortedSet<String> now) {

@@ -91,6 +91,7 @@ class MutexCodecTest {
           out.process(ONE);
           out.process(ONE);
           out.i64(1);
+          out.u8(0);
         });
     assertThatThrownBy(() -> codec.read(new WireReader(toItself)))
         .isInstanceOf(WireFormatException.class)
@@ -135,7 +136,11 @@ class MutexCodecTest {
           want.add("Z");
           return Arbitraries.of(
               new Req(f, t, num, by, ts, want),
+              new Req(f, t, num, by, ts, MutexMessage.Kind.SEQUENCE, want),
+              new Req(f, t, num, by, ts, MutexMessage.Kind.RESUMED, want),
               new Ok(f, t, num),
+              new Ok(f, t, num, left),
+              new Noted(f, t, num, true),
               new Rem(f, t, num, left),
               new Noted(f, t, num),
               new FenceQ(f, t, id("three", num), by),

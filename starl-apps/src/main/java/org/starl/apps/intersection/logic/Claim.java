@@ -1,76 +1,103 @@
 package org.starl.apps.intersection.logic;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.SortedSet;
+import java.util.function.BooleanSupplier;
 import org.starl.GlobalVarHolder;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.M_Mutex;
-import org.starl.primitives.mutex.MutexPrim;
+import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.mutex.PipelinePrim;
 import org.starl.primitives.registration.Registration;
+import org.starl.time.Time;
 
 /**
- * A car's claim to one place of its arm. It registers with the cars that want a place of the same rank,
- * asks the mutex for the place, and unregisters after it has released the place. It asks again when a
- * primitive reports a failure.
+ * A car's claim to a sequence of places or zones. It registers, asks the mutex for the sequence at a good
+ * time, and unregisters after it has released all of it. It asks again when a primitive reports a failure.
+ * Strand only.
  */
 final class Claim {
+
+  private static final long RETRY_NS = Time.NS_PER_S;
 
   private enum State {
     OUT,
     REGISTERING,
+    REGISTERED,
     ASKING,
-    HELD,
-    LEAVING
+    LEAVING,
+    GONE
   }
 
+  private final GlobalVarHolder gvh;
   private final RobotId self;
   private final Registration reg;
-  private final MutexPrim mutex;
-  private String place = "";
-  private boolean restarted;
+  private final PipelinePrim mutex;
+  private final BooleanSupplier isGoodTime;
+  private final boolean restarted;
+  private List<String> rest = List.of();
   private State state = State.OUT;
+  private long askFromNs;
 
   /**
    * @param xid instance of the registration and the mutex
    * @param acceptors of the registration
+   * @param isGoodTime whether to ask now; only the first request waits for it
    */
-  Claim(GlobalVarHolder gvh, String xid, Participants acceptors) {
+  Claim(GlobalVarHolder gvh, String xid, Participants acceptors, BooleanSupplier isGoodTime) {
+    this.gvh = gvh;
+    this.isGoodTime = isGoodTime;
     self = gvh.id.name();
+    restarted = gvh.id.boot() > 1;
     reg = new Registration(gvh, xid, acceptors);
     mutex = new M_Mutex(gvh, xid, reg);
   }
 
-  /** The place that is wanted or held; empty for none. */
-  String place() {
-    return place;
+  /** Wants {@code sections}, in this order; the car must hold each before it enters it. */
+  void want(List<String> sections) {
+    rest = List.copyOf(sections);
   }
 
-  /** Asks for {@code wanted} from now on; the car must hold it before it enters it. */
-  void want(String wanted) {
-    if (state != State.OUT || !place.isEmpty()) {
-      throw new IllegalStateException("wants " + wanted + " while " + state + " for " + place);
-    }
-    place = wanted;
+  /**
+   * After a restart of the program.
+   *
+   * @param stands the sections that the body may be in
+   * @param sections these and those ahead; none if the sequence is over
+   */
+  void resume(Collection<String> stands, List<String> sections) {
+    mutex.resume(stands, sections);
+    rest = List.copyOf(sections);
   }
 
-  /** After a restart of the program: the body is in {@code occupied}; empty for no place. */
-  void standsIn(String occupied) {
-    restarted = true;
-    mutex.standsIn(occupied.isEmpty() ? List.of() : List.of(occupied));
-    place = occupied;
+  /** The sections that are wanted or held, in order. */
+  List<String> rest() {
+    return rest;
   }
 
-  boolean isHeld() {
-    return state == State.HELD;
+  SortedSet<String> held() {
+    return mutex.held();
   }
 
-  boolean isWaiting() {
-    return !place.isEmpty() && state != State.HELD;
+  /** Number of others that are known to hold or to wait for all of {@code sections}. */
+  int contenders(String... sections) {
+    return mutex.contenders(sections);
   }
 
-  /** Whether neither this process nor an earlier one of this robot is registered or wants a place. */
+  boolean isRegistered() {
+    return state == State.REGISTERED || state == State.ASKING;
+  }
+
+  boolean isAsking() {
+    return state == State.ASKING;
+  }
+
+  /** Whether neither this process nor an earlier one of this robot is registered or wants a section. */
   boolean isOver() {
-    return state == State.OUT && place.isEmpty() && !(restarted && isMentioned());
+    boolean isOut = state == State.GONE || state == State.OUT;
+    return isOut && rest.isEmpty() && !(restarted && isMentioned());
   }
 
   private boolean isMentioned() {
@@ -78,50 +105,57 @@ final class Claim {
         || reg.view().mentioned().stream().anyMatch(id -> id.robot().equals(self));
   }
 
-  /** Releases the place, which must be held, and unregisters. */
-  void release() {
-    mutex.release(place);
-    place = "";
-    reg.unregister();
-    state = State.LEAVING;
+  /** Releases a section, which must be held. */
+  void release(String section) {
+    mutex.release(section);
+    List<String> left = new ArrayList<>(rest);
+    left.remove(section);
+    rest = List.copyOf(left);
   }
 
   /** Takes the next step; call it once a period. */
   void step() {
     switch (state) {
       case OUT -> {
-        if (!place.isEmpty()) {
+        if (!rest.isEmpty()) {
           reg.do_register();
           state = State.REGISTERING;
         }
       }
       case REGISTERING -> {
         if (reg.getList() != null) {
-          mutex.do_mutex(List.of(place));
-          state = State.ASKING;
+          state = State.REGISTERED;
+          step();
         } else if (reg.failed().get()) {
           state = State.OUT;
+        }
+      }
+      case REGISTERED -> {
+        boolean isAgain = askFromNs > 0 || restarted || !held().isEmpty();
+        if (gvh.plat.clock.nowNs() >= askFromNs && (isAgain || isGoodTime.getAsBoolean())) {
+          mutex.do_sequence(rest);
+          state = State.ASKING;
         }
       }
       case ASKING -> {
-        if (mutex.od_mutex()) {
-          state = State.HELD;
-          if (restarted) {
-            mutex.standsIn(List.of()); // the claim of the earlier process is no longer needed
-          }
+        if (rest.isEmpty()) {
+          reg.unregister();
+          state = State.LEAVING;
         } else if (mutex.failed().get()) {
-          state = mutex.failure().get().mustRegister() ? State.OUT : State.REGISTERING;
+          boolean isAtOnce = mutex.failure().get() == MutexFailure.LATE;
+          askFromNs = gvh.plat.clock.nowNs() + (isAtOnce ? 0 : RETRY_NS);
+          state = mutex.failure().get().mustRegister() ? State.OUT : State.REGISTERED;
         }
-      }
-      case HELD -> {
-        // Until release().
       }
       case LEAVING -> {
         if (reg.isUnregistered()) {
-          state = State.OUT;
+          state = State.GONE;
         } else if (reg.failed().get()) {
           reg.unregister();
         }
+      }
+      case GONE -> {
+        // There is nothing to do.
       }
     }
   }

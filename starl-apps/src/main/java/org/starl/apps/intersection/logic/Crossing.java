@@ -185,6 +185,36 @@ public final class Crossing {
     return Rectangle.around(List.of(from.plus(across), to.minus(across)));
   }
 
+  /**
+   * The way of a car's middle from the middle of the place of {@code rank} until its body has left its
+   * departure zone, with an arc in its turn, in mm.
+   */
+  public static double wayMm(Route route, int rank, double bodyMm) {
+    double arcMm = ZONE_MM / 2;
+    double straightMm =
+        ZONE_MM * (ARRIVAL_POINT + rank * PLACE_LENGTH + DEPARTURE_ZONE_END) + bodyMm;
+    return switch (route.turn()) {
+      case RIGHT -> straightMm - 2 * (ZONE_MM / 2 + arcMm) + StrictMath.PI / 2 * arcMm;
+      case STRAIGHT -> straightMm;
+      case LEFT -> straightMm + 2 * (ZONE_MM / 2 - arcMm) + StrictMath.PI / 2 * arcMm;
+    };
+  }
+
+  /**
+   * The point in {@code name} at which a body that heads for {@code ahead} has its front {@code gapMm}
+   * before the end of that zone or place; not before its middle.
+   *
+   * @param ahead unit vector along an axis
+   */
+  static Point frontStop(String name, Point ahead, double bodyMm, double gapMm) {
+    Rectangle region = region(name);
+    Point middle = region.center();
+    double halfMm =
+        Math.abs(ahead.xMm()) * (region.xMaxMm() - region.xMinMm()) / 2
+            + Math.abs(ahead.yMm()) * (region.yMaxMm() - region.yMinMm()) / 2;
+    return middle.plus(ahead.times(Math.max(0, halfMm - bodyMm - gapMm)));
+  }
+
   private static ItemPosition station(String name, Point at) {
     return new ItemPosition(name, at.xMm(), at.yMm());
   }

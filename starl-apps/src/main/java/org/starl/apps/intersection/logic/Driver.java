@@ -65,7 +65,7 @@ final class Driver {
     state = gvh.id.boot() > 1 ? State.LOST : State.WAITING;
     if (!trip.stations().isEmpty()) {
       if (state == State.WAITING) {
-        lane.wantNext();
+        lane.want();
       }
       timer.set(gvh.plat.clock.nowNs());
     }

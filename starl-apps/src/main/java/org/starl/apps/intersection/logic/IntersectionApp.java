@@ -201,7 +201,7 @@ public final class IntersectionApp extends LogicThread {
     if (isRestarted()) {
       return Location.RESUME;
     }
-    lane.wantNext();
+    lane.want();
     return lane.isAtTheHead() ? Location.S_0 : Location.QUEUE;
   }
 

@@ -15,31 +15,29 @@ import org.starl.id.Participants;
  * certain. So no two cars are in one place. The last place of an arm, where cars enter the road, needs
  * no claim: no car drives to it.
  *
- * <p>A car asks for the next place while it holds the one behind, so each rank of places has its own
- * registration and mutex. A car waits only for cars ahead of it, so no cycle of waiting cars can form.
+ * <p>The places are one sequence of a registration and mutex of their own. A car waits only for cars
+ * ahead of it, so no cycle of waiting cars can form.
  */
 public final class Lane {
 
   private final GlobalVarHolder gvh;
   private final ArrayDeque<ItemPosition> ahead;
-  private final List<Claim> claims = new ArrayList<>();
+  private final Claim claim;
   private boolean isDriving;
 
   /**
    * @param approach the places to drive to, in order
-   * @param acceptors of every registration
+   * @param acceptors of the registration
    */
   Lane(GlobalVarHolder gvh, String xid, List<ItemPosition> approach, Participants acceptors) {
     this.gvh = gvh;
     ahead = new ArrayDeque<>(approach);
-    for (int rank = 0; rank < approach.size(); rank++) {
-      claims.add(new Claim(gvh, instance(xid, rank), acceptors));
-    }
+    claim = new Claim(gvh, instance(xid), acceptors, () -> true);
   }
 
-  /** The instance of registration and mutex for one rank of places: {@code crossing.queue0}. */
-  public static String instance(String xid, int rank) {
-    return xid + ".queue" + rank;
+  /** The instance of registration and mutex of all places: {@code crossing.queue}. */
+  public static String instance(String xid) {
+    return xid + ".queue";
   }
 
   /** Whether the car has reached the arrival zone, or started there. */
@@ -47,52 +45,52 @@ public final class Lane {
     return ahead.isEmpty();
   }
 
-  /** Whether all places are released and all registrations left. */
+  /** Whether all places are released and the registration left. */
   boolean isOver() {
-    return claims.stream().allMatch(Claim::isOver);
+    return claim.isOver();
   }
 
   /** Whether a place is wanted that is not held yet. */
   boolean isWaiting() {
-    return claims.stream().anyMatch(Claim::isWaiting);
+    return !claim.held().containsAll(claim.rest());
   }
 
   boolean holds() {
-    return !held().isEmpty();
+    return !claim.held().isEmpty();
   }
 
   /** The places that are held. */
   List<String> held() {
-    return claims.stream().filter(Claim::isHeld).map(Claim::place).collect(Collectors.toList());
+    return List.copyOf(claim.held());
+  }
+
+  /** Asks for the places ahead. */
+  void want() {
+    claim.want(names());
   }
 
   /**
-   * After a restart of the program: finds the place that the car stands in, claims it, and continues
+   * After a restart of the program: finds the places that the car stands in, claims them, and continues
    * from there.
    *
    * @param isPast whether the car has reached the critical zones or is beyond them
    */
   void resume(boolean isPast) {
-    int rank = ahead.size();
-    boolean isFound = false;
-    for (ItemPosition place : new ArrayList<>(ahead)) {
-      rank--;
-      boolean isThere = !Crossing.isClearOf(gvh, place.name());
-      claims.get(rank).standsIn(isThere ? place.name() : "");
-      while (isThere && !isFound && !ahead.element().equals(place)) {
-        ahead.remove();
-      }
-      isFound |= isThere;
+    List<String> stands = names();
+    stands.removeIf(place -> Crossing.isClearOf(gvh, place));
+    while (!stands.isEmpty() && !ahead.element().name().equals(stands.get(0))) {
+      ahead.remove();
     }
+    List<String> rest = isPast ? stands : names();
+    claim.resume(stands, rest);
     if (isPast) {
       ahead.clear();
     }
-    wantNext();
   }
 
   /** Continues registering, asking and leaving; call it once a period. */
   void step() {
-    claims.forEach(Claim::step);
+    claim.step();
   }
 
   /**
@@ -102,32 +100,48 @@ public final class Lane {
    */
   void drive(Predicate<ItemPosition> arrived) {
     ItemPosition next = ahead.element();
-    if (!isDriving && !isWaiting()) {
+    if (!isDriving && claim.held().contains(next.name())) {
       gvh.plat.moat.doMove(next);
       isDriving = true;
     } else if (isDriving && arrived.test(next)) {
       ahead.remove();
       isDriving = false;
       releaseLeft();
-      wantNext();
     }
   }
 
-  /** Releases the places behind that the whole body has left; call it when the car stands. */
+  /** The places that are wanted or held, in order. */
+  List<String> rest() {
+    return claim.rest();
+  }
+
+  /** The places that the body may be in. */
+  List<String> stands() {
+    List<String> stands = new ArrayList<>(claim.rest());
+    stands.removeIf(place -> Crossing.isClearOf(gvh, place));
+    return stands;
+  }
+
+  /** Number of places that it has not reached. */
+  int placesAhead() {
+    return ahead.size();
+  }
+
+  void release(String place) {
+    claim.release(place);
+  }
+
+  /** Releases the places behind that the whole body has left. */
   void releaseLeft() {
-    for (Claim claim : claims) {
-      boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(claim.place()));
-      if (claim.isHeld() && !isAhead && Crossing.isClearOf(gvh, claim.place())) {
-        claim.release();
+    for (String place : held()) {
+      boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(place));
+      if (!isAhead && Crossing.isClearOf(gvh, place)) {
+        claim.release(place);
       }
     }
   }
 
-  /** Asks for the next place, unless the car holds the last one. */
-  void wantNext() {
-    ItemPosition next = ahead.peek();
-    if (next != null && claims.get(ahead.size() - 1).place().isEmpty()) {
-      claims.get(ahead.size() - 1).want(next.name());
-    }
+  private List<String> names() {
+    return ahead.stream().map(ItemPosition::name).collect(Collectors.toCollection(ArrayList::new));
   }
 }

@@ -53,9 +53,7 @@ public final class RoadsideUnit extends LogicThread {
       throw new IllegalArgumentException(gvh.id.name() + " is not among the units " + units);
     }
     members.add(new Member(gvh, xid, units));
-    for (int rank = 0; rank < Crossing.CLAIMED_PLACES; rank++) {
-      members.add(new Member(gvh, Lane.instance(xid, rank), units));
-    }
+    members.add(new Member(gvh, Lane.instance(xid), units));
   }
 
   /** Stays registered; never ends by itself. */

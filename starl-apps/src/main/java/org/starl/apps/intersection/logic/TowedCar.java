@@ -18,19 +18,19 @@ public final class TowedCar extends LogicThread {
 
   /**
    * @param acceptors of the registrations
-   * @param places number of ranks of places that cars claim; 0 if cars start in the arrival zone
+   * @param claimsPlaces whether cars claim the places of their arm
    */
-  public TowedCar(GlobalVarHolder gvh, String xid, Participants acceptors, int places) {
+  public TowedCar(GlobalVarHolder gvh, String xid, Participants acceptors, boolean claimsPlaces) {
     super(gvh);
     add(xid, acceptors);
-    for (int rank = 0; rank < places; rank++) {
-      add(Lane.instance(xid, rank), acceptors);
+    if (claimsPlaces) {
+      add(Lane.instance(xid), acceptors);
     }
   }
 
   private void add(String xid, Participants acceptors) {
-    Claim claim = new Claim(gvh, xid, acceptors);
-    claim.standsIn("");
+    Claim claim = new Claim(gvh, xid, acceptors, () -> true);
+    claim.resume(List.of(), List.of());
     claims.add(claim);
   }
 

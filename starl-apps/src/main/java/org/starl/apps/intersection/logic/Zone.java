@@ -30,6 +30,11 @@ public enum Zone {
     return values()[(ordinal() + 1) % values().length];
   }
 
+  /** The zone whose next one this is. */
+  public Zone before() {
+    return values()[(ordinal() + values().length - 1) % values().length];
+  }
+
   /** Unit vector along the way out of the ring at this zone: A1 leads west, C1 south. */
   Point outward() {
     return new Point(outwardEast, outwardNorth);

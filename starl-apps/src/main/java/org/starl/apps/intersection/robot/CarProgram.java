@@ -3,6 +3,7 @@ package org.starl.apps.intersection.robot;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.Request;
+import org.starl.apps.intersection.logic.FlowingCar;
 import org.starl.apps.intersection.logic.IcpProgram;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Trip;
@@ -11,8 +12,10 @@ import org.starl.input.BadInput;
 
 /** The programs that a car may run. Cars of different programs can meet at one intersection. */
 public enum CarProgram implements CarMaker {
+  /** {@link FlowingCar}, which keeps moving. */
+  FLOW,
   /** {@link IntersectionApp}, after Figure 4. */
-  APP,
+  PAPER,
   /** {@link IcpProgram}, after Figure 3, made of {@code IcpProgram.starl}. */
   PROGRAM;
 
@@ -20,16 +23,19 @@ public enum CarProgram implements CarMaker {
   public static CarProgram of(Request request) {
     String name = request.parameter(IntersectionFactory.CAR.key());
     return switch (name) {
-      case "app" -> APP;
+      case "flow" -> FLOW;
+      case "paper" -> PAPER;
       case "program" -> PROGRAM;
-      default -> throw new BadInput("car=" + BadInput.quote(name) + ": expected app or program");
+      default ->
+          throw new BadInput("car=" + BadInput.quote(name) + ": expected flow, paper or program");
     };
   }
 
   @Override
   public LogicThread of(GlobalVarHolder gvh, Trip trip, Participants acceptors) {
     return switch (this) {
-      case APP -> new IntersectionApp(gvh, IntersectionFactory.XID, trip, acceptors);
+      case FLOW -> new FlowingCar(gvh, IntersectionFactory.XID, trip, acceptors);
+      case PAPER -> new IntersectionApp(gvh, IntersectionFactory.XID, trip, acceptors);
       case PROGRAM -> new IcpProgram(gvh, IntersectionFactory.XID, trip, acceptors);
     };
   }

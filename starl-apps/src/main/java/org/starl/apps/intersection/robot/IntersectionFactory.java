@@ -46,9 +46,10 @@ public final class IntersectionFactory implements AppFactory {
   public static final Parameter CAR =
       new Parameter(
           "car",
-          "app",
-          "the cars' program: app, after the paper's Figure 4, or program, after Figure 3",
-          Form.choice(List.of("app", "program")));
+          "flow",
+          "the cars' program: flow, which keeps moving; paper, after the paper's Figure 4; or"
+              + " program, after Figure 3",
+          Form.choice(List.of("flow", "paper", "program")));
 
   public static final String DRAWN = "drawn";
   public static final String FIGURE7 = "figure7";
@@ -63,7 +64,7 @@ public final class IntersectionFactory implements AppFactory {
   @Override
   public Vocabulary vocabulary(Request request) {
     return switch (CarProgram.of(request)) {
-      case APP -> CrossingFact.FIGURE_4;
+      case FLOW, PAPER -> CrossingFact.FIGURE_4;
       case PROGRAM -> CrossingFact.FIGURE_3;
     };
   }

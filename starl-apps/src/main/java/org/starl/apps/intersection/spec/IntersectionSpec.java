@@ -115,9 +115,8 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
     monitors.add(RegistrationSpec::new);
     // A car holds its place while it waits for its zones.
     MutexBounds queue = MutexBounds.of(participants, trafficNs(), deltaNs);
-    for (int rank = 0; rank < places; rank++) {
-      String instance = Lane.instance(xid, rank);
-      monitors.add(() -> new MutexSpec(queue).only(instance));
+    if (places > 0) {
+      monitors.add(() -> new MutexSpec(queue).only(Lane.instance(xid)));
     }
     return monitors;
   }

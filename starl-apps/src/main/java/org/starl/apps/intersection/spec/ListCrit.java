@@ -18,7 +18,9 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * {@code Inv_list_crit} (paper, Figure 6): the zones ahead of a car ({@code myseq}) are its whole path
- * at the start, are requested while it waits, and are held while it moves.
+ * at the start, are requested while it waits, and are held while it moves. A car that has requested
+ * them as a sequence has only requested them while it moves: {@code occupied_is_held} says what it
+ * holds.
  *
  * <p>It is an invariant of the states between atomic actions. One action writes several variables one
  * after the other, all at one time. So a car's state is checked when the next event is of another time
@@ -44,6 +46,7 @@ public final class ListCrit extends LemmaMonitor {
     private List<String> myseq = List.of();
     private Set<String> ahead = Set.of();
     private Set<String> requested = Set.of();
+    private boolean isSequence;
     private boolean isReported;
 
     // What is wrong; null if it must be looked at again, because something has changed.
@@ -101,6 +104,7 @@ public final class ListCrit extends LemmaMonitor {
       state.wrong = null;
       if (action.fact() instanceof MutexFact.DoMutex request && action.source().equals(mutex)) {
         state.requested = request.want();
+        state.isSequence = !request.sequence().isEmpty();
       }
     }
   }
@@ -149,7 +153,8 @@ public final class ListCrit extends LemmaMonitor {
               ? ""
               : myseq(state) + " is not the latest request " + state.requested;
       case MOVE_WAIT ->
-          zones.holdsAll(robot, state.myseq)
+          (state.isSequence && state.requested.containsAll(state.ahead))
+                  || zones.holdsAll(robot, state.myseq)
               ? ""
               : myseq(state) + " is not all held, " + zones.held(robot);
       case RESUME, MUTEX_S, S_1, UNREGISTER_WAIT, DONE -> "";

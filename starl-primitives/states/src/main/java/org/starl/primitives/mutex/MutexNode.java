@@ -1,6 +1,7 @@
 package org.starl.primitives.mutex;
 
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -74,11 +75,16 @@ final class MutexNode implements MutexEffects {
 
   @Override
   public void requested(
-      long newNum, long newTs, SortedSet<String> newWant, SortedSet<ProcessId> known) {
+      long newNum,
+      long newTs,
+      SortedSet<String> newWant,
+      List<String> sequence,
+      boolean resumes,
+      SortedSet<ProcessId> known) {
     num = newNum;
     ts = newTs;
     want = newWant;
-    trace.accept(new MutexFact.DoMutex(id, num, ts, want, new TreeSet<>(known)));
+    trace.accept(new MutexFact.DoMutex(id, num, ts, want, sequence, resumes, new TreeSet<>(known)));
   }
 
   @Override
@@ -87,9 +93,11 @@ final class MutexNode implements MutexEffects {
   }
 
   @Override
-  public void granted(ProcessId to, long ofNum) {
-    consentedTo.put(to, ofNum);
-    trace.accept(new MutexFact.Grant(id, to, ofNum));
+  public void granted(ProcessId to, long ofNum, SortedSet<String> part) {
+    if (part.isEmpty()) {
+      consentedTo.put(to, ofNum);
+    }
+    trace.accept(new MutexFact.Grant(id, to, ofNum, part));
   }
 
   @Override
@@ -99,13 +107,13 @@ final class MutexNode implements MutexEffects {
 
   @Override
   public void released(long ofNum, SortedSet<String> given, SortedSet<String> left) {
-    want = left;
+    want = Sections.without(want, given);
     trace.accept(new MutexFact.Release(id, ofNum, given, left));
   }
 
   @Override
   public void failed(long ofNum, MutexFailure why) {
-    want = Sections.NONE;
+    want = protocol.held();
     trace.accept(new MutexFact.Withdraw(id, ofNum, why));
   }
 

@@ -94,7 +94,7 @@ class MutexProgressTest {
     }
 
     @Override
-    boolean defers(MutexMessage.Req req) {
+    boolean defers(MutexMessage.Req req, String section) {
       return phase() == Phase.CRITICAL
           || (phase() == Phase.TRYING && isBefore(ts(), me(), req.ts(), req.from()));
     }
@@ -109,8 +109,8 @@ class MutexProgressTest {
     }
 
     @Override
-    boolean defers(MutexMessage.Req req) {
-      hasDeferred |= super.defers(req);
+    boolean defers(MutexMessage.Req req, String section) {
+      hasDeferred |= super.defers(req, section);
       return hasDeferred;
     }
   }

@@ -157,7 +157,7 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean hasAllAnswers() {
+    boolean hasConsents(String section) {
       return true;
     }
   }
@@ -201,8 +201,8 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean defers(MutexMessage.Req req) {
-      return super.defers(req) && isBefore(ts(), me(), req.ts(), req.from());
+    boolean defers(MutexMessage.Req req, String section) {
+      return super.defers(req, section) && isBefore(ts(), me(), req.ts(), req.from());
     }
   }
 
@@ -234,7 +234,7 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean hasAllAnswers() {
+    boolean hasConsents(String section) {
       SortedSet<ProcessId> needed = new TreeSet<>(missing());
       needed.removeAll(fenced());
       return needed.isEmpty();
@@ -258,7 +258,7 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean isOccupied() {
+    boolean isOccupied(String section) {
       return false;
     }
   }

@@ -1,0 +1,334 @@
+package org.starl.apps.intersection.logic;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.body.MotionParameters;
+import org.starl.geometry.Angles;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
+import org.starl.id.Participants;
+import org.starl.motion.MotionFlag;
+import org.starl.random.Rng;
+import org.starl.time.Time;
+
+/**
+ * One car that keeps moving. It registers when it comes onto its arm, asks for its zones as one sequence
+ * ({@link org.starl.primitives.mutex.PipelinePrim}), drives on while it holds the next zone, turns in an
+ * arc, and releases each zone when the last of its body is certainly outside. A car that does not hold
+ * the next zone stops before it: it drives only to points from which its body touches no other zone, and
+ * the motion's guard keeps it out of all that it does not hold.
+ *
+ * <p>It asks late: near its first zone, when no other car wants that, but for one that is about to leave
+ * it, and few want the zones behind; or when it has waited long. A car that asked early would hold up
+ * others, which come after it, with zones that it cannot reach yet. This is about time only.
+ *
+ * <p>A restarted program finds the sections that the body may be in, resumes the rest of its sequence from
+ * there, and turns on the spot.
+ */
+public final class FlowingCar extends LogicThread {
+
+  private static final long PERIOD_MS = 50;
+  private static final long PATIENCE_NS = 25 * Time.NS_PER_S;
+
+  // It asks from here on: a second or two before its front is at the first zone.
+  private static final double ASKS_WITHIN_MM = 2 * Crossing.LANE_MM;
+
+  // So many others may come before it in each zone.
+  private static final int MOST_BEFORE = 2;
+
+  private static final long RETRY_NS = Time.NS_PER_S;
+  private static final long LATEST_AFTER_BUMP_NS = 6 * Time.NS_PER_S;
+  private static final long OFF_FLOOR_NS = Time.NS_PER_S / 2;
+  private static final double NEAR_MM = 30;
+
+  private final Trip trip;
+  private final GvhCell<Location> location;
+  private final GvhCell<List<String>> myseq;
+  private final Track track;
+  private final Lane lane;
+  private final Claim claim;
+  private final Rng rng;
+  private final MotionParameters straight;
+  private final MotionParameters arcing;
+  private final Set<String> entered = new HashSet<>();
+  private boolean isResumed;
+  private boolean hasBumped;
+
+  // The straight run begins at this section; all before it are behind.
+  private int from;
+  private boolean isTurning;
+  private boolean turnsOnTheSpot;
+  private @Nullable Point goal;
+  private long retryAtNs;
+  private long atTheHeadSinceNs = Long.MAX_VALUE;
+
+  /**
+   * @param xid names this intersection: cars with another one are at another intersection
+   * @param acceptors of the registrations: all cars of the deployment, or on an open road, where any
+   *     car may arrive, the roadside units
+   */
+  public FlowingCar(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
+    super(gvh);
+    this.trip = trip;
+    claim = new Claim(gvh, xid, acceptors, this::isGoodTime);
+    lane = new Lane(gvh, xid, trip.approach(), acceptors);
+    track = new Track(trip, gvh.plat.moat.parameters().robotRadiusMm());
+    gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
+    isResumed = gvh.id.boot() == 1;
+    Location start = isResumed ? Location.QUEUE : Location.RESUME;
+    location =
+        gvh.variable(CrossingFact.LOCATION, trip.stations().isEmpty() ? Location.DONE : start);
+    myseq = gvh.variable(CrossingFact.MYSEQ, trip.zones());
+    rng = gvh.plat.entropy.fork("app");
+    MotionParameters body = Crossing.motion(gvh.plat.moat.parameters());
+    straight =
+        body.toBuilder()
+            .linSpeedMinMmPerS(body.linSpeedMaxMmPerS())
+            .arcSpeedMaxMmPerS(body.linSpeedMaxMmPerS())
+            .arcAngleMaxRad(Angles.fromDegrees(10))
+            .build();
+    arcing =
+        straight.toBuilder()
+            .arcAngleMaxRad(Angles.fromDegrees(60))
+            .arcExitAngleRad(Angles.fromDegrees(75))
+            .build();
+    gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));
+    gvh.plat.moat.onContact(contact -> hasBumped = true);
+    if (isResumed) {
+      lane.want();
+      claim.want(trip.zones());
+    }
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    while (location.get() != Location.DONE) {
+      if (!isResumed && gvh.gps.hasFix()) {
+        resume();
+      }
+      if (isResumed) {
+        lane.step();
+        claim.step();
+        if (gvh.gps.hasFix()) {
+          releaseLeft();
+          drive();
+        }
+        tell();
+      }
+      sleep(PERIOD_MS);
+    }
+    return returnResults();
+  }
+
+  /** After a restart of the program: finds the sections that the body may be in. */
+  private void resume() {
+    List<String> stands = new ArrayList<>(trip.zones());
+    stands.removeIf(zone -> Crossing.isClearOf(gvh, zone));
+    Point at = gvh.gps.pose().at();
+    boolean isBeyond = stands.isEmpty() && track.isBeyond(at, bodyMm());
+    List<String> rest = new ArrayList<>(isBeyond ? List.of() : trip.zones());
+    while (!stands.isEmpty() && !rest.get(0).equals(stands.get(0))) {
+      rest.remove(0);
+    }
+    entered.addAll(stands);
+    claim.resume(stands, rest);
+    boolean isPast = isBeyond || !stands.isEmpty();
+    lane.resume(isPast);
+    entered.addAll(lane.stands());
+    from = track.sections().size() - rest.size();
+    if (!isPast) {
+      from -= lane.placesAhead();
+    }
+    turnsOnTheSpot = isPast;
+    isResumed = true;
+    gvh.trace.action(Way.SHAPE, Way.of(trip, rest));
+  }
+
+  /** Whether asking now holds up no other car. */
+  private boolean isGoodTime() {
+    if (!isAtTheHead()) {
+      return false;
+    }
+    long nowNs = gvh.plat.clock.nowNs();
+    atTheHeadSinceNs = Math.min(atTheHeadSinceNs, nowNs);
+    if (nowNs - atTheHeadSinceNs > PATIENCE_NS) {
+      return true;
+    }
+    String first = claim.rest().get(0);
+    double awayMm = gvh.gps.pose().at().distanceMm(Crossing.region(first).center());
+    if (awayMm > ASKS_WITHIN_MM || isUsed(first)) {
+      return false;
+    }
+    return claim.rest().stream().allMatch(zone -> claim.contenders(zone) <= MOST_BEFORE);
+  }
+
+  /** Whether others want its first zone, but for one that is in it with its whole body. */
+  private boolean isUsed(String first) {
+    return claim.contenders(first) > 1
+        || trip.route()
+            .filter(r -> claim.contenders(first, r.from().before().name()) > 0)
+            .isPresent();
+  }
+
+  /** Whether it may drive to the arrival zone, or is there. */
+  private boolean isAtTheHead() {
+    return held(from) >= trip.approach().size() - 1;
+  }
+
+  /** The last of the sections from {@code first} on that it holds without a gap; else the one before. */
+  private int held(int first) {
+    int index = first;
+    while (index < track.sections().size() && holds(index)) {
+      index++;
+    }
+    return index - 1;
+  }
+
+  private boolean holds(int index) {
+    String section = track.sections().get(index);
+    return claim.held().contains(section) || lane.held().contains(section) || isLeft(section);
+  }
+
+  private boolean isLeft(String section) {
+    return entered.contains(section)
+        && !claim.rest().contains(section)
+        && !lane.rest().contains(section);
+  }
+
+  private void drive() {
+    MotionFlag flag = gvh.plat.moat.motionflag().get();
+    long nowNs = gvh.plat.clock.nowNs();
+    if (flag == MotionFlag.FAIL && goal != null) {
+      retryAtNs = nowNs + (hasBumped ? rng.nextLong(RETRY_NS, LATEST_AFTER_BUMP_NS) : RETRY_NS);
+      hasBumped = false;
+      turnsOnTheSpot |= isTurning;
+      goal = null;
+    }
+    if (nowNs >= retryAtNs) {
+      advance(flag);
+    }
+  }
+
+  /** Finds the next point to drive to. */
+  private void advance(MotionFlag flag) {
+    int corner = track.corner(from);
+    int reach = held(from);
+    Track.Arc arc = turnsOnTheSpot ? null : track.arc();
+    Point at = gvh.gps.pose().at();
+    if (isTurning && arc != null) {
+      if (flag == MotionFlag.DONE || at.distanceMm(arc.to()) < NEAR_MM) {
+        isTurning = false;
+        from = corner + 1;
+        advance(flag);
+      } else {
+        moveTo(arc.to(), arcing);
+      }
+    } else if (reach < corner || corner == track.sections().size()) {
+      moveTo(reach);
+    } else if (arc == null) {
+      if (flag == MotionFlag.DONE && track.stop(corner).equals(goal)) {
+        from = corner + 1;
+      }
+      moveTo(Math.min(reach, track.corner(from)));
+    } else if (reach == corner) {
+      moveTo(corner - 1); // into the turn only if it can be left
+    } else if (at.distanceMm(arc.from()) < NEAR_MM) {
+      isTurning = true;
+      moveTo(arc.to(), arcing);
+    } else {
+      moveTo(track.stop(corner), straight);
+      if (flag == MotionFlag.DONE && track.stop(corner).equals(goal)) {
+        turnsOnTheSpot = true;
+      }
+    }
+  }
+
+  private void moveTo(int index) {
+    if (index >= from) {
+      moveTo(track.stop(index), straight);
+    }
+  }
+
+  private void moveTo(Point target, MotionParameters parameters) {
+    if (!target.equals(goal)) {
+      goal = target;
+      gvh.plat.moat.setParameters(parameters);
+      gvh.plat.moat.doMove(
+          new ItemPosition("way", target.xMm(), target.yMm()), Crossing.others(gvh, own()));
+    }
+  }
+
+  /** Releases the sections behind that the whole body has left. */
+  private void releaseLeft() {
+    boolean isLaterEntered = false;
+    List<String> sections = track.sections();
+    for (int i = sections.size() - 1; i >= 0; i--) {
+      String section = sections.get(i);
+      boolean isClear = Crossing.isClearOf(gvh, section);
+      if (!isClear && own().contains(section)) {
+        entered.add(section);
+      }
+      boolean isBehind =
+          i == sections.size() - 1 ? track.isBeyond(gvh.gps.pose().at(), bodyMm()) : isLaterEntered;
+      if (isClear && isBehind && entered.contains(section)) {
+        release(section);
+      }
+      isLaterEntered |= entered.contains(section);
+    }
+  }
+
+  private void release(String section) {
+    if (claim.held().contains(section)) {
+      claim.release(section);
+    } else if (lane.held().contains(section)) {
+      lane.release(section);
+    }
+  }
+
+  private double bodyMm() {
+    return gvh.plat.moat.parameters().robotRadiusMm();
+  }
+
+  /** The zones and places that the car holds. */
+  private List<String> own() {
+    List<String> own = new ArrayList<>(lane.held());
+    own.addAll(claim.held());
+    return own;
+  }
+
+  /** Writes how far it has come. */
+  private void tell() {
+    myseq.set(claim.rest());
+    location.set(now());
+  }
+
+  private Location now() {
+    if (claim.rest().isEmpty()) {
+      boolean isOver = claim.isOver() && lane.isOver();
+      boolean stands = !gvh.plat.moat.inMotion() || gvh.gps.ageNs() > OFF_FLOOR_NS;
+      if (isOver && stands) {
+        gvh.plat.moat.motion_stop();
+        return Location.DONE;
+      }
+      return Location.UNREGISTER_WAIT;
+    }
+    if (!claim.held().isEmpty()) {
+      return claim.rest().size() == 1 ? Location.S_1 : Location.MOVE_WAIT;
+    }
+    if (claim.isAsking()) {
+      return Location.MUTEX_WAIT;
+    }
+    if (!isAtTheHead()) {
+      return Location.QUEUE;
+    }
+    return claim.isRegistered() ? Location.MUTEX_S : Location.REGISTER_WAIT;
+  }
+}
