@@ -448,9 +448,9 @@ class MutexProtocol {
     if (phase != Phase.TRYING || noted.num() != num || !noted.ahead()) {
       return;
     }
-    if (!resumes()) {
+    if (!resumes() && held.isEmpty()) {
       withdraw(MutexFailure.LATE);
-    } else if (ahead.add(noted.from())) {
+    } else if (resumes() && ahead.add(noted.from())) {
       answerPending();
     }
   }
@@ -500,7 +500,10 @@ class MutexProtocol {
 
   /** Whether its own request comes before {@code req}, where neither of them holds. */
   private boolean comesBefore(Req req) {
-    if (req.resumes() && !ahead.contains(req.from())) {
+    if (resumes() && ahead.contains(req.from())) {
+      return false;
+    }
+    if (req.resumes()) {
       return isInTheWayOf(req) || (resumes() && isEarlierThan(req));
     }
     return isEarlierThan(req);
@@ -617,6 +620,7 @@ class MutexProtocol {
       phase = waiting.isEmpty() ? Phase.CRITICAL : Phase.TRYING;
       timers.needsOnly(missing());
       effects.entered(num, held);
+      answerPending();
     }
   }
 

@@ -40,6 +40,7 @@ final class Claim {
   private final boolean restarted;
   private List<String> rest = List.of();
   private State state = State.OUT;
+  private boolean isInside;
   private long askFromNs;
 
   /**
@@ -70,6 +71,7 @@ final class Claim {
   void resume(Collection<String> stands, List<String> sections) {
     mutex.resume(stands, sections);
     rest = List.copyOf(sections);
+    isInside = !stands.isEmpty();
   }
 
   /** The sections that are wanted or held, in order. */
@@ -131,10 +133,13 @@ final class Claim {
         }
       }
       case REGISTERED -> {
-        boolean isAgain = askFromNs > 0 || restarted || !held().isEmpty();
+        boolean isAgain = askFromNs > 0 || isInside || !held().isEmpty();
         if (gvh.plat.clock.nowNs() >= askFromNs && (isAgain || isGoodTime.getAsBoolean())) {
           mutex.do_sequence(rest);
           state = State.ASKING;
+          if (mutex.failed().get()) {
+            step(); // given up as crashed, meanwhile
+          }
         }
       }
       case ASKING -> {

@@ -1,9 +1,7 @@
 package org.starl.apps.intersection.logic;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -58,8 +56,7 @@ public final class FlowingCar extends LogicThread {
   private final Rng rng;
   private final MotionParameters straight;
   private final MotionParameters arcing;
-  private final Set<String> entered = new HashSet<>();
-  private boolean isResumed;
+  private boolean hasBegun;
   private boolean hasBumped;
 
   // The straight run begins at this section; all before it are behind.
@@ -82,8 +79,7 @@ public final class FlowingCar extends LogicThread {
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
     track = new Track(trip, gvh.plat.moat.parameters().robotRadiusMm());
     gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
-    isResumed = gvh.id.boot() == 1;
-    Location start = isResumed ? Location.QUEUE : Location.RESUME;
+    Location start = gvh.id.boot() == 1 ? Location.QUEUE : Location.RESUME;
     location =
         gvh.variable(CrossingFact.LOCATION, trip.stations().isEmpty() ? Location.DONE : start);
     myseq = gvh.variable(CrossingFact.MYSEQ, trip.zones());
@@ -102,19 +98,15 @@ public final class FlowingCar extends LogicThread {
             .build();
     gvh.plat.moat.setRetreatAvoid(() -> Crossing.others(gvh, own()));
     gvh.plat.moat.onContact(contact -> hasBumped = true);
-    if (isResumed) {
-      lane.want();
-      claim.want(trip.zones());
-    }
   }
 
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
-      if (!isResumed && gvh.gps.hasFix()) {
-        resume();
+      if (!hasBegun && gvh.gps.hasFix()) {
+        begin();
       }
-      if (isResumed) {
+      if (hasBegun) {
         lane.step();
         claim.step();
         if (gvh.gps.hasFix()) {
@@ -128,33 +120,37 @@ public final class FlowingCar extends LogicThread {
     return returnResults();
   }
 
+  /** The car is on the floor. */
+  private void begin() {
+    hasBegun = true;
+    if (gvh.id.boot() == 1) {
+      lane.want();
+      claim.want(trip.zones());
+    } else {
+      resume();
+    }
+  }
+
   /** After a restart of the program: finds the sections that the body may be in. */
   private void resume() {
     List<String> stands = new ArrayList<>(trip.zones());
     stands.removeIf(zone -> Crossing.isClearOf(gvh, zone));
-    Point at = gvh.gps.pose().at();
-    boolean isBeyond = stands.isEmpty() && track.isBeyond(at, bodyMm());
+    boolean isBeyond = stands.isEmpty() && isIn(track.sections().size());
     List<String> rest = new ArrayList<>(isBeyond ? List.of() : trip.zones());
     while (!stands.isEmpty() && !rest.get(0).equals(stands.get(0))) {
       rest.remove(0);
     }
-    entered.addAll(stands);
     claim.resume(stands, rest);
     boolean isPast = isBeyond || !stands.isEmpty();
     lane.resume(isPast);
-    entered.addAll(lane.stands());
-    from = track.sections().size() - rest.size();
-    if (!isPast) {
-      from -= lane.placesAhead();
-    }
+    from = track.sections().size() - rest.size() - (isPast ? 0 : lane.placesAhead());
     turnsOnTheSpot = isPast;
-    isResumed = true;
     gvh.trace.action(Way.SHAPE, Way.of(trip, rest));
   }
 
   /** Whether asking now holds up no other car. */
   private boolean isGoodTime() {
-    if (!isAtTheHead()) {
+    if (!isAtTheHead() || !gvh.gps.hasFix()) {
       return false;
     }
     long nowNs = gvh.plat.clock.nowNs();
@@ -198,9 +194,7 @@ public final class FlowingCar extends LogicThread {
   }
 
   private boolean isLeft(String section) {
-    return entered.contains(section)
-        && !claim.rest().contains(section)
-        && !lane.rest().contains(section);
+    return !claim.rest().contains(section) && !lane.rest().contains(section);
   }
 
   private void drive() {
@@ -266,23 +260,24 @@ public final class FlowingCar extends LogicThread {
     }
   }
 
-  /** Releases the sections behind that the whole body has left. */
+  /** Releases the sections behind that the whole body has left: its middle is in a later one. */
   private void releaseLeft() {
-    boolean isLaterEntered = false;
     List<String> sections = track.sections();
+    boolean isBehind = isIn(sections.size());
     for (int i = sections.size() - 1; i >= 0; i--) {
-      String section = sections.get(i);
-      boolean isClear = Crossing.isClearOf(gvh, section);
-      if (!isClear && own().contains(section)) {
-        entered.add(section);
+      if (isBehind && Crossing.isClearOf(gvh, sections.get(i))) {
+        release(sections.get(i));
       }
-      boolean isBehind =
-          i == sections.size() - 1 ? track.isBeyond(gvh.gps.pose().at(), bodyMm()) : isLaterEntered;
-      if (isClear && isBehind && entered.contains(section)) {
-        release(section);
-      }
-      isLaterEntered |= entered.contains(section);
+      isBehind |= isIn(i);
     }
+  }
+
+  /** Whether its middle is in this section; after the last one, whether it is beyond all. */
+  private boolean isIn(int index) {
+    Point at = gvh.gps.pose().at();
+    return index == track.sections().size()
+        ? track.isBeyond(at, bodyMm())
+        : Crossing.region(track.sections().get(index)).contains(at);
   }
 
   private void release(String section) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.id.Participants;
@@ -22,7 +23,7 @@ public final class Lane {
 
   private final GlobalVarHolder gvh;
   private final ArrayDeque<ItemPosition> ahead;
-  private final Claim claim;
+  private final @Nullable Claim claim;
   private boolean isDriving;
 
   /**
@@ -32,7 +33,7 @@ public final class Lane {
   Lane(GlobalVarHolder gvh, String xid, List<ItemPosition> approach, Participants acceptors) {
     this.gvh = gvh;
     ahead = new ArrayDeque<>(approach);
-    claim = new Claim(gvh, instance(xid), acceptors, () -> true);
+    claim = approach.isEmpty() ? null : new Claim(gvh, instance(xid), acceptors, () -> true);
   }
 
   /** The instance of registration and mutex of all places: {@code crossing.queue}. */
@@ -47,26 +48,28 @@ public final class Lane {
 
   /** Whether all places are released and the registration left. */
   boolean isOver() {
-    return claim.isOver();
+    return claim == null || claim.isOver();
   }
 
   /** Whether a place is wanted that is not held yet. */
   boolean isWaiting() {
-    return !claim.held().containsAll(claim.rest());
+    return !held().containsAll(rest());
   }
 
   boolean holds() {
-    return !claim.held().isEmpty();
+    return !held().isEmpty();
   }
 
   /** The places that are held. */
   List<String> held() {
-    return List.copyOf(claim.held());
+    return claim == null ? List.of() : List.copyOf(claim.held());
   }
 
   /** Asks for the places ahead. */
   void want() {
-    claim.want(names());
+    if (claim != null) {
+      claim.want(names());
+    }
   }
 
   /**
@@ -82,7 +85,9 @@ public final class Lane {
       ahead.remove();
     }
     List<String> rest = isPast ? stands : names();
-    claim.resume(stands, rest);
+    if (claim != null) {
+      claim.resume(stands, rest);
+    }
     if (isPast) {
       ahead.clear();
     }
@@ -90,7 +95,9 @@ public final class Lane {
 
   /** Continues registering, asking and leaving; call it once a period. */
   void step() {
-    claim.step();
+    if (claim != null) {
+      claim.step();
+    }
   }
 
   /**
@@ -100,7 +107,7 @@ public final class Lane {
    */
   void drive(Predicate<ItemPosition> arrived) {
     ItemPosition next = ahead.element();
-    if (!isDriving && claim.held().contains(next.name())) {
+    if (!isDriving && held().contains(next.name())) {
       gvh.plat.moat.doMove(next);
       isDriving = true;
     } else if (isDriving && arrived.test(next)) {
@@ -112,14 +119,7 @@ public final class Lane {
 
   /** The places that are wanted or held, in order. */
   List<String> rest() {
-    return claim.rest();
-  }
-
-  /** The places that the body may be in. */
-  List<String> stands() {
-    List<String> stands = new ArrayList<>(claim.rest());
-    stands.removeIf(place -> Crossing.isClearOf(gvh, place));
-    return stands;
+    return claim == null ? List.of() : claim.rest();
   }
 
   /** Number of places that it has not reached. */
@@ -128,7 +128,9 @@ public final class Lane {
   }
 
   void release(String place) {
-    claim.release(place);
+    if (claim != null) {
+      claim.release(place);
+    }
   }
 
   /** Releases the places behind that the whole body has left. */
@@ -136,7 +138,7 @@ public final class Lane {
     for (String place : held()) {
       boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(place));
       if (!isAhead && Crossing.isClearOf(gvh, place)) {
-        claim.release(place);
+        release(place);
       }
     }
   }
