@@ -24,6 +24,7 @@ class PrimitivesProofTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
+        "Pipeline_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",

@@ -19,6 +19,7 @@ class WitnessTheoryTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
+        "Pipeline_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",

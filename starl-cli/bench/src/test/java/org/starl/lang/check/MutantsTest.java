@@ -67,6 +67,7 @@ class MutantsTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
+        "Pipeline_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",
