@@ -32,6 +32,7 @@ class SizesOfTheManualTest {
           Registration_decls | registration with 3 ids and numbers to 2 has %,d
           Election_decls | elections %,d
           Barrier_decls | barriers %,d
+          Pipeline_decls | the mutex on sequences with 3 robots, 2 zones and tickets to 2 has %,d
           """)
   void automatonHasTheStatesThatTheManualSays(String name, String words)
       throws IOException, SourceErrors {
