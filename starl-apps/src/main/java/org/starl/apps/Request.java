@@ -1,8 +1,10 @@
 package org.starl.apps;
 
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
@@ -13,8 +15,15 @@ import org.starl.random.Rng;
  *
  * @param robots their number, if the user gave it
  * @param parameters all parameters of the app: the user's values, else the defaults
+ * @param given the keys of the parameters that the user gave, even if with the default value
  */
-public record Request(long seed, OptionalInt robots, SortedMap<String, String> parameters) {
+public record Request(
+    long seed, OptionalInt robots, SortedMap<String, String> parameters, Set<String> given) {
+
+  /** A request in which all parameters are given. */
+  public Request(long seed, OptionalInt robots, SortedMap<String, String> parameters) {
+    this(seed, robots, parameters, parameters.keySet());
+  }
 
   /** The value of a parameter that the app has declared. */
   public String parameter(String key) {
@@ -28,18 +37,20 @@ public record Request(long seed, OptionalInt robots, SortedMap<String, String> p
   /** This request with a number of robots drawn from the seed, unless the user gave one. */
   public Request drawRobots(int least, int most) {
     int drawn = least + new Rng(seed).fork("chaos/robots").nextInt(most - least + 1);
-    return robots.isPresent() ? this : new Request(seed, OptionalInt.of(drawn), parameters);
+    return robots.isPresent() ? this : new Request(seed, OptionalInt.of(drawn), parameters, given);
   }
 
-  /** In half of the seeds this request with another value, unless the user gave one. */
+  /** In half of the seeds this request, given another value, unless the user gave one. */
   public Request drawParameter(Parameter parameter, String other) {
     boolean isDrawn = new Rng(seed).fork("chaos/" + parameter.key()).nextBoolean(0.5);
-    if (!isDrawn || !parameter(parameter.key()).equals(parameter.defaultValue())) {
+    if (!isDrawn || given.contains(parameter.key())) {
       return this;
     }
     SortedMap<String, String> changed = new TreeMap<>(parameters);
     changed.put(parameter.key(), other);
-    return new Request(seed, robots, changed);
+    Set<String> more = new TreeSet<>(given);
+    more.add(parameter.key());
+    return new Request(seed, robots, changed, more);
   }
 
   /**

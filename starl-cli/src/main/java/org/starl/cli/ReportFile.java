@@ -124,7 +124,7 @@ final class ReportFile implements Closeable {
     List<String> given = new ArrayList<>();
     for (Parameter parameter : request.demo().parameters()) {
       String value = request.parameters().get(parameter.key());
-      if (value != null && !value.equals(parameter.defaultValue())) {
+      if (value != null) {
         given.add(parameter.key() + "=" + value);
       }
     }
@@ -140,7 +140,8 @@ final class ReportFile implements Closeable {
             given.add(setting.key() + "=" + value);
           }
         });
-    Map<String, String> settings = new LinkedHashMap<>(request.parameters());
+    Map<String, String> settings = new LinkedHashMap<>(request.demo().defaults());
+    settings.putAll(request.parameters());
     settings.putAll(request.plan(range.first()).simulation().settings().asText());
     return new CampaignDescription(
         request.demo().name(),

@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
@@ -32,7 +34,7 @@ import org.starl.trace.Vocabulary;
  * A request to run an app, parsed from options, a scenario file, a deployment file or a trace
  * header. Immutable. It can render the command line that makes the same request.
  *
- * @param parameters of the app, all of them
+ * @param parameters of the app, the given ones only; their defaults apply to the others
  * @param settings the given ones only; the app's defaults apply to the others
  */
 record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
@@ -85,10 +87,10 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   Plan plan(long seed) {
     Request request = request(seed);
     SimSettings defaults = demo.defaultSettings(request).build();
-    Plan plan = demo.plan(request, settings.over(defaults));
+    Plan plan = demo.plan(request, given(request).over(defaults));
     plan.simulation().name(demo.name()).seed(seed);
     request.parameters().forEach(plan.simulation()::parameter);
-    if (robots().isEmpty()) {
+    if (request.robots().isEmpty()) {
       plan.simulation().countedByScenario();
     }
     return plan;
@@ -124,16 +126,25 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   private Request request(long seed) {
-    Request request = new Request(seed, robots(), parameters);
+    SortedMap<String, String> all = demo.defaults();
+    all.putAll(parameters);
+    Request request = new Request(seed, robots(), all, parameters.keySet());
     return settings.get(Setting.CHAOS) == Envelope.NONE ? request : demo.varied(request);
   }
 
   /** This request as {@link #plan} runs it: with what chaos varies. */
   RunRequest varied(long seed) {
     Request request = request(seed);
+    SortedMap<String, String> given = new TreeMap<>(request.parameters());
+    given.keySet().retainAll(request.given());
+    return new RunRequest(demo, given, given(request));
+  }
+
+  /** The settings with the number of robots that chaos drew, if it did. */
+  private SimSettings given(Request request) {
     SimSettings.Builder more = settings.toBuilder();
     request.robots().ifPresent(more::robots);
-    return new RunRequest(demo, request.parameters(), more.build());
+    return more.build();
   }
 
   /** The command line that runs this request with one seed. */
@@ -155,7 +166,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
     for (Parameter parameter : demo.parameters()) {
       String value = parameters.get(parameter.key());
-      if (!parameter.defaultValue().equals(value)) {
+      if (value != null) {
         words.addAll(List.of("--set", parameter.key() + "=" + value));
       }
     }
@@ -186,12 +197,13 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   static final class Builder {
 
     private final Demo demo;
-    private final SortedMap<String, String> parameters;
+    private final Set<String> declared;
+    private final SortedMap<String, String> parameters = new TreeMap<>();
     private final SimSettings.Builder settings = SimSettings.builder();
 
     Builder(Demo demo) {
       this.demo = demo;
-      parameters = demo.defaults();
+      declared = demo.defaults().keySet();
     }
 
     /**
@@ -221,7 +233,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
      * @throws BadInput naming {@code where}, the key, the value and the expected form
      */
     Builder set(String where, String key, String value) {
-      if (parameters.containsKey(key)) {
+      if (declared.contains(key)) {
         parameters.put(key, value);
         return this;
       }
@@ -263,7 +275,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
           return setting;
         }
       }
-      List<String> keys = new ArrayList<>(parameters.keySet());
+      List<String> keys = new ArrayList<>(declared);
       known().forEach(setting -> keys.add(setting.key()));
       throw new BadInput(
           "no setting or parameter is called " + BadInput.quote(key) + NearMatches.hint(key, keys));

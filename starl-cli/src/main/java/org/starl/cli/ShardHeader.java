@@ -63,7 +63,7 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
     }
   }
 
-  /** The parameters of the app, and the given settings. */
+  /** The given parameters of the app and the given settings. */
   static SortedMap<String, String> settings(RunRequest request) {
     SortedMap<String, String> settings = new TreeMap<>(request.parameters());
     request.settings().given().forEach((setting, value) -> settings.put(setting.key(), value));

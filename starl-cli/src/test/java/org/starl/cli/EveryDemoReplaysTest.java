@@ -55,6 +55,7 @@ class EveryDemoReplaysTest {
     }
     runs.add(List.of("intersection", "--seed", "5", "--set", "arrivals=20/min", "--for", "40s"));
     runs.add(List.of("intersection", "--seed", "7", "--set", "scenario=figure7", "--chaos"));
+    runs.add(List.of("intersection", "--seed", "3", "--chaos"));
     runs.add(List.of("mutex", "--seed", "2", "--robots", "4", "--chaos", "--loss", "0.2"));
     runs.add(List.of("hello", "--seed", "1", "--fault", "drift(bot1,200ppm)", "--robots", "6"));
     return runs.stream();

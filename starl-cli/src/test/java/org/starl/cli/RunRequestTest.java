@@ -6,9 +6,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.sim.Setting;
 import picocli.CommandLine;
@@ -60,6 +62,35 @@ final class RunRequestTest {
         .isEqualTo(
             "./starl run race --seed 7 --loss 0.3 --fault 'crash(bot1,at=2s)' --fault"
                 + " 'crash(bot2,at=3s)' --chaos");
+  }
+
+  static Stream<List<String>> requestsOfDefaults() {
+    return Main.ALL.all().stream()
+        .flatMap(demo -> {
+          Stream<String> keys =
+              demo.parameters().stream().map(p -> p.key() + "=" + p.defaultValue());
+          return Stream.concat(keys, Stream.of("robots=4", "chaosFor=20s", "duration=1200s"))
+              .map(value -> List.of(demo.name(), "--chaos", "--set", value));
+        });
+  }
+
+  @ParameterizedTest
+  @MethodSource("requestsOfDefaults")
+  void chaosKeepsAGivenValueThatIsTheDefault(List<String> words) {
+    String[] given = words.getLast().split("=", 2);
+    RunRequest request = request(words);
+    for (long seed = 1; seed <= 6; seed++) {
+      var header = request.plan(seed).simulation().build().plan().header();
+      assertThat(header.settings()).as("seed %d", seed).containsEntry(given[0], given[1]);
+    }
+  }
+
+  @Test
+  void chaosKeepsAGivenScenario() {
+    RunRequest drawn = request(List.of("intersection", "--chaos", "--set", "scenario=drawn"));
+    for (long seed = 1; seed <= 6; seed++) {
+      assertThat(drawn.varied(seed).parameters()).containsOnlyKeys("scenario");
+    }
   }
 
   @Test

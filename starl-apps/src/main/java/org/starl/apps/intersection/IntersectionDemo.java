@@ -96,9 +96,14 @@ public final class IntersectionDemo implements Demo {
 
   @Override
   public Request varied(Request request) {
-    return scenario(request).equals(DRAWN)
-        ? request.drawRobots(2, 12).drawParameter(ARRIVALS, DEFAULT_ARRIVALS)
-        : request;
+    if (!scenario(request).equals(DRAWN)) {
+      return request;
+    }
+    Request drawn = request.drawRobots(2, 12);
+    // Arrivals would change the scenario.
+    return request.given().contains(SCENARIO.key())
+        ? drawn
+        : drawn.drawParameter(ARRIVALS, DEFAULT_ARRIVALS);
   }
 
   @Override

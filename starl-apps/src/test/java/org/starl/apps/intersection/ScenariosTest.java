@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
@@ -44,7 +45,8 @@ class ScenariosTest {
     IntersectionDemo demo = new IntersectionDemo();
     int open = 0;
     for (long seed = 1; seed <= 100; seed++) {
-      Request varied = demo.varied(new Request(seed, OptionalInt.empty(), demo.defaults()));
+      Request varied =
+          demo.varied(new Request(seed, OptionalInt.empty(), demo.defaults(), Set.of()));
       open += varied.parameter(IntersectionFactory.ARRIVALS.key()).isEmpty() ? 0 : 1;
       assertThat(varied.robots().orElseThrow()).isBetween(2, 12);
     }
