@@ -8,12 +8,16 @@ import picocli.CommandLine.Help.Ansi;
 
 /**
  * Shows the progress, speed and remaining time of long work: on a terminal as a bar that is
- * redrawn, elsewhere as up to ten plain lines.
+ * redrawn, elsewhere as plain lines: ten, and one after each {@link #QUIET_NS} without one.
  */
 final class ProgressLine {
 
   private static final int BAR_WIDTH = 30;
   private static final int PLAIN_LINES = 10;
+
+  /** Shorter than 10 s by the second in which work that goes on reports again. */
+  private static final long QUIET_NS = 9 * Time.NS_PER_S;
+
   private static final long REDRAW_NS = 100 * Time.NS_PER_MS;
 
   /** Earlier, the rate would mostly measure the warm-up of the JVM. */
@@ -26,6 +30,7 @@ final class ProgressLine {
   private final long startNs;
   private long drawnNs;
   private long shownTenths;
+  private long shownNs;
   private int drawnWidth;
 
   /**
@@ -45,6 +50,7 @@ final class ProgressLine {
     this.wallNs = wallNs;
     startNs = wallNs.getAsLong();
     drawnNs = startNs - REDRAW_NS;
+    shownNs = startNs;
   }
 
   /** Wall-clock time since the work began. */
@@ -77,8 +83,9 @@ final class ProgressLine {
       return;
     }
     long tenths = finished * PLAIN_LINES / planned;
-    if (tenths > shownTenths) {
+    if (tenths > shownTenths || nowNs - shownNs >= QUIET_NS) {
       shownTenths = tenths;
+      shownNs = nowNs;
       err.println(text(finished, planned, rest, nowNs));
     }
   }

@@ -17,15 +17,29 @@ class ProgressLineTest {
   void tenPlainLinesShowTheRemainingTime() {
     ProgressLine line = line(false);
     for (int finished = 1; finished <= 200; finished++) {
-      nowNs += S / 2;
+      nowNs += S / 4;
       line.show(finished, 200, finished / 100);
     }
     line.end();
     assertThat(out.toString().lines())
         .hasSize(10)
-        .contains("20 of 200 runs, 0 bad; 2.0 per second, 1 min 30 s left")
-        .contains("100 of 200 runs, 1 bad; 2.0 per second, 50 s left")
-        .contains("200 of 200 runs, 2 bad; 2.0 per second");
+        .contains("20 of 200 runs, 0 bad; 4.0 per second, 45 s left")
+        .contains("100 of 200 runs, 1 bad; 4.0 per second, 25 s left")
+        .contains("200 of 200 runs, 2 bad; 4.0 per second");
+  }
+
+  @Test
+  void plainLinesAreAtMostTenSecondsApart() {
+    ProgressLine line = line(false);
+    for (int second = 1; second <= 60; second++) {
+      nowNs += S;
+      line.show(second / 20, 1_000_000, 0);
+      assertThat(out.toString().lines().count()).isGreaterThanOrEqualTo(second / 10);
+    }
+    assertThat(out.toString().lines())
+        .hasSizeLessThan(10)
+        .startsWith("0 of 1000000 runs, 0 bad")
+        .contains("1 of 1000000 runs, 0 bad; 2.2 per minute, 7499 h 59 min left");
   }
 
   @Test

@@ -32,14 +32,14 @@ class RunProgressTest {
 
   @Test
   void aLongRunShowsItsSimulatedTime() {
-    run(false, S / 2);
+    run(false, S / 4);
     assertThat(out.toString().lines())
         .containsExactly(
-            "20 of 200 simulated seconds at most; 2.0 per second, 1 min 30 s left",
-            "40 of 200 simulated seconds at most; 2.0 per second, 1 min 20 s left",
-            "60 of 200 simulated seconds at most; 2.0 per second, 1 min 10 s left",
-            "80 of 200 simulated seconds at most; 2.0 per second, 1 min 0 s left",
-            "100 of 200 simulated seconds at most; 2.0 per second, 50 s left",
+            "20 of 200 simulated seconds at most; 4.0 per second, 45 s left",
+            "40 of 200 simulated seconds at most; 4.0 per second, 40 s left",
+            "60 of 200 simulated seconds at most; 4.0 per second, 35 s left",
+            "80 of 200 simulated seconds at most; 4.0 per second, 30 s left",
+            "100 of 200 simulated seconds at most; 4.0 per second, 25 s left",
             "next");
   }
 

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
@@ -22,7 +23,10 @@ import org.jspecify.annotations.Nullable;
  */
 public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopAtBad) {
 
-  /** Called on the calling thread after each run, even if the result will not include the run. */
+  /**
+   * Called on the calling thread after each run, even if the result will not include the run, and
+   * after each second without one.
+   */
   @FunctionalInterface
   public interface Progress {
 
@@ -136,7 +140,11 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     long bad = 0;
     int left = running;
     while (left > 0) {
-      Finished run = shared.finished.take();
+      Finished run = shared.finished.poll(1, TimeUnit.SECONDS);
+      if (run == null) {
+        progress.advanced(count, planned(), bad);
+        continue;
+      }
       if (run.error() != null) {
         throw run.error();
       }
