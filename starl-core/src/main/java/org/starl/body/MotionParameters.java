@@ -135,6 +135,11 @@ public record MotionParameters(
     return failFixAgeMs + noProgressMs + (long) StrictMath.ceil(1e3 * distanceMm / slowestMmPerS);
   }
 
+  /** A corner of a planned way is passed within this distance. */
+  public double cornerRadiusMm() {
+    return goalRadiusMm / 3;
+  }
+
   /** How long a step's command may be in effect. */
   public double horizonS() {
     return (automatonPeriodMs + reactionMs) / 1e3;

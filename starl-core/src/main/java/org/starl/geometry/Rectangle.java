@@ -61,7 +61,12 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
 
   /** The rectangle, which must have an area, as a polygon, from its lower left corner. */
   public Polygon outline() {
-    return Polygon.of(
+    return new Polygon(corners());
+  }
+
+  /** Its corners, from the lower left one on, counterclockwise. */
+  public List<Point> corners() {
+    return List.of(
         new Point(xMinMm, yMinMm),
         new Point(xMaxMm, yMinMm),
         new Point(xMaxMm, yMaxMm),

@@ -2,6 +2,7 @@ package org.starl.motion;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -88,10 +89,29 @@ public final class MotionController {
    * any earlier command. The target's heading is ignored.
    */
   public void doMove(ItemPosition target, Region avoid) {
+    move(target, avoid, null);
+  }
+
+  /** The same on a way of {@code planner}; planned anew where the body is held up. */
+  public void doMove(ItemPosition target, Region avoid, WayPlanner planner) {
+    move(target, avoid, from -> traced(planner.plan(from)));
+  }
+
+  private void move(ItemPosition target, Region avoid, @Nullable WayPlanner planner) {
     record(new MotionFact.doMove(target, avoid));
-    begin(
-        new MotionTask.GoTo(target, avoid),
-        MotionRun.goTo(target.at(), avoid, retreatAvoid, parameters, rng, clock.nowNs()));
+    long nowNs = clock.nowNs();
+    MotionRun newRun = MotionRun.goTo(target.at(), avoid, retreatAvoid, parameters, rng, nowNs);
+    begin(new MotionTask.GoTo(target, avoid), newRun.onWayOf(planner));
+  }
+
+  private Supplier<@Nullable List<Point>> traced(Supplier<@Nullable List<Point>> plan) {
+    return () -> {
+      List<Point> way = plan.get();
+      if (way != null && way.size() != 1) {
+        record(new MotionFact.planned(way));
+      }
+      return way;
+    };
   }
 
   /** Turns on the spot until the robot faces {@code target}, replacing any earlier command. */

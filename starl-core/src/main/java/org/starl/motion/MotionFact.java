@@ -3,7 +3,9 @@ package org.starl.motion;
 import static org.starl.shape.Shapes.REAL;
 import static org.starl.shape.Shapes.part;
 
+import java.util.List;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.shape.Geometry;
 import org.starl.shape.Shapes;
@@ -24,14 +26,19 @@ public sealed interface MotionFact {
   /** The paper's pair of the last command. */
   Var<MotionTask> TASK = Var.of("(target, avoid)", MotionTask.SHAPE);
 
-  /** A command to the primitive of the paper: go to the target. */
-  record gotopoint(ItemPosition target) implements MotionFact {}
+  int MOST_CORNERS = 0xFFFF;
 
-  /** A command to the primitive of the paper: go to the target outside a region. */
+  /** A command to the primitive of the paper, by the name in its section 4.1. */
+  record gotopoint(ItemPosition target, Region avoid) implements MotionFact {}
+
+  /** The same command, by the name in its section 2. */
   record do_move(ItemPosition target, Region avoid) implements MotionFact {}
 
   /** The same command to the motion automaton below, which apps may also use directly. */
   record doMove(ItemPosition target, Region avoid) implements MotionFact {}
+
+  /** The corners of the way, the target last; empty if there is none. Not for a straight way. */
+  record planned(List<Point> way) implements MotionFact {}
 
   /** A command: turn on the spot until the robot faces the target. */
   record turnTo(ItemPosition target) implements MotionFact {}
@@ -53,7 +60,10 @@ public sealed interface MotionFact {
       Shapes.oneOf(
           MotionFact.class,
           Shapes.of(
-              gotopoint.class, part("target", Geometry.ITEM, gotopoint::target), gotopoint::new),
+              gotopoint.class,
+              part("target", Geometry.ITEM, gotopoint::target),
+              part("avoid", Geometry.REGION, gotopoint::avoid),
+              gotopoint::new),
           Shapes.of(
               do_move.class,
               part("target", Geometry.ITEM, do_move::target),
@@ -64,6 +74,10 @@ public sealed interface MotionFact {
               part("target", Geometry.ITEM, doMove::target),
               part("avoid", Geometry.REGION, doMove::avoid),
               doMove::new),
+          Shapes.of(
+              planned.class,
+              part("way", Shapes.list(Geometry.POINT, MOST_CORNERS), planned::way),
+              planned::new),
           Shapes.of(turnTo.class, part("target", Geometry.ITEM, turnTo::target), turnTo::new),
           Shapes.of(
               doDrive.class,

@@ -6,6 +6,8 @@ public enum MotionFailure {
   TARGET_FORBIDDEN("the target is in the region to avoid"),
   /** The body cannot go on, in the allowed time, without a risk to touch the region to avoid. */
   IN_THE_WAY("the region to avoid is in the way"),
+  /** No way leads past the region to avoid and the known obstacles. */
+  NO_WAY("no way to the target"),
   /** The body touched something, and the collision policy is to fail. */
   BUMPED("bumped into something"),
   /** The wheels turn, and the body does not come nearer to the target. */

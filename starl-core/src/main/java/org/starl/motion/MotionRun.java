@@ -2,6 +2,7 @@ package org.starl.motion;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
@@ -23,14 +24,28 @@ import org.starl.random.Rng;
  */
 final class MotionRun {
 
-  private final Point target;
+  /** So often a new way is planned where the region to avoid is in the way. */
+  private static final int MOST_PLANS = 4;
+
   private final MotionParameters p;
-  private final MotionAutomaton automaton;
+  private final Rng rng;
   private final Region avoid;
   private final Supplier<Region> retreatAvoid;
   private final AvoidGuard guard;
-  private final ProgressWatch watch;
   private final long startNs;
+
+  /** The ends of the legs. */
+  private List<Point> way;
+
+  /** The number of the leg that the automaton drives. */
+  private int leg;
+
+  private MotionAutomaton automaton;
+  private ProgressWatch watch;
+  private @Nullable WayPlanner planner;
+  private @Nullable Supplier<@Nullable List<Point>> plan;
+  private boolean wantsPlan;
+  private int plans;
 
   private MotionFlag status = MotionFlag.MOVING;
   private @Nullable MotionFailure failure;
@@ -47,9 +62,11 @@ final class MotionRun {
       Region avoid,
       Supplier<Region> retreatAvoid,
       MotionParameters p,
+      Rng rng,
       MotionAutomaton automaton,
       long nowNs) {
-    this.target = target;
+    this.rng = rng;
+    this.way = List.of(target);
     this.avoid = avoid;
     this.retreatAvoid = retreatAvoid;
     this.p = p;
@@ -72,17 +89,26 @@ final class MotionRun {
       Rng rng,
       long nowNs) {
     MotionAutomaton automaton = MotionAutomaton.goTo(target, avoid instanceof Nowhere, p, rng);
-    MotionRun run = new MotionRun(target, avoid, retreatAvoid, p, automaton, nowNs);
+    MotionRun run = new MotionRun(target, avoid, retreatAvoid, p, rng, automaton, nowNs);
     if (run.guard.forbids(target)) {
       run.fail(MotionFailure.TARGET_FORBIDDEN);
     }
     return run;
   }
 
+  /**
+   * @param newPlanner asked for a way at the first step with a certain position; null: straight
+   */
+  MotionRun onWayOf(@Nullable WayPlanner newPlanner) {
+    planner = newPlanner;
+    wantsPlan = true;
+    return this;
+  }
+
   static MotionRun turnTo(
       Point target, Supplier<Region> retreatAvoid, MotionParameters p, Rng rng, long nowNs) {
     MotionAutomaton automaton = MotionAutomaton.turnTo(target, p, rng);
-    return new MotionRun(target, new Nowhere(), retreatAvoid, p, automaton, nowNs);
+    return new MotionRun(target, new Nowhere(), retreatAvoid, p, rng, automaton, nowNs);
   }
 
   MotionFlag status() {
@@ -151,14 +177,26 @@ final class MotionRun {
     }
     lastCertainNs = nowNs;
     if (deadlineNs == Long.MAX_VALUE) {
-      deadlineNs = startNs + p.longestMs(at.pose().distanceMm(target)) * NS_PER_MS;
+      deadlineNs = startNs + p.longestMs(leftMm(at)) * NS_PER_MS;
     }
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
       return waitForFix(
           Math.min(at.fixAgeNs(), nowNs - startNs),
           isContradicted ? MotionFailure.CONTRADICTED : MotionFailure.NO_FIX);
     }
+    if (hasNoWay(at, nowNs)) {
+      return WheelCommand.STOP;
+    }
+    boolean wasAside = automaton.state().isManeuver();
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
+    if (wasAside && !automaton.state().isManeuver() && way.size() > 1) {
+      // Else it would go back to the corners that it has passed aside.
+      wantsPlan = plans < MOST_PLANS;
+    }
+    while (automaton.status() == MotionFlag.DONE && leg < way.size() - 1) {
+      begin(leg + 1);
+      wanted = automaton.step(at.pose(), bumps, nowNs);
+    }
     if (automaton.status() == MotionFlag.FAIL) {
       return fail(MotionFailure.BUMPED);
     }
@@ -168,6 +206,53 @@ final class MotionRun {
     return status == MotionFlag.MOVING && updateWatch(at)
         ? fail(automaton.goesOnAfterBump() ? MotionFailure.BUMPED : MotionFailure.NO_PROGRESS)
         : keepOut(guardOf(wanted).limit(wanted, at, bumps, lingering), wanted, nowNs);
+  }
+
+  /** Whether the way is still being planned, or there is none: then the motion has failed. */
+  private boolean hasNoWay(Location.Known at, long nowNs) {
+    if (planner != null && wantsPlan) {
+      wantsPlan = false;
+      plans++;
+      plan = planner.plan(at);
+    }
+    if (plan == null || status != MotionFlag.MOVING) {
+      return false;
+    }
+    List<Point> corners = plan.get();
+    if (corners == null) {
+      return true;
+    }
+    plan = null;
+    if (corners.isEmpty()) {
+      fail(MotionFailure.NO_WAY);
+      return true;
+    }
+    if (corners.size() > 1 || plans > 1) {
+      way = corners;
+      begin(0);
+      watch = new ProgressWatch(p);
+    }
+    if (corners.size() > 1) {
+      deadlineNs = nowNs + p.longestMs(leftMm(at)) * NS_PER_MS;
+    }
+    return false;
+  }
+
+  /** Straight, as arcs would leave the way. */
+  private void begin(int newLeg) {
+    leg = newLeg;
+    boolean isLast = leg == way.size() - 1;
+    double nearMm = isLast ? p.goalRadiusMm() : p.cornerRadiusMm();
+    MotionParameters straight = p.toBuilder().enableArcing(false).goalRadiusMm(nearMm).build();
+    automaton = MotionAutomaton.goTo(way.get(leg), false, straight, rng);
+  }
+
+  private double leftMm(Location.Known at) {
+    double mm = at.pose().distanceMm(way.get(leg));
+    for (int i = leg + 1; i < way.size(); i++) {
+      mm += way.get(i - 1).distanceMm(way.get(i));
+    }
+    return mm;
   }
 
   /** The region of a retreat is that of its begin: what it leaves on its way stays allowed. */
@@ -193,9 +278,9 @@ final class MotionRun {
   /** Returns whether the motion is stuck. */
   private boolean updateWatch(Location.Known at) {
     Pose pose = at.pose();
-    Point way = target.minus(pose.at());
-    double bearingRad = Angles.difference(way.angleRad(), pose.headingRad());
-    return watch.update(at, way.normMm(), bearingRad);
+    double towardsRad = way.get(leg).minus(pose.at()).angleRad();
+    double bearingRad = Angles.difference(towardsRad, pose.headingRad());
+    return watch.update(at, leftMm(at), bearingRad);
   }
 
   private WheelCommand keepOut(WheelCommand limited, WheelCommand wanted, long nowNs) {
@@ -212,6 +297,11 @@ final class MotionRun {
       return WheelCommand.STOP;
     }
     if (automaton.givesUpManeuver()) {
+      heldBack = false;
+      return WheelCommand.STOP;
+    }
+    if (planner != null && plans < MOST_PLANS && wanted.linearMmPerS() > 0) {
+      wantsPlan = true;
       heldBack = false;
       return WheelCommand.STOP;
     }

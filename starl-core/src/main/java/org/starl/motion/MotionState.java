@@ -17,5 +17,10 @@ public enum MotionState {
   /** Drives straight, away from the collision. */
   COLLISION_STRAIGHT,
   /** The motion has failed. */
-  FAILED
+  FAILED;
+
+  /** Whether the robot reacts to a collision, away from its way. */
+  boolean isManeuver() {
+    return compareTo(COLLISION_BACK) >= 0 && compareTo(COLLISION_STRAIGHT) <= 0;
+  }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
 import org.starl.random.Rng;
 
 /** A motion that cannot be done says so; nothing else counts as an arrival. */
@@ -231,6 +233,77 @@ class MotionRunTest {
     assertThat(world.command).isEqualTo(WheelCommand.STOP);
     assertThat(world.run().status()).isEqualTo(MotionFlag.DONE);
     assertThat(world.run().needsSteps()).isFalse();
+  }
+
+  private static final Region IN_THE_WAY = new Rectangle(1000, -200, 1200, 200);
+
+  private static MotionWorld onWayOf(WayPlanner planner) {
+    MotionWorld world = world();
+    world.begin(TARGET, IN_THE_WAY);
+    world.run().onWayOf(planner);
+    return world;
+  }
+
+  @Test
+  void itStandsUntilItsWayIsPlannedAndDrivesOnIt() {
+    List<Point> way = List.of(new Point(900, 600), new Point(1300, 600), TARGET);
+    AtomicReference<List<Point>> plan = new AtomicReference<>();
+    MotionWorld world = onWayOf(from -> plan::get);
+    assertThat(world.runFor(1000)).isEqualTo(MotionFlag.MOVING);
+    assertThat(world.truth).isEqualTo(new Pose(0, 0, 0));
+    plan.set(way);
+    assertThat(world.runFor(60_000)).isEqualTo(MotionFlag.DONE);
+    assertThat(world.truth.distanceMm(TARGET)).isLessThan(MotionParameters.DEFAULT.goalRadiusMm());
+    assertThat(world.nearestToAvoidMm).isGreaterThan(MotionParameters.DEFAULT.robotRadiusMm());
+  }
+
+  @Test
+  void withoutAWayItFailsWhereItStands() {
+    MotionWorld world = onWayOf(from -> List::of);
+    assertThat(world.runFor(1000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.NO_WAY);
+    assertThat(world.truth).isEqualTo(new Pose(0, 0, 0));
+  }
+
+  @Test
+  void aWayThroughTheRegionIsPlannedAnewAndThenFails() {
+    List<Location.Known> starts = new ArrayList<>();
+    MotionWorld world =
+        onWayOf(from -> {
+          starts.add(from);
+          return () -> List.of(TARGET);
+        });
+    assertThat(world.runFor(60_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo(MotionFailure.IN_THE_WAY);
+    assertThat(starts).hasSize(4);
+    assertThat(starts.getLast().pose().xMm()).isGreaterThan(500);
+  }
+
+  @Test
+  void afterAManeuverTheWayIsPlannedAnew() {
+    MotionParameters turns =
+        MotionParameters.builder().collisionPolicy(CollisionPolicy.USE_COLAVOID).build();
+    MotionWorld world = new MotionWorld(1, turns, new Pose(0, 0, 0));
+    world.wallMm = 800;
+    world.begin(TARGET, new Nowhere());
+    List<Location.Known> starts = new ArrayList<>();
+    world
+        .run()
+        .onWayOf(from -> {
+          starts.add(from);
+          return () -> List.of(new Point(1500, 0), TARGET);
+        });
+    assertThat(world.runFor(600_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(starts).hasSize(4);
+  }
+
+  @Test
+  void aLongWayHasTheTimeForItsLength() {
+    Point far = new Point(0, 20_000);
+    MotionWorld world = onWayOf(from -> () -> List.of(far, new Point(3000, 20_000), TARGET));
+    assertThat(world.runFor(600_000)).isEqualTo(MotionFlag.DONE);
+    double longestS = MotionParameters.DEFAULT.longestMs(TARGET.normMm()) / 1e3;
+    assertThat(world.seconds()).isGreaterThan(longestS);
   }
 
   @Property(tries = 200)

@@ -26,7 +26,7 @@ final class MotionRecipe extends LogicThread {
     await(gvh.gps::hasFix);
     Pose start = gvh.gps.pose();
     ItemPosition goal = new ItemPosition("goal", start.xMm() + 1_000, start.yMm());
-    Circle pit = new Circle(new Point(start.xMm(), start.yMm() - 1_000), 300);
+    Circle pit = new Circle(new Point(start.xMm() + 500, start.yMm()), 100);
     mc.do_move(goal, pit);
     await(() -> mc.motionflag().get() != MotionFlag.MOVING);
     return List.of(mc.motionflag().get(), mc.failure());

@@ -31,7 +31,7 @@ import org.starl.trace.TraceEvent.Variable;
  * motion_stop                       motion_stop(i)
  * motionflag IDLE                   none, or motion_stop(i) if the program has started again
  * fault crash                       motion_stop(i): the command is lost with the program
- * motionflag MOVING                 none
+ * motionflag MOVING, planned        none
  * all other events, other moves     none
  * </pre>
  *

@@ -1,10 +1,17 @@
 package org.starl.primitives.motion;
 
+import java.util.List;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.Computation;
 import org.starl.GlobalVarHolder;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
-import org.starl.geometry.Nowhere;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.gvh.GvhVariable;
+import org.starl.motion.Location;
 import org.starl.motion.MotionController;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
@@ -27,15 +34,31 @@ public final class MotionControl implements MotionPrim {
   }
 
   @Override
-  public void gotopoint(ItemPosition target) {
-    record(new MotionFact.gotopoint(target));
-    moat.doMove(target, new Nowhere());
+  public void gotopoint(ItemPosition target, Region avoid) {
+    record(new MotionFact.gotopoint(target, avoid));
+    move(target, avoid);
   }
 
   @Override
   public void do_move(ItemPosition target, Region avoid) {
     record(new MotionFact.do_move(target, avoid));
-    moat.doMove(target, avoid);
+    move(target, avoid);
+  }
+
+  private void move(ItemPosition target, Region avoid) {
+    MotionParameters p = moat.parameters();
+    moat.doMove(target, avoid, from -> plan(target.at(), avoid, p, from));
+  }
+
+  private Supplier<@Nullable List<Point>> plan(
+      Point target, Region avoid, MotionParameters p, Location.Known from) {
+    Obstacles known = gvh.gps.knownObstacles().all();
+    Detour way = new Detour(from.pose().at(), from.errorMm(), target, avoid, known, p);
+    if (way.isStraight()) {
+      return () -> List.of(target);
+    }
+    Computation<List<Point>> corners = gvh.plat.compute(way::corners);
+    return () -> corners.isDone() ? corners.result() : null;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.starl.primitives.motion;
 
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;
 import org.starl.gvh.GvhVariable;
 import org.starl.motion.MotionFlag;
@@ -22,14 +23,21 @@ import org.starl.primitives.StarLPrimitive;
  */
 public interface MotionPrim extends StarLPrimitive {
 
-  /** Goes to {@code target} without a region to avoid. Replaces the last command. */
-  void gotopoint(ItemPosition target);
+  /** The paper's name in section 4.1 for {@link #do_move}. */
+  void gotopoint(ItemPosition target, Region avoid);
+
+  /** Goes to {@code target} without a region to avoid. */
+  default void gotopoint(ItemPosition target) {
+    gotopoint(target, new Nowhere());
+  }
 
   /**
    * Goes to {@code target} with the whole body outside {@code avoid}. Replaces the last command. If
-   * the body would touch {@code avoid} at the target, the motion fails at once. If {@code avoid} is
-   * on the way, the robot stops and the motion fails: planning a way around it is the task of a
-   * path planner. The target's heading is ignored.
+   * the body would touch {@code avoid} at the target, the motion fails at once. If {@code avoid} or a
+   * known obstacle is on the way, the robot plans a way around them, beside the strand, and drives on
+   * it; if there is none with room for the body, its position error and a third of the goal radius,
+   * the motion fails. A way is planned from what is known at the call, and anew where {@code avoid}
+   * turns out to be in the way. The target's heading is ignored.
    */
   void do_move(ItemPosition target, Region avoid);
 

@@ -16,6 +16,9 @@ final class MotionRecord {
   final boolean turnsOnly;
   final long startNs;
 
+  /** When the body could begin to drive: from then on it may not stand too long. */
+  long triesFromNs;
+
   /** The time until which {@code motionflag} must report the result. */
   long deadlineNs;
 
@@ -52,6 +55,7 @@ final class MotionRecord {
     this.avoid = avoid;
     this.turnsOnly = turnsOnly;
     this.startNs = startNs;
+    this.triesFromNs = startNs;
     this.followedNs = startNs;
   }
 }

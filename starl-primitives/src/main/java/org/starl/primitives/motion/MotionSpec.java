@@ -172,6 +172,7 @@ public final class MotionSpec extends LemmaMonitor {
     switch (action.fact()) {
       case MotionFact.doMove f -> startOf(action.robot(), action.timeNs());
       case MotionFact.turnTo f -> startOf(action.robot(), action.timeNs());
+      case MotionFact.planned f -> planned(f.way(), action.robot(), action.timeNs());
       case MotionFact.failed f -> {
         MotionRecord motion = bodies.of(action.robot());
         if (motion != null) {
@@ -191,6 +192,7 @@ public final class MotionSpec extends LemmaMonitor {
           case MotionFact.failed f -> MotionFlag.FAIL;
           case MotionFact.motion_stop f -> MotionFlag.IDLE;
           case MotionFact.doDrive f -> MotionFlag.IDLE;
+          case MotionFact.planned f -> null;
           case MotionFact.gotopoint f -> null;
           case MotionFact.do_move f -> null;
         };
@@ -215,31 +217,34 @@ public final class MotionSpec extends LemmaMonitor {
       motion.owesArrives =
           faults == 0
               && !motion.turnsOnly
-              && isClear(start, motion, bodies.radiusMm(robot) + p.goalRadiusMm() + marginMm);
+              && Detour.isClear(
+                  start,
+                  motion.target,
+                  bodies.radiusMm(robot) + p.goalRadiusMm() + marginMm,
+                  motion.avoid::distanceMm);
     }
+    setDeadline(motion, distanceMm, motion.startNs);
+  }
+
+  private void setDeadline(MotionRecord motion, double distanceMm, long fromNs) {
     long longestMs = p.longestMs(distanceMm + p.maxErrorMm());
     long stepMs = 2 * p.automatonPeriodMs() + p.reactionMs();
-    motion.deadlineNs = motion.startNs + (longestMs + stepMs) * NS_PER_MS;
+    motion.deadlineNs = fromNs + (longestMs + stepMs) * NS_PER_MS;
     firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
   }
 
-  /**
-   * Whether every point of the straight line is at least {@code neededMm} from the region to avoid.
-   */
-  private static boolean isClear(Point start, MotionRecord motion, double neededMm) {
-    Point way = motion.target.minus(start);
-    double lengthMm = way.normMm();
-    double atMm = 0;
-    while (true) {
-      Point at = lengthMm == 0 ? start : start.plus(way.times(atMm / lengthMm));
-      double spareMm = motion.avoid.distanceMm(at) - neededMm;
-      if (spareMm <= 0) {
-        return false;
+  /** From then on the motion has the time for its way. */
+  private void planned(List<Point> way, RobotId robot, long nowNs) {
+    MotionRecord motion = bodies.of(robot);
+    if (motion != null) {
+      motion.triesFromNs = nowNs;
+      Point at = bodies.isOnFloor(robot) ? bodies.poseAt(robot, nowNs).at() : motion.target;
+      double lengthMm = 0;
+      for (Point corner : way) {
+        lengthMm += at.distanceMm(corner);
+        at = corner;
       }
-      if (atMm >= lengthMm) {
-        return true;
-      }
-      atMm = Math.min(lengthMm, atMm + Math.max(1, spareMm));
+      setDeadline(motion, lengthMm, nowNs);
     }
   }
 
@@ -344,7 +349,7 @@ public final class MotionSpec extends LemmaMonitor {
 
   /** A robot reacts to a bump, and does not push on; one whose wheels turn in vain fails. */
   private void checkHeldUp(MotionRecord motion, long nowNs, Report report) {
-    long stoodNs = nowNs - Math.max(motion.startNs, bodies.standsFromNs(motion.robot, nowNs));
+    long stoodNs = nowNs - Math.max(motion.triesFromNs, bodies.standsFromNs(motion.robot, nowNs));
     if (motion.isOpen && motion.isCalm && stoodNs > heldUpMs * NS_PER_MS && !isRealTime) {
       String detail = "stands for " + stoodNs / NS_PER_MS + " ms during its move";
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
@@ -371,17 +376,17 @@ public final class MotionSpec extends LemmaMonitor {
       case IN_THE_WAY -> p.avoidPatienceMs();
       case NO_PROGRESS -> p.stuckAfterMs();
       case NO_FIX, CONTRADICTED, UNCERTAIN -> p.failFixAgeMs();
-      case TARGET_FORBIDDEN, BUMPED, TOO_SLOW -> 0;
+      case TARGET_FORBIDDEN, NO_WAY, BUMPED, TOO_SLOW -> 0;
     };
   }
 
   /**
-   * Whether the cause is outside the motion: the body touched something, or its position is
-   * unknown.
+   * Whether the cause is outside the motion: the body touched something, the robot knows obstacles,
+   * or its position is unknown.
    */
   private boolean isExternal(MotionRecord motion, MotionFailure why) {
     return switch (why) {
-      case BUMPED, NO_FIX, CONTRADICTED, UNCERTAIN -> true;
+      case BUMPED, NO_WAY, NO_FIX, CONTRADICTED, UNCERTAIN -> true;
       case NO_PROGRESS, TOO_SLOW, IN_THE_WAY -> !p.collisionPolicy().fails() || motion.hasBackedOff;
       case TARGET_FORBIDDEN -> false;
     };

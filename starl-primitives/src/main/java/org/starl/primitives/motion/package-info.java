@@ -1,6 +1,7 @@
 /**
- * Motion control (paper, sections 4.1 and 5.1): {@code gotopoint}, {@code do_move(t, A)}, {@code
- * motionflag}. The motion automaton in {@code org.starl.motion} implements it.
+ * Motion control (paper, sections 2, 4.1 and 5.1): {@code gotopoint(t, A)}, {@code do_move(t, A)},
+ * {@code motionflag}. The motion automaton in {@code org.starl.motion} drives; {@code Detour} plans
+ * its way around A and the known obstacles.
  *
  * <p>Safety, checked by {@link org.starl.primitives.motion.MotionSpec}:
  *
@@ -9,14 +10,17 @@
  *       in A, if none was in A at the call, or could enter A before the wheels react.
  *   <li>{@code told}: {@code motionflag} is DONE only if the true position is within goal radius
  *       plus error bound of t, and the estimated position is within that bound of the true one. It
- *       is DONE or FAIL at the latest {@code longestMs(distance)} after the call, even if wheels
+ *       is DONE or FAIL at the latest {@code longestMs(distance)} after the call, or after a way of
+ *       that length is planned (at most four times), even if wheels
  *       are stuck or slow, or positions are lost. After FAIL and {@code motion_stop} the body stands,
  *       from {@code reactionMs} on, until the next command.
  * </ul>
  *
  * <p>Progress: {@code arrives}: it is DONE, not FAIL, if the way is free: A is not near the
  * straight line to t, the body touches nothing, positions arrive, and no fault is active in the
- * run.
+ * run. If A or a known obstacle is in the way, a way around them is planned when the motion begins,
+ * and anew where A still holds the body up. It fails with {@code NO_WAY} if there is none with room
+ * for the body, the error bound of its position and a third of the goal radius on each side.
  *
  * <p>{@link org.starl.primitives.motion.MotionConformance} replays each run on the automaton whose
  * {@code avoids} and {@code told} are proved.

@@ -41,12 +41,17 @@ public record PlanTask(
               "plan from %s to %s, body %s mm, clearance %s mm: expected numbers, the body above 0",
               start, goal, bodyRadiusMm, clearanceMm));
     }
-    if (bounds.xMinMm() < -MAX_MM
-        || bounds.yMinMm() < -MAX_MM
-        || bounds.xMaxMm() > MAX_MM
-        || bounds.yMaxMm() > MAX_MM) {
+    if (!isPlannable(bounds)) {
       throw new IllegalArgumentException("bounds " + bounds + ": expected within 134 km of 0");
     }
+  }
+
+  /** Whether bounds are within {@link #MAX_MM}. */
+  public static boolean isPlannable(Rectangle bounds) {
+    return bounds.xMinMm() >= -MAX_MM
+        && bounds.yMinMm() >= -MAX_MM
+        && bounds.xMaxMm() <= MAX_MM
+        && bounds.yMaxMm() <= MAX_MM;
   }
 
   /** Creates a task without {@code keepOut} areas. */
@@ -80,7 +85,7 @@ public record PlanTask(
   }
 
   /** The same task with another clearance. */
-  PlanTask withClearanceMm(double newMm) {
+  public PlanTask withClearanceMm(double newMm) {
     return new PlanTask(start, goal, bounds, obstacles, taken, keepOut, bodyRadiusMm, newMm);
   }
 

@@ -20,8 +20,11 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
+import org.starl.geometry.Union;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionTask;
@@ -168,11 +171,73 @@ class MotionControlTest {
     assertThat(result.spec().violations()).isEmpty();
   }
 
+  private static Region inTheWay(Rng rng) {
+    Point at = new Point(900 + 200 * rng.nextDouble(), 200 * rng.nextDouble() - 100);
+    double mm = 400 * rng.nextDouble();
+    return switch (rng.nextInt(5)) {
+      case 0 -> new Circle(at, mm);
+      case 1 -> Rectangle.around(at, mm, 3 * mm);
+      case 2 -> Rectangle.around(at, 0, 3 * mm);
+      case 3 ->
+          Polygon.of(
+              at.plus(new Point(-mm, -mm)), at.plus(new Point(mm, -mm)), at.plus(new Point(0, mm)));
+      default -> Union.of(new Circle(at, mm), new Circle(at.plus(new Point(0, 2 * mm)), mm));
+    };
+  }
+
   @Test
-  void aRegionInTheWayFails() {
+  void aRegionInTheWayIsPassed() {
+    for (long seed = 1; seed <= 40; seed++) {
+      Region region = inTheWay(new Rng(seed));
+      SimResult result =
+          one(robot -> {
+            robot.mc().do_move(AHEAD, region);
+            assertThat(robot.await()).as(region.toString()).isEqualTo(MotionFlag.DONE);
+            robot.mc().gotopoint(new ItemPosition("back", 0, 0), region);
+            assertThat(robot.await()).as(region.toString()).isEqualTo(MotionFlag.DONE);
+          });
+      assertThat(result.spec().violations()).as(region.toString()).isEmpty();
+      assertThat(result.spec().checks(MotionSpec.AVOIDS)).isPositive();
+    }
+  }
+
+  @Test
+  void aRegionAllAroundFailsWithoutAMove() {
+    Region ring =
+        Union.of(
+            new Rectangle(500, -1000, 600, 1000),
+            new Rectangle(500, 900, 3000, 1000),
+            new Rectangle(2900, -1000, 3000, 1000),
+            new Rectangle(500, -1000, 3000, -900));
     SimResult result =
         one(robot -> {
-          robot.mc().do_move(AHEAD, new Circle(new Point(1000, 0), 200));
+          robot.mc().do_move(AHEAD, ring);
+          assertThat(robot.mc().motionflag().get()).isEqualTo(MotionFlag.MOVING);
+          assertThat(robot.await()).isEqualTo(MotionFlag.FAIL);
+          assertThat(robot.mc().failure()).isEqualTo("no way to the target");
+          assertThat(robot.gvh().gps.pose()).isEqualTo(new Pose(0, 0, 0));
+        });
+    assertThat(result.spec().violations()).isEmpty();
+  }
+
+  @Test
+  void aKnownWallIsPassed() {
+    SimResult result =
+        one(
+            WALL,
+            CollisionPolicy.STOP_ON_COLLISION,
+            robot -> {
+              robot.mc().gotopoint(AHEAD);
+              assertThat(robot.await()).isEqualTo(MotionFlag.DONE);
+            });
+    assertThat(result.spec().violations()).isEmpty();
+  }
+
+  @Test
+  void itStopsAtARegionThatItPlansNoWayAround() {
+    SimResult result =
+        one(robot -> {
+          robot.gvh().plat.moat.doMove(AHEAD, new Circle(new Point(1000, 0), 200));
           assertThat(robot.await()).isEqualTo(MotionFlag.FAIL);
           assertThat(robot.gvh().gps.pose().xMm()).isBetween(600.0, 635.0);
         });
@@ -188,11 +253,15 @@ class MotionControlTest {
               new Point(1100, 900),
               new Point(1000, 900)));
 
+  /** The same, on no map. */
+  private static final Obstacles HIDDEN_WALL =
+      Obstacles.of(new Obstacle(WALL.all().get(0).points(), true, true, Obstacle.FOREVER));
+
   @Test
   void aRobotThatPushesAgainstAWallFailsAfterAWhile() {
     SimResult result =
         one(
-            WALL,
+            HIDDEN_WALL,
             CollisionPolicy.BUMPERCARS,
             robot -> {
               robot.mc().gotopoint(AHEAD);
@@ -208,7 +277,7 @@ class MotionControlTest {
   void aRobotThatForgetsItsBodyIsSeenToEnter() {
     SimResult result =
         one(robot -> {
-          robot.change(p -> p.robotRadiusMm(100));
+          robot.change(p -> p.robotRadiusMm(10));
           robot.mc().do_move(AHEAD, new Circle(new Point(1000, 0), 200));
           robot.await();
         });
@@ -232,7 +301,7 @@ class MotionControlTest {
   void aRobotThatNeverGivesUpIsSeenNotToTell() {
     SimResult result =
         one(
-            WALL,
+            HIDDEN_WALL,
             CollisionPolicy.BUMPERCARS,
             robot -> {
               robot.change(
