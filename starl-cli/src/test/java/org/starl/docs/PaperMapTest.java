@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,7 @@ class PaperMapTest {
 
   private static final List<String> SECTIONS =
       List.of(
+          "## 1. Introduction",
           "## 2. Overview of StarL",
           "## 3. Automatic Intersection",
           "### 3.1 Intersection Coordination using StarL",
@@ -37,7 +39,9 @@ class PaperMapTest {
           "### 5.1 Deploying Applications on HW Platforms",
           "### 5.2 Simulating Applications",
           "### 5.3 The ICP Application",
-          "### 5.4 Other Applications");
+          "### 5.4 Other Applications",
+          "## 6. Related Work",
+          "## 7. Conclusions");
 
   private final List<String> lines = lines();
 
@@ -61,6 +65,13 @@ class PaperMapTest {
       assertThat(heading).as(section).isNotNegative();
       assertThat(lines.subList(heading, heading + 5)).as(section).contains("|---|---|---|");
     }
+  }
+
+  @Test
+  void smallPartsOfThePaperHaveRows() {
+    String parts =
+        rows().stream().map(row -> row.split("\\|", -1)[1]).collect(Collectors.joining());
+    assertThat(parts).contains("TAME", "\"no backing\"", "gotopoint", "do_move");
   }
 
   @Test
