@@ -90,8 +90,7 @@ public final class Monitors {
       try {
         monitor.observe(event, report);
       } catch (RuntimeException e) {
-        throw new IllegalStateException(
-            "the monitor " + monitor.getClass().getName() + " failed at " + event + ": " + e, e);
+        throw failed(monitor, event.toString(), e);
       }
     }
   }
@@ -99,14 +98,23 @@ public final class Monitors {
   /**
    * Processes the end of the run, once.
    *
-   * @throws IllegalStateException the second time
+   * @throws IllegalStateException the second time, or if a monitor throws: the message names it
    */
   public void finish(long endNs) {
     requireRunning();
     finished = true;
     for (Monitor monitor : monitors) {
-      monitor.finish(endNs, report);
+      try {
+        monitor.finish(endNs, report);
+      } catch (RuntimeException e) {
+        throw failed(monitor, "the end", e);
+      }
     }
+  }
+
+  private static IllegalStateException failed(Monitor monitor, String at, RuntimeException why) {
+    String name = monitor.getClass().getName();
+    return new IllegalStateException("the monitor " + name + " failed at " + at + ": " + why, why);
   }
 
   /** The violations found since the last call. */

@@ -1,6 +1,7 @@
 package org.starl.spec;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -54,6 +55,31 @@ class MonitorsTest {
     assertThat(monitors.report().lemmas()).containsExactly("safe");
     assertThat(monitors.report().violations()).hasSize(1);
     assertThat(monitors.report().leftOut()).containsExactly("live", "prompt");
+  }
+
+  /** Throws at each event, and at the end. */
+  private static final class Broken extends LemmaMonitor {
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      throw new IllegalArgumentException("no such robot");
+    }
+
+    @Override
+    public void finish(long endNs, Report report) {
+      throw new IllegalArgumentException("no robots");
+    }
+  }
+
+  @Test
+  void aMonitorThatThrowsIsNamed() {
+    Monitors monitors = new Monitors(List.of(new Broken()));
+    assertThatThrownBy(() -> monitors.observe(new TraceEvent.Left(0, BOT)))
+        .hasMessageContaining("the monitor " + Broken.class.getName() + " failed at Left[")
+        .hasMessageContaining("no such robot");
+    assertThatThrownBy(() -> monitors.finish(1))
+        .hasMessageContaining("the monitor " + Broken.class.getName() + " failed at the end")
+        .hasMessageContaining("no robots");
   }
 
   @Test
