@@ -18,9 +18,10 @@
  *
  * <p>Progress: {@code arrives}: it is DONE, not FAIL, if the way is free: A is not near the
  * straight line to t, the body touches nothing, positions arrive, and no fault is active in the
- * run. If A or a known obstacle is in the way, a way around them is planned when the motion begins,
- * and anew where A still holds the body up. It fails with {@code NO_WAY} if there is none with room
- * for the body, the error bound of its position and a third of the goal radius on each side.
+ * run. If A or a known obstacle is in the way, a way around them is planned when the motion
+ * begins, and anew where A still holds the body up, or it has left its way after a bump. It fails
+ * with {@code NO_WAY} if there is none with room for the body, the error bound of its position and
+ * a third of the goal radius on each side.
  *
  * <p>{@link org.starl.primitives.motion.MotionConformance} replays each run on the automaton whose
  * {@code avoids} and {@code told} are proved.
