@@ -140,7 +140,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
         bounds == null
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
-    return List.of(new MutexConformance(), new ConsentSpec(ghostNs, confinedNs));
+    return List.of(
+        new MutexConformance(), new PipelineConformance(), new ConsentSpec(ghostNs, confinedNs));
   }
 
   @Override
