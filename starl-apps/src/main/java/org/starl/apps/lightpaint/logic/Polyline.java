@@ -112,6 +112,31 @@ public record Polyline(List<Point> points) {
     return bestMm;
   }
 
+  /**
+   * The places on this line, in order, whose distance to {@code point} is a minimum among the places
+   * beside them, and at most {@code withinMm}.
+   */
+  public List<Double> feetMm(Point point, double withinMm) {
+    List<Double> feet = new ArrayList<>();
+    List<Segment> legs = legs();
+    double sum = 0;
+    for (int i = 0; i < legs.size(); i++) {
+      Segment leg = legs.get(i);
+      Point foot = leg.nearest(point);
+      // The foot at a corner is a minimum of both legs, or of none.
+      boolean isFoot =
+          (i == 0 || !foot.equals(leg.from()))
+              && (i == legs.size() - 1
+                  || !foot.equals(leg.to())
+                  || legs.get(i + 1).nearest(point).equals(leg.to()));
+      if (isFoot && foot.distanceMm(point) <= withinMm) {
+        feet.add(sum + leg.from().distanceMm(foot));
+      }
+      sum += leg.from().distanceMm(leg.to());
+    }
+    return feet;
+  }
+
   public double distanceMm(Point point) {
     return distanceMm(new Segment(point, point));
   }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -14,6 +15,7 @@ import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
+import org.starl.apps.lightpaint.spec.Pass.Reading;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
@@ -29,7 +31,8 @@ import org.starl.trace.TraceEvent.Variable;
  * <ul>
  *   <li>{@code OnTheDrawing}: wherever a light is on, it is on the stroke that it names, in that
  *       stroke's ink.
- *   <li>{@code Once}: no place of a stroke is painted twice.
+ *   <li>{@code Once}: no place of a stroke is painted twice. Where a stroke comes near to itself, a
+ *       pass counts as painting whichever of the near places was not painted before.
  *   <li>{@code Complete}: when all painters have ended and none is down, all is painted.
  *   <li>{@code Painted}: all is painted and all have ended within the bound. It is suspended during
  *       faults and while a robot is down, and then starts anew.
@@ -174,8 +177,9 @@ public final class PaintSpec implements Monitor {
     if (offMm > toleranceMm) {
       violated(ON_THE_DRAWING, pass, "its light is on " + text(offMm) + " off the stroke", to);
     }
-    pass.cover(path, 2 * toleranceMm);
-    double twiceMm = twiceMm(pass);
+    pass.read(path, toleranceMm);
+    Reading reading = reading(pass);
+    double twiceMm = reading == null ? 0 : twiceMm(pass, reading);
     if (twiceMm > toleranceMm) {
       violated(ONCE, pass, "paints " + text(twiceMm) + " of it once more", to);
     }
@@ -193,29 +197,47 @@ public final class PaintSpec implements Monitor {
         .collect(Collectors.toList());
   }
 
+  /** The likeliest reading of a pass, beside the other passes; null if it has none. */
+  private @Nullable Reading reading(Pass pass) {
+    return pass.readings().stream()
+        .min(Reading.likeliest(toleranceMm, reading -> twiceMm(pass, reading)))
+        .orElse(null);
+  }
+
   /**
    * The longest part, in mm, that {@code pass} painted although it, or another pass, had already.
    */
-  private double twiceMm(Pass pass) {
-    double twiceMm = pass.backMm();
+  private double twiceMm(Pass pass, Reading reading) {
+    double twiceMm = reading.backMm();
     for (Pass other : passes(pass.stroke())) {
       if (other != pass) {
-        double fromMm = Math.max(pass.fromMm(), other.fromMm());
-        twiceMm = Math.max(twiceMm, Math.min(pass.toMm(), other.toMm()) - fromMm);
+        double commonMm =
+            other.readings().stream()
+                .min(Reading.likeliest(toleranceMm, Reading::backMm))
+                .map(reading::commonMm)
+                .orElse(0.0);
+        twiceMm = Math.max(twiceMm, commonMm);
       }
     }
     return twiceMm;
+  }
+
+  /** What was painted of a stroke, from its start on. */
+  private List<Reading> parts(Stroke stroke) {
+    return passes(stroke.number()).stream()
+        .map(this::reading)
+        .filter(Objects::nonNull)
+        .sorted(Comparator.comparingDouble(Reading::fromMm))
+        .toList();
   }
 
   /** The longest unpainted part of a stroke, in mm. */
   private double longestGapMm(Stroke stroke) {
     double gapMm = 0;
     double toMm = 0;
-    List<Pass> passes = new ArrayList<>(passes(stroke.number()));
-    passes.sort(Comparator.comparingDouble(Pass::fromMm));
-    for (Pass pass : passes) {
-      gapMm = Math.max(gapMm, pass.fromMm() - toMm);
-      toMm = Math.max(toMm, pass.toMm());
+    for (Reading part : parts(stroke)) {
+      gapMm = Math.max(gapMm, part.fromMm() - toMm);
+      toMm = Math.max(toMm, part.toMm());
     }
     return Math.max(gapMm, stroke.path().lengthMm() - toMm);
   }
@@ -225,7 +247,7 @@ public final class PaintSpec implements Monitor {
     List<String> missing = new ArrayList<>();
     for (Stroke stroke : strokes) {
       double gapMm = longestGapMm(stroke);
-      if (gapMm > toleranceMm || passes(stroke.number()).isEmpty()) {
+      if (gapMm > toleranceMm || parts(stroke).isEmpty()) {
         missing.add("stroke " + stroke.number() + " (" + text(gapMm) + ")");
       }
     }

@@ -19,6 +19,10 @@ public final class FaultyPainter extends LogicThread {
     TAKES_ANOTHER_INK,
     /** It paints each stroke forwards and backwards. */
     PAINTS_TWICE,
+    /** In the middle of each stroke it goes back for 80 mm, with its light on. */
+    GOES_BACK,
+    /** After each stroke it paints 80 mm from its middle on again. */
+    PAINTS_A_PART_AGAIN,
     /** It ends before the last stroke. */
     FORGETS_ONE,
     /** It stops at the end and never reaches DONE. */
@@ -44,12 +48,25 @@ public final class FaultyPainter extends LogicThread {
     await(gvh.gps::hasFix);
     int count = bug == Bug.FORGETS_ONE ? strokes.size() - 1 : strokes.size();
     for (Stroke stroke : strokes.subList(0, count)) {
-      drive(stroke.path().start());
+      Polyline path = stroke.path();
+      double middleMm = path.lengthMm() / 2;
+      drive(path.start());
       Ink ink = bug == Bug.TAKES_ANOTHER_INK ? new Ink(1, 7) : stroke.ink();
       light.set(new Light(stroke.number(), ink));
-      stroke.path().points().forEach(this::drive);
+      if (bug == Bug.GOES_BACK) {
+        along(path.between(0, middleMm));
+        along(path.between(middleMm - 80, middleMm).reversed());
+        along(path.between(middleMm - 80, path.lengthMm()));
+      } else {
+        along(path);
+      }
       if (bug == Bug.PAINTS_TWICE) {
-        stroke.path().reversed().points().forEach(this::drive);
+        along(path.reversed());
+      } else if (bug == Bug.PAINTS_A_PART_AGAIN) {
+        light.set(Light.OFF);
+        drive(path.at(middleMm));
+        light.set(new Light(stroke.number(), ink));
+        along(path.between(middleMm, middleMm + 80));
       }
       if (bug != Bug.KEEPS_ITS_LIGHT_ON) {
         light.set(Light.OFF);
@@ -59,6 +76,10 @@ public final class FaultyPainter extends LogicThread {
     await(() -> bug != Bug.NEVER_ENDS);
     location.set(Location.DONE);
     return List.of(count, strokes.size() - count);
+  }
+
+  private void along(Polyline path) {
+    path.points().forEach(this::drive);
   }
 
   private void drive(Point to) {
