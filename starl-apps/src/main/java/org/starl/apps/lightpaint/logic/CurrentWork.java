@@ -30,6 +30,9 @@ final class CurrentWork {
   /** A shorter remainder counts as done: the painter stands at its end already. */
   private static final double MIN_REST_MM = 8;
 
+  /** Upper bound of what a painter paints between two calls of {@link #paintedTo}. */
+  private static final double MAX_STEP_MM = 50;
+
   /** Upper bound of what a painter paints between two notes. */
   private static final double MAX_UNNOTED_MM = 150;
 
@@ -90,8 +93,9 @@ final class CurrentWork {
     return path.between(doneMm, path.lengthMm());
   }
 
+  /** Whether the stroke is painted; one that is shorter than the remainder is painted as well. */
   boolean isDone() {
-    return path().lengthMm() - doneMm < MIN_REST_MM;
+    return doneMm > 0 && path().lengthMm() - doneMm < MIN_REST_MM;
   }
 
   /** Begins with {@code stroke}, at the end that is nearer to {@code here}. */
@@ -103,7 +107,7 @@ final class CurrentWork {
 
   /** Records that the painter, with its light on, has come to {@code here}. */
   void paintedTo(Point here) {
-    doneMm = path().nearestMm(here, doneMm, doneMm + MAX_UNNOTED_MM);
+    doneMm = path().nearestMm(here, doneMm, doneMm + MAX_STEP_MM);
   }
 
   void finish() {
@@ -151,8 +155,9 @@ final class CurrentWork {
    *
    * @param here where the painter stands: if it was painting, this tells its progress more exactly
    *     than the note
+   * @param errorMm the error of {@code here}
    */
-  void resume(Point here) {
+  void resume(Point here, double errorMm) {
     byte[] bytes = stable.get(KEY);
     if (bytes != null && bytes.length > 0) {
       Note note = Note.SHAPE.read(new WireReader(bytes));
@@ -160,8 +165,22 @@ final class CurrentWork {
       isReversed = note.isReversed();
       doneMm = note.doneMm();
       if (note.isAtWork()) {
-        paintedTo(here);
+        doneMm = resumed(here, errorMm);
+      }
+      // Perhaps its light was never on.
+      if (note.doneMm() == 0 && isDone()) {
+        doneMm = 0;
       }
     }
+  }
+
+  /** The place of {@code here}; of several, where the stroke is near to itself, the first. */
+  private double resumed(Point here, double errorMm) {
+    double nearestMm = path().nearestMm(here, doneMm, doneMm + MAX_UNNOTED_MM);
+    double withinMm = path().at(nearestMm).distanceMm(here) + errorMm;
+    return path().feetMm(here, withinMm).stream()
+        .filter(footMm -> footMm >= doneMm && footMm <= nearestMm)
+        .findFirst()
+        .orElse(nearestMm);
   }
 }

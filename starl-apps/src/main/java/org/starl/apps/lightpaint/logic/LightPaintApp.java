@@ -67,7 +67,7 @@ public final class LightPaintApp extends LogicThread {
       switch (location.get()) {
         case RESUME -> {
           if (gvh.gps.hasFix() && paths.isPlaced()) {
-            work.resume(gvh.gps.pose().at());
+            work.resume(gvh.gps.pose().at(), gvh.gps.errorMm());
             if (work.isNone()) {
               location.set(Location.PICK);
             } else {

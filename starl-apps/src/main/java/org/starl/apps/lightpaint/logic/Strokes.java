@@ -29,11 +29,34 @@ public final class Strokes {
   /** A tube's limit, less some for long legs, which are cut. */
   private static final int MAX_LEGS = 24;
 
-  /** Shorter strokes can be neither seen nor painted. */
+  /** Of a line that is covered, what is shorter is left out as well. */
   private static final double MIN_MM = 2;
 
+  /** A line runs along an earlier part of itself if the way from there is longer than this. */
+  private static final double MIN_DETOUR = 4;
+
+  /**
+   * @param isCorner whether a leg begins there
+   */
+  private record Place(Point point, double alongMm, boolean isCorner) {}
+
+  /**
+   * A leg of a line that keeps its place.
+   *
+   * @param fromMm where it begins along the line that is cut; minus infinity if it is of another
+   */
+  private record Kept(Segment leg, double fromMm) {
+
+    boolean covers(Place place, double sameMm) {
+      Point nearest = leg.nearest(place.point());
+      double awayMm = nearest.distanceMm(place.point());
+      double wayMm = place.alongMm() - fromMm - leg.from().distanceMm(nearest);
+      return awayMm <= sameMm && wayMm > MIN_DETOUR * awayMm;
+    }
+  }
+
   private final double sameMm;
-  private final List<Segment> kept = new ArrayList<>();
+  private final List<Kept> kept = new ArrayList<>();
   private final List<Line> chains = new ArrayList<>();
   private final List<Stroke> strokes = new ArrayList<>();
 
@@ -65,59 +88,77 @@ public final class Strokes {
 
   /** The parts of {@code line} along which no kept line runs. They are kept, too. */
   private List<Line> uncovered(Line line) {
-    List<Line> parts = new ArrayList<>();
-    List<Point> part = new ArrayList<>();
+    List<Place> places = new ArrayList<>();
+    BitSet covered = new BitSet();
+    List<Kept> all = new ArrayList<>(kept);
+    double alongMm = 0;
     for (Segment leg : line.path().legs()) {
-      int samples = (int) StrictMath.ceil(leg.from().distanceMm(leg.to()) / SAMPLE_MM);
-      BitSet covered = covered(leg, samples);
-      int to;
-      for (int from = covered.nextClearBit(0); from < samples; from = covered.nextClearBit(to)) {
-        to = covered.nextSetBit(from);
-        to = to < 0 ? samples : to;
-        Point start = Polyline.rounded(at(leg, from, samples));
-        Point end = Polyline.rounded(at(leg, to, samples));
-        if (!start.equals(end)) {
-          if (!part.isEmpty() && !part.get(part.size() - 1).equals(start)) {
-            parts.add(new Line(new Polyline(part), line.ink()));
-            part.clear();
-          }
-          if (part.isEmpty()) {
-            part.add(start);
-          }
-          part.add(end);
-          // Only the piece, not its leg: what this line leaves out must not remove parts of others.
-          kept.add(new Segment(start, end));
-        }
+      List<Kept> near = new ArrayList<>(all);
+      near.removeIf(other -> other.leg().distanceMm(leg) > sameMm);
+      int first = places.size();
+      double legMm = leg.from().distanceMm(leg.to());
+      int samples = (int) StrictMath.ceil(legMm / SAMPLE_MM);
+      for (int i = 0; i <= samples; i++) {
+        Point point = leg.from().plus(leg.to().minus(leg.from()).times(i / (double) samples));
+        Place place = new Place(point, alongMm + legMm * i / samples, i == 0);
+        covered.set(places.size(), near.stream().anyMatch(other -> other.covers(place, sameMm)));
+        places.add(place);
+      }
+      // Only the piece, not its leg: what this line leaves out must not remove parts of others.
+      for (List<Place> piece : uncovered(places, covered, first)) {
+        Place start = piece.get(0);
+        Point end = piece.get(piece.size() - 1).point();
+        all.add(new Kept(new Segment(start.point(), end), start.alongMm()));
+      }
+      alongMm += legMm;
+    }
+    keepCrossings(places, covered);
+    List<Line> parts = new ArrayList<>();
+    for (List<Place> piece : uncovered(places, covered, 0)) {
+      List<Point> points = piece.size() < places.size() ? rounded(piece) : line.path().points();
+      if (points.size() > 1) {
+        parts.add(new Line(new Polyline(points), line.ink()));
       }
     }
-    if (!part.isEmpty()) {
-      parts.add(new Line(new Polyline(part), line.ink()));
-    }
+    parts.stream()
+        .flatMap(part -> part.path().legs().stream())
+        .forEach(leg -> kept.add(new Kept(leg, Double.NEGATIVE_INFINITY)));
     return parts;
   }
 
-  /** The samples of {@code leg} along which kept lines run. */
-  private BitSet covered(Segment leg, int samples) {
-    BitSet covered = new BitSet();
-    List<Segment> near = new ArrayList<>(kept);
-    near.removeIf(other -> other.distanceMm(leg) > sameMm);
-    for (int i = 0; i <= samples && !near.isEmpty(); i++) {
-      Point place = at(leg, i, samples);
-      covered.set(i, near.stream().anyMatch(other -> other.distanceMm(place) <= sameMm));
+  /** The runs of places from number {@code first} on that are not covered. */
+  private static List<List<Place>> uncovered(List<Place> places, BitSet covered, int first) {
+    List<List<Place>> pieces = new ArrayList<>();
+    int to;
+    for (int from = covered.nextClearBit(first);
+        from < places.size() - 1;
+        from = covered.nextClearBit(to)) {
+      to = covered.nextSetBit(from);
+      to = to < 0 ? places.size() - 1 : to;
+      pieces.add(places.subList(from, to + 1));
     }
-    double least = Math.min(samples, MIN_SHARED_WIDTHS * sameMm / SAMPLE_MM);
+    return pieces;
+  }
+
+  /** A line that is covered only for a short way, but not wholly, keeps its place. */
+  private void keepCrossings(List<Place> places, BitSet covered) {
     int to;
     for (int from = covered.nextSetBit(0); from >= 0; from = covered.nextSetBit(to)) {
       to = covered.nextClearBit(from);
-      if (to - from <= least) {
+      double sharedMm = places.get(to - 1).alongMm() - places.get(from).alongMm();
+      if (sharedMm <= MIN_SHARED_WIDTHS * sameMm && to - from < places.size()) {
         covered.clear(from, to);
       }
     }
-    return covered;
   }
 
-  private static Point at(Segment leg, int sample, int samples) {
-    return leg.from().plus(leg.to().minus(leg.from()).times(sample / (double) samples));
+  /** A piece of a line, its ends on whole millimetres; empty if it is too short. */
+  private static List<Point> rounded(List<Place> piece) {
+    List<Point> points = new ArrayList<>();
+    points.add(Polyline.rounded(piece.get(0).point()));
+    piece.stream().skip(1).filter(Place::isCorner).map(Place::point).forEach(points::add);
+    points.add(Polyline.rounded(piece.get(piece.size() - 1).point()));
+    return Polyline.lengthMm(points) < MIN_MM ? List.of() : Polyline.simplified(points, 0);
   }
 
   /** Joins {@code line} with the chains that it meets. */
@@ -150,23 +191,22 @@ public final class Strokes {
   }
 
   private static boolean isClosed(Polyline path, double nearMm) {
-    return path.start().distanceMm(path.end()) <= nearMm;
+    return path.lengthMm() > 2 * nearMm && path.start().distanceMm(path.end()) <= nearMm;
   }
 
   private void cut(Line chain, double longestMm) {
     // Only now: simplified at each joint, a long arc of short lines would become one chord.
-    List<Point> points = Polyline.simplified(chain.path().points(), STRAIGHT_MM);
+    List<Point> simple = Polyline.simplified(chain.path().points(), STRAIGHT_MM);
+    List<Point> points = simple.size() > 1 ? simple : chain.path().points();
     for (int from = 0; from < points.size() - 1; from += MAX_LEGS) {
       int to = Math.min(from + MAX_LEGS, points.size() - 1);
       Polyline part = new Polyline(points.subList(from, to + 1));
       double lengthMm = part.lengthMm();
-      boolean isRing = lengthMm > 2 * sameMm && isClosed(part, 2 * sameMm);
+      boolean isRing = isClosed(part, 2 * sameMm);
       int pieces = Math.max((int) StrictMath.ceil(lengthMm / longestMm), isRing ? 2 : 1);
       for (int i = 0; i < pieces; i++) {
         Polyline piece = part.between(lengthMm * i / pieces, lengthMm * (i + 1) / pieces);
-        if (piece.lengthMm() >= MIN_MM) {
-          strokes.add(new Stroke(strokes.size(), piece, chain.ink()));
-        }
+        strokes.add(new Stroke(strokes.size(), piece, chain.ink()));
       }
     }
   }

@@ -118,7 +118,7 @@ public final class SvgDrawing {
     for (; !path.isDone(); path.next()) {
       int kind = path.currentSegment(at);
       if (kind == PathIterator.SEG_MOVETO) {
-        finish(points, ink);
+        finish(points, ink, stroke);
         points.clear();
       }
       if (kind == PathIterator.SEG_CLOSE) {
@@ -130,16 +130,20 @@ public final class SvgDrawing {
             file + ": a line goes to " + at[0] + ", " + at[1] + " mm: expected within 1 km");
       }
     }
-    finish(points, ink);
+    finish(points, ink, stroke);
   }
 
-  private void finish(List<Point> points, Ink ink) {
-    if (!points.isEmpty()) {
+  private void finish(List<Point> points, Ink ink, BasicStroke stroke) {
+    boolean isSeen =
+        stroke.getEndCap() == BasicStroke.CAP_BUTT
+            ? Polyline.lengthMm(points) > 0
+            : points.size() > 1;
+    if (isSeen) {
       List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
       List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
-      if (whole.size() > 1) {
-        lines.add(new Line(new Polyline(whole), ink));
-      }
+      // A dot: a line of 1 mm.
+      Point dot = whole.get(0).plus(new Point(1, 0));
+      lines.add(new Line(new Polyline(whole.size() > 1 ? whole : List.of(whole.get(0), dot)), ink));
     }
   }
 }

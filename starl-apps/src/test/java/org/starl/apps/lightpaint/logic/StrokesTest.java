@@ -71,6 +71,22 @@ class StrokesTest {
     assertThat(lengthMm(corner)).isGreaterThan(800);
   }
 
+  /** A leg that is shorter than the width within which lines are one does not cover the next. */
+  @Test
+  void aLineWithShortLegsKeepsItsLength() {
+    double[] ring = {10, 0, 7, 7, 0, 10, -7, 7, -10, 0, -7, -7, 0, -10, 7, -7, 10, 0};
+    assertThat(lengthMm(strokes(line(RED, ring)))).isBetween(60.0, 62.0);
+    double[] stairs = {0, 0, 6, 0, 6, 6, 12, 6, 12, 12, 18, 12, 18, 18, 24, 18, 24, 24};
+    assertThat(strokes(line(RED, stairs))).hasSize(1);
+    assertThat(lengthMm(strokes(line(RED, stairs)))).isEqualTo(48);
+  }
+
+  @Test
+  void aShortLineIsAStroke() {
+    assertThat(lengthMm(strokes(line(RED, 0, 0, 1, 0)))).isEqualTo(1);
+    assertThat(lengthMm(strokes(line(RED, 0, 0, 1, 0, 0, 0)))).isGreaterThan(0);
+  }
+
   /** The middle line is removed for the last one; it must not remove the first one as well. */
   @Test
   void ofThreeParallelLinesNoneIsLost() {

@@ -44,6 +44,15 @@ class SvgDrawingTest {
     assertThat(lines.get(0).ink()).isEqualTo(new Ink(0xff8000, 30));
   }
 
+  /** As a browser draws it: a line without a length only if its ends are round or square. */
+  @Test
+  void whatIsShorterThanAMillimetreIsADot() {
+    assertThat(points("M 0 100 h .04")).containsExactly(new Point(0, 0), new Point(1, 0));
+    assertThat(points("M 0 100 a .1 .1 0 0 1 .1 .1 z")).hasSize(2);
+    assertThat(read("<path stroke='red' d='M 0 100 h 0 M 5 5'/>")).isEmpty();
+    assertThat(read("<path stroke='red' stroke-linecap='round' d='M 0 100 h 0'/>")).hasSize(1);
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = ';',
