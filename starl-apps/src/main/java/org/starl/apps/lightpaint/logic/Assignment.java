@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -27,7 +28,9 @@ final class Assignment {
   private static final Shape<RobotId> PAINTER = Shapes.text("robot", RobotId::name, RobotId::new);
   private static final long HINT_PERIOD_MS = 4_000;
   private static final long HINT_LIFETIME_NS = 15 * Time.NS_PER_S;
-  private static final long POSTPONE_NS = 20 * Time.NS_PER_S;
+
+  private static final double DRIVE_MM_PER_S = 200;
+  private static final double EQUALLY_FAR_MM = 200;
 
   /** Without progress for so long, the work is blocked by something that will not move. */
   private static final long GIVE_UP_NS = 240 * Time.NS_PER_S;
@@ -96,14 +99,19 @@ final class Assignment {
   }
 
   /**
-   * The nearest unassigned stroke that no other painter works near to; null if there is none now.
+   * The nearest unassigned stroke that no other painter works near to, or will sooner; null if there
+   * is none now.
+   *
+   * @param isClear whether a tube along a stroke could be claimed now
    */
-  @Nullable Stroke nearestFree(Point here) {
+  @Nullable Stroke nearestFree(Point here, Predicate<Stroke> isClear) {
     return strokes.stream()
         .filter(stroke -> painter(stroke) == null)
         .filter(stroke -> nowNs() >= postponedToNs.getOrDefault(stroke.number(), Long.MIN_VALUE))
-        .filter(stroke -> rivals(stroke).findAny().isEmpty())
-        .min(Comparator.comparingDouble(stroke -> endsMm(stroke.path(), here)))
+        .filter(stroke -> !isContested(stroke, here))
+        .sorted(Comparator.comparingDouble(stroke -> endsMm(stroke.path(), here)))
+        .filter(isClear)
+        .findFirst()
         .orElse(null);
   }
 
@@ -112,10 +120,18 @@ final class Assignment {
   }
 
   /** Whether this robot, on its way to {@code stroke}, should choose another one. */
-  boolean isContested(Stroke stroke) {
+  boolean isContested(Stroke stroke, Point here) {
+    double awayMm = endsMm(stroke.path(), here);
     return painter(stroke) == null
-        ? rivals(stroke).anyMatch(rival -> rival.hint().paints() || isBeforeThis(rival))
+        ? rivals(stroke).anyMatch(rival -> rival.hint().paints() || isNearer(rival, awayMm))
         : isOfAnother(stroke);
+  }
+
+  /** Whether the rival will be at its stroke before this robot; equally soon, whether by name. */
+  private boolean isNearer(Received rival, double awayMm) {
+    double drivenMm = DRIVE_MM_PER_S * (nowNs() - rival.atNs()) / Time.NS_PER_S;
+    double nearerMm = awayMm - Math.max(0, rival.hint().awayMm() - drivenMm);
+    return Math.abs(nearerMm) < EQUALLY_FAR_MM ? isBeforeThis(rival) : nearerMm > 0;
   }
 
   /**
@@ -140,9 +156,13 @@ final class Assignment {
         });
   }
 
-  /** Leaves {@code stroke} alone for a while: there is no path to it now. */
-  void postpone(Stroke stroke) {
-    postponedToNs.put(stroke.number(), nowNs() + POSTPONE_NS);
+  /** Leaves {@code stroke} alone for a while: there is no path to it, or no room at it, now. */
+  void postpone(Stroke stroke, long forNs) {
+    postponedToNs.put(stroke.number(), nowNs() + forNs);
+  }
+
+  boolean wasPostponed(Stroke stroke) {
+    return postponedToNs.containsKey(stroke.number());
   }
 
   /**
@@ -154,11 +174,19 @@ final class Assignment {
     return (int) strokes.stream().filter(this::isOwn).filter(s -> s.number() != current).count();
   }
 
-  /** Broadcasts which stroke this robot works on: when that changes, and periodically. */
-  void sendHint(int current) {
-    boolean paints = current != CurrentWork.NONE && isOwn(strokes.get(current));
-    Hint hint = new Hint(current, paints, finished(current));
-    if (!hint.equals(sent) || nowNs() >= sendAgainNs) {
+  /**
+   * Broadcasts which stroke this robot works on: when that changes, and periodically.
+   *
+   * @param current as for {@link #finished}
+   * @param isGivingWay whether it leaves the strokes near {@code current} to others for now
+   */
+  void sendHint(int current, boolean isGivingWay, Point here) {
+    Hint hint = new Hint(CurrentWork.NONE, false, finished(current), 0);
+    if (current != CurrentWork.NONE && !isGivingWay) {
+      Stroke stroke = strokes.get(current);
+      hint = new Hint(current, isOwn(stroke), hint.finished(), (int) endsMm(stroke.path(), here));
+    }
+    if (!hint.isLike(sent) || nowNs() >= sendAgainNs) {
       sent = hint;
       sendAgainNs = nowNs() + HINT_PERIOD_MS * Time.NS_PER_MS;
       hints.BCast(hint, HINT_PERIOD_MS / 2);

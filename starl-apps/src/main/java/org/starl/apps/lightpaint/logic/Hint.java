@@ -14,8 +14,9 @@ import org.starl.shape.Shapes;
  * @param stroke its number, or {@link CurrentWork#NONE}
  * @param paints whether the stroke has been assigned to the sender
  * @param finished how many strokes the sender has painted
+ * @param awayMm how far it was from the stroke when it sent this
  */
-record Hint(int stroke, boolean paints, int finished) {
+record Hint(int stroke, boolean paints, int finished, int awayMm) {
 
   /** The shape of hints. */
   static final Shape<Hint> SHAPE =
@@ -24,14 +25,20 @@ record Hint(int stroke, boolean paints, int finished) {
           part("stroke", INT, Hint::stroke),
           part("paints", BOOL, Hint::paints),
           part("finished", INT, Hint::finished),
+          part("awayMm", INT, Hint::awayMm),
           Hint::new);
 
-  static final Hint INITIAL = new Hint(CurrentWork.NONE, false, 0);
+  static final Hint INITIAL = new Hint(CurrentWork.NONE, false, 0, 0);
 
   Hint {
-    if (stroke < CurrentWork.NONE || finished < 0) {
+    if (stroke < CurrentWork.NONE || finished < 0 || awayMm < 0) {
       throw new IllegalArgumentException(
-          "hint of stroke " + stroke + ", " + finished + " finished");
+          "hint of stroke " + stroke + ", " + finished + " finished, " + awayMm + " mm away");
     }
+  }
+
+  /** Whether it tells of the same work. */
+  boolean isLike(Hint other) {
+    return stroke == other.stroke && paints == other.paints && finished == other.finished;
   }
 }

@@ -1,6 +1,7 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
@@ -11,6 +12,7 @@ import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.Path;
 import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
+import org.starl.time.Time;
 
 /**
  * One painter (paper, section 5.4). It drives to the nearest free stroke, asks for it at an end of
@@ -28,9 +30,13 @@ public final class LightPaintApp extends LogicThread {
   public static final String XID = "lightpaint";
 
   private static final long PERIOD_MS = 100;
-  private static final long PAUSE_MS = 1_000;
+  private static final long PAUSE_MS = 200;
   private static final double HOME_MM = 100;
+  private static final double FAR_AROUND = 1.5;
   private static final double ARRIVED_MM = 12;
+
+  private static final long POSTPONE_NS = 20 * Time.NS_PER_S;
+  private static final long PATIENCE_NS = 6 * Time.NS_PER_S;
 
   private final DistributedPathPlanning paths;
   private final Assignment assignment;
@@ -38,6 +44,9 @@ public final class LightPaintApp extends LogicThread {
   private final ItemPosition home;
   private final GvhCell<Location> location;
   private final GvhCell<Light> light;
+
+  /** Until when it waits at a stroke for others to make room. */
+  private long patientToNs;
 
   /**
    * @param home a place beside the drawing, of this robot alone
@@ -85,6 +94,9 @@ public final class LightPaintApp extends LogicThread {
           if (goHome()) {
             sleep(PAUSE_MS);
             comeBack();
+          } else if (work.isNone() && nearestFree() != null) {
+            paths.stop();
+            location.set(Location.PICK);
           }
         }
         case PARK -> {
@@ -94,14 +106,17 @@ public final class LightPaintApp extends LogicThread {
         }
         case DONE -> throw new IllegalStateException("the loop has ended");
       }
-      assignment.sendHint(work.number());
+      if (location.get() != Location.RESUME) {
+        boolean isGivingWay = location.get() == Location.RETREAT;
+        assignment.sendHint(work.number(), isGivingWay, gvh.gps.pose().at());
+      }
       pause();
     }
     return List.of(assignment.finished(work.number()), assignment.unassigned());
   }
 
   private void pick() {
-    Stroke free = assignment.nearestFree(gvh.gps.pose().at());
+    Stroke free = nearestFree();
     if (assignment.unassigned() == 0 || assignment.isHopeless()) {
       location.set(Location.PARK);
     } else if (free == null) {
@@ -112,21 +127,50 @@ public final class LightPaintApp extends LogicThread {
     }
   }
 
+  private @Nullable Stroke nearestFree() {
+    return assignment.nearestFree(gvh.gps.pose().at(), this::isClear);
+  }
+
+  /** Whether a tube along {@code stroke} would meet no tube of another robot, as far as known. */
+  private boolean isClear(Stroke stroke) {
+    return paths.taken().stream()
+        .allMatch(taken ->
+            stroke.path().distanceMm(taken.axis()) > taken.radiusMm() + paths.radiusMm() + 2);
+  }
+
   private void go() {
-    if (assignment.isContested(work.stroke())) {
+    if (assignment.isContested(work.stroke(), gvh.gps.pose().at())) {
       paths.stop();
       leave(true);
+    } else if (goesFarAround() && !assignment.wasPostponed(work.stroke())) {
+      paths.stop();
+      assignment.postpone(work.stroke(), PATIENCE_NS);
+      leave(!assignment.isOwn(work.stroke()));
+    } else if (isAtWork() && !assignment.isOwn(work.stroke()) && !isClear(work.stroke())) {
+      long nowNs = gvh.plat.clock.nowNs();
+      patientToNs = Math.min(patientToNs, nowNs + PATIENCE_NS);
+      if (nowNs >= patientToNs) {
+        assignment.postpone(work.stroke(), PATIENCE_NS);
+        leave(true);
+      }
     } else if (isAtWork()) {
       work.note(true);
       await(work::isNoted);
       assignment.request(work.stroke());
       location.set(Location.ASK);
     } else if (paths.failed()) {
-      assignment.postpone(work.stroke());
+      assignment.postpone(work.stroke(), POSTPONE_NS);
       leave(!assignment.isOwn(work.stroke()));
     } else if (!paths.isUnderWay()) {
       setOut();
     }
+  }
+
+  /** Whether it drives in a long tube around others, which would have to wait for it. */
+  private boolean goesFarAround() {
+    double directMm = gvh.gps.pose().at().distanceMm(work.next());
+    return paths.held().stream()
+        .anyMatch(tube -> Polyline.lengthMm(tube.points()) > FAR_AROUND * directMm + 1000);
   }
 
   /** Whether the painter has arrived where its work continues, and {@link #mayPaint}. */
@@ -206,6 +250,7 @@ public final class LightPaintApp extends LogicThread {
 
   private void setOut() {
     Point next = work.next();
+    patientToNs = Long.MAX_VALUE;
     paths.goTo(new ItemPosition("stroke" + work.number(), next.xMm(), next.yMm()));
     location.set(Location.GO);
   }
@@ -233,11 +278,10 @@ public final class LightPaintApp extends LogicThread {
     if (assignment.isHopeless()) {
       location.set(Location.PARK);
     } else if (!work.isNone()) {
-      if (!assignment.mustWait(work.stroke())) {
+      if (!assignment.mustWait(work.stroke()) && isClear(work.stroke())) {
         setOut();
       }
-    } else if (assignment.unassigned() == 0
-        || assignment.nearestFree(gvh.gps.pose().at()) != null) {
+    } else if (assignment.unassigned() == 0 || nearestFree() != null) {
       location.set(Location.PICK);
     }
   }

@@ -93,7 +93,8 @@ public record Painting(List<Stroke> strokes, Rectangle floor, List<Point> homes)
             .smallTurnAngleRad(Angles.fromDegrees(1))
             .turnSpeedMinRadPerS(Angles.fromDegrees(12))
             .linSpeedMinMmPerS(100)
-            .slowFwdRadiusMm(150)
+            .slowTurnAngleRad(Angles.fromDegrees(8))
+            .slowFwdRadiusMm(50)
             .enableArcing(false)
             .build(),
         STEP_MM);

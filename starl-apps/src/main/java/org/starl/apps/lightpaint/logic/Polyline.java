@@ -145,7 +145,7 @@ public record Polyline(List<Point> points) {
     return other.legs().stream().mapToDouble(this::distanceMm).min().orElseThrow();
   }
 
-  private double distanceMm(Segment other) {
+  public double distanceMm(Segment other) {
     return legs().stream().mapToDouble(other::distanceMm).min().orElseThrow();
   }
 

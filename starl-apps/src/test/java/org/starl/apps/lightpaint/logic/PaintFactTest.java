@@ -36,18 +36,20 @@ class PaintFactTest {
   /** Robots of several versions must understand each other. */
   @Test
   void theBytesOfAHintStayTheSame() {
-    Hint hint = new Hint(3, true, 2);
+    Hint hint = new Hint(3, true, 2, 100);
     byte[] bytes = WireWriter.toBytes(out -> Hint.SHAPE.write(hint, out));
-    assertThat(HexFormat.of().formatHex(bytes)).isEqualTo("00000003" + "01" + "00000002");
+    assertThat(HexFormat.of().formatHex(bytes))
+        .isEqualTo("00000003" + "01" + "00000002" + "00000064");
     assertThat(Hint.SHAPE.read(new WireReader(bytes))).isEqualTo(hint);
   }
 
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "fffffffe" + "01" + "00000002",
-        "00000003" + "02" + "00000002",
-        "00000003" + "01" + "ffffffff",
+        "fffffffe" + "01" + "00000002" + "00000064",
+        "00000003" + "02" + "00000002" + "00000064",
+        "00000003" + "01" + "ffffffff" + "00000064",
+        "00000003" + "01" + "00000002" + "ffffffff",
         "00000003" + "01",
       })
   void otherBytesAreNoHint(String hex) {
