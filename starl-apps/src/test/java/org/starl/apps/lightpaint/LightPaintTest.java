@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -285,6 +286,18 @@ class LightPaintTest {
     assertThatThrownBy(() -> plan(1, 3, parameters, Map.of()))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining("2 starts: expected one for each of 3 painters");
+  }
+
+  @Test
+  @Tag("long")
+  void sixteenPaintersNeedLessTimeThanFour() {
+    long fourNs = 0;
+    long sixteenNs = 0;
+    for (long seed = 1; seed <= 3; seed++) {
+      fourNs += run(seed, 4, Map.of(), Map.of()).endNs();
+      sixteenNs += run(seed, 16, Map.of(), Map.of()).endNs();
+    }
+    assertThat(sixteenNs).isLessThan(fourNs);
   }
 
   @Test

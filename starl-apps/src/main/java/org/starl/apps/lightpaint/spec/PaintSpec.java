@@ -228,7 +228,7 @@ public final class PaintSpec implements Monitor {
         .map(this::reading)
         .filter(Objects::nonNull)
         .sorted(Comparator.comparingDouble(Reading::fromMm))
-        .toList();
+        .collect(Collectors.toList());
   }
 
   /** The longest unpainted part of a stroke, in mm. */
