@@ -19,6 +19,10 @@ final class Tracking {
   private static final int QUADRANT_SEGMENTS = 8;
   private static final double WALL_MM = 20;
   private static final double ROUNDING_MM = 2;
+
+  // A wall's corners are rounded to whole mm, and no wall may lie outside of its part.
+  private static final double CORNER_MM = 1;
+
   private static final double MS_PER_S = 1e3;
 
   private Tracking() {}
@@ -67,7 +71,8 @@ final class Tracking {
     Geometry axis = FloorPlan.axis(part.axis(), new GeometryFactory());
     Point inside = part.axis().from();
     List<Point> outline = new ArrayList<>();
-    for (Coordinate corner : axis.buffer(part.radiusMm(), QUADRANT_SEGMENTS).getCoordinates()) {
+    double insideMm = part.radiusMm() - CORNER_MM;
+    for (Coordinate corner : axis.buffer(insideMm, QUADRANT_SEGMENTS).getCoordinates()) {
       Point point = Tube.rounded(new Point(corner.x, corner.y));
       if (outline.isEmpty() || !outline.get(outline.size() - 1).equals(point)) {
         outline.add(point);
