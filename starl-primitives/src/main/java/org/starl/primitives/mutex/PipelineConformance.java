@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent.Fault;
  * event                       action, where i is the event's robot
  * fact do_mutex               do_sequence(i, the sequence, its ticket); the set in any order, if it is one
  * fact od_mutex               grant(i, z) for each section that is new
- * fact release                release(i, given); of an id that is not the newest: stands_in(i, the rest)
+ * fact release                release(i, given), of the newest id; stands_in(i, the rest without given)
  * fact withdraw               withdraw(i), if it waits
  * fact stands_in              stands_in(i, sections)
  * a view without i's id       withdraw(i), if it waits: an id that was given up asks nobody any more
@@ -142,14 +142,15 @@ public final class PipelineConformance extends Conformance<PipelineConformance.R
         }
       }
       case MutexFact.Release release -> {
-        boolean isNewest = release.who().equals(run.asked.get(i));
-        run.replay.step(
-            event,
-            isNewest
-                ? new PipelineAction.release(i, release.given())
-                : new PipelineAction.stands_in(
-                    i, Sections.without(run.replay.state().rest_set().at(i), release.given())),
-            report);
+        SortedSet<String> rest = run.replay.state().rest_set().at(i);
+        if (release.who().equals(run.asked.get(i))) {
+          SortedSet<String> given = Sections.without(release.given(), rest);
+          run.replay.step(event, new PipelineAction.release(i, given), report);
+        }
+        if (Sections.meet(rest, release.given())) {
+          SortedSet<String> left = Sections.without(rest, release.given());
+          run.replay.step(event, new PipelineAction.stands_in(i, left), report);
+        }
       }
       case MutexFact.Withdraw end -> {
         if (run.isWaiting(i) && end.who().equals(run.asked.get(i))) {

@@ -107,12 +107,16 @@ final class Claim {
         || reg.view().mentioned().stream().anyMatch(id -> id.robot().equals(self));
   }
 
-  /** Releases a section, which must be held. */
+  /** Releases a section, which must be held; after the last one it unregisters. */
   void release(String section) {
     mutex.release(section);
     List<String> left = new ArrayList<>(rest);
     left.remove(section);
     rest = List.copyOf(left);
+    if (rest.isEmpty()) {
+      reg.unregister();
+      state = State.LEAVING;
+    }
   }
 
   /** Takes the next step; call it once a period. */
@@ -143,10 +147,7 @@ final class Claim {
         }
       }
       case ASKING -> {
-        if (rest.isEmpty()) {
-          reg.unregister();
-          state = State.LEAVING;
-        } else if (mutex.failed().get()) {
+        if (mutex.failed().get()) {
           boolean isAtOnce = mutex.failure().get() == MutexFailure.LATE;
           askFromNs = gvh.plat.clock.nowNs() + (isAtOnce ? 0 : RETRY_NS);
           state = mutex.failure().get().mustRegister() ? State.OUT : State.REGISTERED;
