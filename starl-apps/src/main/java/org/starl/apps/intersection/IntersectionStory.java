@@ -78,6 +78,7 @@ final class IntersectionStory implements Story {
     if (location == Location.MUTEX_WAIT && car.askedNs < 0) {
       car.askedNs = timeNs;
     } else if (location == Location.MOVE_WAIT) {
+      car.askedNs = car.askedNs < 0 ? timeNs : car.askedNs; // granted within a period
       car.grantedNs = timeNs;
     } else if (location == Location.DONE) {
       car.doneNs = timeNs;

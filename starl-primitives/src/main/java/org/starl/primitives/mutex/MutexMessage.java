@@ -26,13 +26,35 @@ sealed interface MutexMessage {
     RESUMED
   }
 
+  /**
+   * The sections of a request.
+   *
+   * @param waits at least one: these need consent
+   * @param holds which it has: of a sequence, when the request is repeated, or asks a newcomer
+   */
+  record Wish(Kind kind, SortedSet<String> waits, SortedSet<String> holds) {
+    public Wish {
+      if (waits.isEmpty()) {
+        throw new IllegalArgumentException("request without sections");
+      }
+    }
+
+    private static final Shape<Wish> SHAPE =
+        Shapes.of(
+            Wish.class,
+            part("kind", Shapes.constant(Kind.class), Wish::kind),
+            part("holds", Sections.SHAPE, Wish::holds),
+            part("waits", Sections.SHAPE, Wish::waits),
+            (kind, holds, waits) -> new Wish(kind, waits, holds));
+  }
+
   ProcessId from();
 
   /** The addressed participant: a robot may also answer under an older id. */
   ProcessId to();
 
   /**
-   * {@code from} requests {@code want}. Repeated until the {@link Ok} arrives or the request ends.
+   * {@code from} requests {@code wish}. Repeated until the {@link Ok} arrives or the request ends.
    *
    * @param num the request's number, from 1; an id never uses a number twice
    * @param admittedBy the number of the view that admitted {@code from}
@@ -44,29 +66,35 @@ sealed interface MutexMessage {
       long num,
       long admittedBy,
       long ts,
-      Kind kind,
-      SortedSet<String> want)
+      Wish wish)
       implements MutexMessage {
 
     /** For a set. */
     Req(ProcessId from, ProcessId to, long num, long admittedBy, long ts, SortedSet<String> want) {
-      this(from, to, num, admittedBy, ts, Kind.SET, want);
+      this(from, to, num, admittedBy, ts, new Wish(Kind.SET, want, Sections.NONE));
     }
 
-    /** Whether it takes consent to a part of {@link #want}. */
+    /** What it waits for: this needs consent. */
+    SortedSet<String> waits() {
+      return wish.waits;
+    }
+
+    /** What it holds, or waits for. */
+    SortedSet<String> want() {
+      return wish.holds.isEmpty() ? wish.waits : Sections.union(wish.waits, wish.holds);
+    }
+
+    /** Whether it takes consent to a part. */
     boolean inOrder() {
-      return kind != Kind.SET;
+      return wish.kind != Kind.SET;
     }
 
     boolean resumes() {
-      return kind == Kind.RESUMED;
+      return wish.kind == Kind.RESUMED;
     }
 
     public Req {
       requireOther(from, to);
-      if (want.isEmpty()) {
-        throw new IllegalArgumentException("request without sections");
-      }
     }
   }
 
@@ -166,8 +194,7 @@ sealed interface MutexMessage {
             part("num", num, Req::num),
             part("admittedBy", admittedBy, Req::admittedBy),
             part("ts", Shapes.within(1, MAX_TS, "logical time"), Req::ts),
-            part("kind", Shapes.constant(Kind.class), Req::kind),
-            part("want", Sections.SHAPE, Req::want),
+            part("wish", Wish.SHAPE, Req::wish),
             Req::new),
         Shapes.of(
             Ok.class,

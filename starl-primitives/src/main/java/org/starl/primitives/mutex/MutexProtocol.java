@@ -462,13 +462,12 @@ class MutexProtocol {
 
   /** Another participant has fenced this one, so it never gets all needed answers. */
   private void hearFenced() {
-    if (mayRequest()) {
+    // Who holds sections waits for the view that removes it.
+    if (mayRequest() && held.isEmpty()) {
       over = true;
       fences.end();
       withdraw(MutexFailure.FENCED);
-      if (phase == Phase.IDLE) {
-        effects.markIdle();
-      }
+      effects.markIdle();
     }
   }
 
@@ -479,9 +478,9 @@ class MutexProtocol {
     if (isAheadOf(req) && !req.resumes()) {
       return Sections.NONE;
     }
-    TreeSet<String> free = new TreeSet<>(req.want());
+    TreeSet<String> free = new TreeSet<>(req.waits());
     free.removeIf(section -> defers(req, section));
-    return free.size() == req.want().size() || req.inOrder()
+    return free.size() == req.waits().size() || req.inOrder()
         ? Sections.copyOf(free)
         : Sections.NONE;
   }
@@ -526,7 +525,7 @@ class MutexProtocol {
 
   /** Whether it holds something of {@code req}, or its body may be there. */
   private boolean isInTheWayOf(Req req) {
-    return Sections.meet(held, req.want()) || Sections.meet(resume.stands, req.want());
+    return Sections.meet(held, req.waits()) || Sections.meet(resume.stands, req.waits());
   }
 
   /** Whether it still waits while it is in the way of a request that would go first. */
@@ -540,7 +539,7 @@ class MutexProtocol {
         && !resumes()
         && phase == Phase.TRYING
         && held.isEmpty()
-        && Sections.meet(want, req.want())) {
+        && Sections.meet(want, req.waits())) {
       withdraw(MutexFailure.LATE);
     }
   }
@@ -685,7 +684,13 @@ class MutexProtocol {
   }
 
   private void sendRequest(ProcessId other) {
-    effects.send(new Req(me, other, num, admittedBy, ts, kind(), want));
+    effects.send(new Req(
+            me,
+            other,
+            num,
+            admittedBy,
+            ts,
+            new MutexMessage.Wish(kind(), Sections.copyOf(waiting), held)));
   }
 
   private void tellRest() {

@@ -33,13 +33,18 @@ final class Peers {
       open = Sections.NONE;
     }
 
+    /** It holds these already, without a consent that is asked now. */
+    private void holds(SortedSet<String> sections) {
+      open = Sections.common(want, Sections.union(open, sections));
+    }
+
     /** All sections of its newest request that were granted. */
     SortedSet<String> granted() {
       return granted;
     }
 
     boolean hasAll(Req req) {
-      return granted.containsAll(req.want());
+      return granted.containsAll(req.waits());
     }
 
     void grant(SortedSet<String> sections) {
@@ -60,6 +65,9 @@ final class Peers {
     if (req.num() > peer.seen) {
       peer.begin(req.num(), req.want());
       pending.remove(req.from());
+    }
+    if (!req.wish().holds().isEmpty()) {
+      peer.holds(req.wish().holds());
     }
     return peer;
   }

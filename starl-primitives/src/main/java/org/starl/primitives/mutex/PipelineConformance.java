@@ -144,7 +144,8 @@ public final class PipelineConformance extends Conformance<PipelineConformance.R
       case MutexFact.Release release -> {
         SortedSet<String> rest = run.replay.state().rest_set().at(i);
         if (release.who().equals(run.asked.get(i))) {
-          SortedSet<String> given = Sections.without(release.given(), rest);
+          SortedSet<String> given =
+              Sections.common(release.given(), run.replay.state().crit_set().at(i));
           run.replay.step(event, new PipelineAction.release(i, given), report);
         }
         if (Sections.meet(rest, release.given())) {

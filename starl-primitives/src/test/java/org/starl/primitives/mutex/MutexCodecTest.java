@@ -25,6 +25,7 @@ import org.starl.primitives.mutex.MutexMessage.Fenced;
 import org.starl.primitives.mutex.MutexMessage.Noted;
 import org.starl.primitives.mutex.MutexMessage.Ok;
 import org.starl.primitives.mutex.MutexMessage.Rem;
+import org.starl.primitives.mutex.MutexMessage.Wish;
 import org.starl.primitives.mutex.MutexMessage.Req;
 import org.starl.shape.Shape;
 import org.starl.shape.WireFormatException;
@@ -136,8 +137,8 @@ class MutexCodecTest {
           want.add("Z");
           return Arbitraries.of(
               new Req(f, t, num, by, ts, want),
-              new Req(f, t, num, by, ts, MutexMessage.Kind.SEQUENCE, want),
-              new Req(f, t, num, by, ts, MutexMessage.Kind.RESUMED, want),
+              new Req(f, t, num, by, ts, new Wish(MutexMessage.Kind.SEQUENCE, want, left)),
+              new Req(f, t, num, by, ts, new Wish(MutexMessage.Kind.RESUMED, want, left)),
               new Ok(f, t, num),
               new Ok(f, t, num, left),
               new Noted(f, t, num, true),

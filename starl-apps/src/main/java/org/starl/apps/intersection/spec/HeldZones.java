@@ -23,7 +23,11 @@ public final class HeldZones {
 
   private final Map<RobotId, SortedMap<String, Hold>> held = new TreeMap<>();
 
-  private record Hold(Instance mutex, ProcessId process) {}
+  private record Hold(Instance mutex, ProcessId process) {
+    boolean isOf(Instance otherMutex, ProcessId other) {
+      return mutex.equals(otherMutex) && process.equals(other);
+    }
+  }
 
   /** An independent copy of the present state. */
   public HeldZones copy() {
@@ -44,10 +48,15 @@ public final class HeldZones {
         held.computeIfAbsent(event.who().robot(), robot -> new TreeMap<>());
     switch (event) {
       case MutexFact.OdMutex grant -> {
-        zones.values().removeIf(hold -> hold.mutex.equals(mutex));
+        zones.values().removeIf(hold -> hold.isOf(mutex, grant.who()));
         grant.held().forEach(zone -> zones.put(zone, new Hold(mutex, grant.who())));
       }
-      case MutexFact.Release release -> zones.keySet().removeAll(release.given());
+      case MutexFact.Release release ->
+          zones
+              .entrySet()
+              .removeIf(zone ->
+                  release.given().contains(zone.getKey())
+                      && zone.getValue().isOf(mutex, release.who()));
       // The robot keeps only those sections of its earlier processes that it is in.
       case MutexFact.StandsIn declared ->
           zones
