@@ -15,6 +15,7 @@ import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.robot.Car;
 import org.starl.apps.intersection.robot.CarMaker;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
@@ -63,7 +64,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
         simulation(
-            new IntersectionSpec(deltaNs(settings), cars.size(), 0),
+            new IntersectionSpec(deltaNs(settings), cars.size(), 0, turnNs()),
             cars.stream().map(Car::id).toList());
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
@@ -88,8 +89,14 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
         rateHz, Integer.MAX_VALUE, rng, Simulation.builder().settings(settings).obstacles(floor));
   }
 
+  private long turnNs() {
+    return program == CarProgram.FLOW
+        ? IntersectionSpec.FLOWING_NS
+        : IntersectionSpec.STOPPING_NS;
+  }
+
   private IntersectionSpec openSpec() {
-    return new IntersectionSpec(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
+    return new IntersectionSpec(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES, turnNs());
   }
 
   private Plan open(double rateHz, int mostCars, Rng rng, Simulation.Builder simulation) {

@@ -307,13 +307,11 @@ public final class FlowingCar extends LogicThread {
 
   private Location now() {
     if (claim.rest().isEmpty()) {
-      boolean isOver = claim.isOver() && lane.isOver();
-      boolean stands = !gvh.plat.moat.inMotion() || gvh.gps.ageNs() > OFF_FLOOR_NS;
-      if (isOver && stands) {
+      if (gvh.plat.moat.inMotion() && gvh.gps.ageNs() > OFF_FLOOR_NS) {
         gvh.plat.moat.motion_stop();
-        return Location.DONE;
       }
-      return Location.UNREGISTER_WAIT;
+      boolean isOver = claim.isOver() && lane.isOver() && !gvh.plat.moat.inMotion();
+      return isOver ? Location.DONE : Location.UNREGISTER_WAIT;
     }
     if (!claim.held().isEmpty()) {
       return claim.rest().size() == 1 ? Location.S_1 : Location.MOVE_WAIT;

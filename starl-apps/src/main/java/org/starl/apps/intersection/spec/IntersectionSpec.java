@@ -19,19 +19,26 @@ import org.starl.spec.ExceptRobots;
 import org.starl.spec.Monitor;
 
 /**
- * All specifications of the intersection, with the bounds on progress. These are generous: they tell a
- * run in which a car waits for ever from one in which it waits long.
+ * All specifications of the intersection, with the bounds on progress. They are some times what is usual,
+ * so that a crossing is seen that is ten times slower.
  *
  * @param deltaNs a message that is repeated until it is answered arrives within this time
  * @param cars at most so many at a time
+ * @param turnNs the time from one car's entry to the next one's, if cars cross one after another
  * @param places number of ranks of places that a car claims on its arm; 0 if cars start in the arrival
  *     zone
  */
-public record IntersectionSpec(long deltaNs, int cars, int places) {
+public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) {
 
-  // At most, for one car that has its turn: to join the view and be granted its zones; to drive
-  // 3.5 m at the lowest straight speed; to turn by a right angle three times at the lowest turning
-  // speed.
+  /** The turn of a car that keeps moving. */
+  public static final long FLOWING_NS = 12 * NS_PER_S;
+
+  /** The turn of a car that stops in each zone, and turns on the spot. */
+  public static final long STOPPING_NS = 25 * NS_PER_S;
+
+
+  // At most, for one car: to join the view and be granted its zones; to drive 3.5 m at the lowest
+  // straight speed; to turn by a right angle three times at the lowest turning speed.
   private static final long NETWORK_NS = 15 * NS_PER_S;
   private static final long DRIVE_NS = 20 * NS_PER_S;
   private static final long TURNS_NS = 15 * NS_PER_S;
@@ -76,10 +83,9 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
 
   /** From coming onto the floor to leaving it, if all cars cross one after another. */
   long trafficNs() {
-    long turnNs = NETWORK_NS + DRIVE_NS + TURNS_NS;
     // On an open road new cars arrive, but they do not go before a car at the head of its arm.
     int turns = places == 0 ? cars : (places + 1) * (TURNS_BEFORE + 1);
-    return turns * turnNs + DEBRIS_NS;
+    return turns * turnNs + (places + 2) * (NETWORK_NS + 2 * deltaNs) + DEBRIS_NS;
   }
 
   /** After the last arrival all cars have left within this time. */
