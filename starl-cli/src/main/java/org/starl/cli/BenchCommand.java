@@ -64,7 +64,10 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       description = "blocking or step (default: blocking; b3: step).")
   private Workload.@Nullable Style style;
 
-  @Option(names = "--runs", paramLabel = "N", description = "Number of runs (default: 5; b5: 100).")
+  @Option(
+      names = "--runs",
+      paramLabel = "N",
+      description = "Number of runs (default: 5; b4a: 2 a row; b5: 100).")
   private @Nullable String runs;
 
   @Option(
@@ -204,21 +207,21 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     ProgressLine progress = new ProgressLine(err(), "rows");
     List<Map<String, Object>> rows =
         CrossingRules.take(
-            ARRIVALS, Seeds.of(seed), done -> progress.show(done, CrossingRules.rows()));
+            ARRIVALS, Seeds.of(seed), runs(2), done -> progress.show(done, CrossingRules.rows()));
     progress.end();
     if (json.isOn()) {
       rows.forEach(row -> out.println(Json.line(row)));
       return;
     }
     out.println(
-        "| arrivals/min | rule | arrived | crossed | crossed/min | wait, median | wait, 95 %"
-            + " | contacts |");
+        "| arrivals/min | loss | rule | arrived | crossed in time/min | mean delay"
+            + " | turned away | contacts |");
     out.println("|---|---|---|---|---|---|---|---|");
     for (Map<String, Object> row : rows) {
       out.println(
           String.format(
               Locale.ROOT,
-              "| %d | %s | %d | %d | %.1f | %.1f s | %.1f s | %d |",
+              "| %d | %.1f | %s | %d | %.1f | %.1f s | %d | %d |",
               row.values().toArray()));
     }
   }

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.UnaryOperator;
 import org.starl.GlobalVarHolder;
@@ -13,18 +14,18 @@ import org.starl.apps.Measures;
 import org.starl.apps.Plan;
 import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.robot.CarMaker;
+import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.IntersectionFactory;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
-import org.starl.sim.check.Percentile;
-import org.starl.time.Time;
 
 /**
- * B4a: the intersection of the paper's Figure 2 as an open road, with three rules for who may enter:
- * StarL's mutex over the set of zones that a car needs, one lock for the whole intersection, and a
- * four-way stop. The arrivals (a Poisson process over the four arms and twelve routes), the motion,
- * the queues on the arms and the registration are the same.
+ * B4a: the intersection of the paper's Figure 2 as an open road, with rules for when a car may enter:
+ * StarL's mutex over the sequence of zones that a car needs, over their set, one lock for the whole
+ * intersection, and a four-way stop. The arrivals (a Poisson process over the four arms and twelve
+ * routes), the queues on the arms and the registration are the same.
  */
 public final class CrossingRules {
 
@@ -33,87 +34,114 @@ public final class CrossingRules {
 
   /** One line for people. */
   public static final String SUMMARY =
-      "cars a minute and waits at an intersection: mutex over zones, one lock, four-way stop";
+      "cars a minute and delays at an intersection: zones in sequence, sets of zones, one lock,"
+          + " four-way stop";
 
-  /** Average arrivals a minute, on all arms together. */
-  static final int[] RATES = {4, 8, 12, 20};
+  /** Average arrivals a minute, on all arms together. The last is more than any rule serves. */
+  static final int[] RATES = {4, 8, 12, 20, 60};
 
-  /** A rule for who may enter. */
+  /** At this rate {@link Rule#FLOW} also runs with lost messages. */
+  private static final int LOSSY_RATE = 8;
+
+  private static final double[] LOSSES = {0.2, 0.5};
+
+  /** A rule for when a car may enter. */
   enum Rule {
-    MUTEX,
+    FLOW,
+    PAPER,
     LOCK,
     STOP;
 
-    private UnaryOperator<MutexPrim> of(GlobalVarHolder gvh, StopSign.Junction junction) {
+    private CarMaker car(StopSign.Junction junction) {
       return switch (this) {
-        case MUTEX -> mutex -> mutex;
-        case LOCK -> OneLock::new;
-        case STOP -> mutex -> new StopSign(gvh, junction);
+        case FLOW -> CarProgram.FLOW;
+        case PAPER -> CarProgram.PAPER;
+        case LOCK -> asPaper(gvh -> OneLock::new);
+        case STOP -> asPaper(gvh -> mutex -> new StopSign(gvh, junction));
       };
+    }
+
+    private static CarMaker asPaper(Function<GlobalVarHolder, UnaryOperator<MutexPrim>> rule) {
+      return (gvh, trip, acceptors) ->
+          new IntersectionApp(gvh, IntersectionFactory.XID, trip, acceptors, rule.apply(gvh));
     }
   }
 
-  /**
-   * @param waitsS time from a car's arrival to the grant of its zones, sorted, in s
-   */
-  record Flow(int arrived, int crossed, double crossedPerMin, List<Double> waitsS, long contacts) {}
+  /** One run. */
+  record Flow(Measures measures, long contacts) {
+    double figure(String name) {
+      return measures.figures().getOrDefault(name, 0.0);
+    }
+  }
 
   private CrossingRules() {}
 
   /**
-   * A row for each rate of arrivals and rule, with arrivals for {@code arrivals}.
+   * A row for each rate of arrivals and rule, and for {@link Rule#FLOW} with loss: the sums of
+   * {@code runs} runs, of the seeds from {@code seed} on, with arrivals for {@code arrivals}.
    *
    * @param afterRow called with the number of rows so far
    */
-  public static List<Map<String, Object>> take(Duration arrivals, long seed, IntConsumer afterRow) {
+  public static List<Map<String, Object>> take(
+      Duration arrivals, long seed, int runs, IntConsumer afterRow) {
     List<Map<String, Object>> rows = new ArrayList<>();
     for (int rate : RATES) {
       for (Rule rule : Rule.values()) {
-        Flow flow = run(rule, rate, arrivals, seed);
-        Map<String, Object> row = new LinkedHashMap<>();
-        row.put("arrivals_per_min", rate);
-        row.put("rule", rule.name().toLowerCase(Locale.ROOT));
-        row.put("arrived", flow.arrived());
-        row.put("crossed", flow.crossed());
-        row.put("crossed_per_min", flow.crossedPerMin());
-        row.put("wait_median_s", percentile(flow.waitsS(), 50));
-        row.put("wait_95_s", percentile(flow.waitsS(), 95));
-        row.put("contacts", flow.contacts());
-        rows.add(row);
+        rows.add(row(rule, rate, 0, arrivals, seed, runs));
         afterRow.accept(rows.size());
       }
+    }
+    for (double loss : LOSSES) {
+      rows.add(row(Rule.FLOW, LOSSY_RATE, loss, arrivals, seed, runs));
+      afterRow.accept(rows.size());
     }
     return rows;
   }
 
   /** The number of rows. */
   public static int rows() {
-    return RATES.length * Rule.values().length;
+    return RATES.length * Rule.values().length + LOSSES.length;
   }
 
-  static Flow run(Rule rule, int ratePerMin, Duration arrivals, long seed) {
+  private static Map<String, Object> row(
+      Rule rule, int ratePerMin, double loss, Duration arrivals, long seed, int runs) {
+    double arrived = 0;
+    double inTime = 0;
+    double delayS = 0;
+    double away = 0;
+    long contacts = 0;
+    for (int i = 0; i < runs; i++) {
+      Flow flow = run(rule, ratePerMin, loss, arrivals, seed + i);
+      arrived += flow.figure("arrived");
+      inTime += flow.figure("crossed_in_time");
+      delayS += flow.figure("arrived") * flow.figure("delay_mean_s");
+      away += flow.figure("turned_away");
+      contacts += flow.contacts();
+    }
+    Map<String, Object> row = new LinkedHashMap<>();
+    row.put("arrivals_per_min", ratePerMin);
+    row.put("loss", loss);
+    row.put("rule", rule.name().toLowerCase(Locale.ROOT));
+    row.put("arrived", (int) arrived);
+    row.put("crossed_in_time_per_min", 60 * inTime / runs / arrivals.toSeconds());
+    row.put("delay_mean_s", delayS / Math.max(1, arrived));
+    row.put("turned_away", (int) away);
+    row.put("contacts", contacts);
+    return row;
+  }
+
+  static Flow run(Rule rule, int ratePerMin, double loss, Duration arrivals, long seed) {
     SimSettings settings =
-        SimSettings.builder().floorHeight(5000).floorWidth(5000).duration(arrivals).build();
-    StopSign.Junction junction = new StopSign.Junction();
+        SimSettings.builder()
+            .floorHeight(5000)
+            .floorWidth(5000)
+            .messageLoss(loss)
+            .duration(arrivals)
+            .build();
     Plan plan =
         IntersectionDemo.openRoad(
-            (gvh, trip, acceptors) ->
-                new IntersectionApp(
-                    gvh, IntersectionFactory.XID, trip, acceptors, rule.of(gvh, junction)),
-            ratePerMin / 60.0,
-            settings,
-            seed);
+            rule.car(new StopSign.Junction()), ratePerMin / 60.0, settings, seed);
     SimResult result = plan.simulation().name(NAME).seed(seed).build().run();
-    Measures measures = plan.story().measures();
-    return new Flow(
-        measures.figures().getOrDefault("arrived", 0.0).intValue(),
-        measures.completed(),
-        measures.figures().getOrDefault("crossed_per_min", 0.0),
-        measures.waitsNs().stream().map(Time::seconds).sorted().toList(),
-        result.collisions().ofRobots());
-  }
-
-  private static double percentile(List<Double> sorted, int percent) {
-    return sorted.isEmpty() ? 0 : sorted.get(Percentile.index(sorted.size(), percent));
+    return new Flow(plan.story().measures(), result.collisions().ofRobots());
   }
 }

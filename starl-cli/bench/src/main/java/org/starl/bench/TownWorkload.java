@@ -8,7 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.FlowingCar;
 import org.starl.apps.intersection.logic.RoadsideUnit;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Zone;
@@ -187,11 +187,7 @@ public final class TownWorkload implements Workload {
       count++;
       car = local.id();
       return new RobotSpec(
-          local.id(),
-          start(),
-          true,
-          gvh -> new IntersectionApp(gvh, xid, local.trip(), units),
-          origin);
+          local.id(), start(), true, gvh -> new FlowingCar(gvh, xid, local.trip(), units), origin);
     }
   }
 }

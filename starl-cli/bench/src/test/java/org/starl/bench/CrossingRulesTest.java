@@ -10,6 +10,7 @@ import org.starl.bench.CrossingRules.Flow;
 import org.starl.bench.CrossingRules.Rule;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 
 /** The runs that b4a, b4b and b5 measure are the ones that they describe. */
 final class CrossingRulesTest {
@@ -18,23 +19,34 @@ final class CrossingRulesTest {
   void underEachRuleTheSameCarsCrossAndNoneTouch() {
     Map<Rule, Flow> flows = new EnumMap<>(Rule.class);
     for (Rule rule : Rule.values()) {
-      Flow flow = CrossingRules.run(rule, 8, Duration.ofSeconds(120), 3);
+      Flow flow = CrossingRules.run(rule, 8, 0, Duration.ofSeconds(120), 3);
       assertThat(flow.contacts()).as("%s", rule).isZero();
-      assertThat(flow.arrived()).isGreaterThan(8);
-      assertThat(flow.crossed())
-          .isEqualTo(flow.waitsS().size())
-          .isBetween(flow.arrived() - 4, flow.arrived());
+      int arrived = (int) flow.figure("arrived");
+      assertThat(arrived).isGreaterThan(8);
+      assertThat(flow.measures().completed())
+          .isEqualTo(flow.measures().waitsNs().size())
+          .isBetween(arrived - 4, arrived);
       flows.put(rule, flow);
     }
     assertThat(flows.values())
-        .extracting(Flow::arrived)
-        .containsOnly(flows.get(Rule.MUTEX).arrived());
-    assertThat(total(flows.get(Rule.MUTEX))).isLessThan(total(flows.get(Rule.LOCK)));
-    assertThat(flows.get(Rule.STOP).waitsS().get(0)).as("the stop").isGreaterThanOrEqualTo(2);
+        .extracting(flow -> flow.figure("arrived"))
+        .containsOnly(flows.get(Rule.FLOW).figure("arrived"));
+    assertThat(delayS(flows.get(Rule.FLOW))).isLessThan(delayS(flows.get(Rule.PAPER)));
+    assertThat(delayS(flows.get(Rule.PAPER))).isLessThan(delayS(flows.get(Rule.LOCK)));
+    assertThat(flows.get(Rule.STOP).measures().waitsNs())
+        .as("the stop")
+        .allMatch(waitNs -> waitNs >= 2 * Time.NS_PER_S);
   }
 
-  private static double total(Flow flow) {
-    return flow.waitsS().stream().mapToDouble(Double::doubleValue).sum();
+  @Test
+  void aFencedCarThatHoldsSectionsWaitsUntilItIsRemovedAndRegistersAgain() {
+    Flow flow = CrossingRules.run(Rule.FLOW, 8, 0.5, Duration.ofSeconds(240), 4);
+    assertThat(flow.measures().completed()).isEqualTo((int) flow.figure("arrived"));
+    assertThat(flow.contacts()).isZero();
+  }
+
+  private static double delayS(Flow flow) {
+    return flow.figure("delay_mean_s");
   }
 
   @Test
