@@ -32,7 +32,7 @@ class BuggyCarsTest {
     List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(seed).fork("cars"));
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
-        new IntersectionPlan(Floor.kerbs(), settings, CarProgram.APP)
+        new IntersectionPlan(Floor.kerbs(), settings, CarProgram.PAPER)
             .simulation(new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
             .director(traffic)

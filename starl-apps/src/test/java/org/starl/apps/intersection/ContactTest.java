@@ -126,7 +126,7 @@ class ContactTest {
     List<Point> corners = Rectangle.around(debris, 60, 60).outline().vertices();
     Obstacles floor = Floor.kerbs().plus(new Obstacle(corners, true, true, 20_000));
     SimResult result =
-        new IntersectionPlan(floor, settings, CarProgram.APP)
+        new IntersectionPlan(floor, settings, CarProgram.PAPER)
             .closed(List.of(car))
             .simulation()
             .build()

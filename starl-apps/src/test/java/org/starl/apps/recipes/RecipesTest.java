@@ -70,6 +70,11 @@ class RecipesTest {
   }
 
   @Test
+  void sequence() {
+    assertThat(results(four(SequenceRecipe::new), MutexSpec::new)).containsOnly(List.of("used"));
+  }
+
+  @Test
   void registration() {
     assertThat(results(four(RegistrationRecipe::new), RegistrationSpec::new))
         .containsOnly(List.of(true, true));
