@@ -29,6 +29,18 @@
  * loss delta is the longest delay; with loss, add one wait of {@link
  * org.starl.primitives.mutex.MutexTimes} for each message lost in a row.
  *
+ * <p><b>Sequences.</b> {@link org.starl.primitives.mutex.PipelinePrim} requests sections one by one, in
+ * the order in which the robot passes them; a request holds some while it waits for the next. Safety
+ * is (a), as for sets. A participant consents to each section by itself. Requests have one order at
+ * all sections, so no circle of them waits. A request is <em>late</em> if its logical time is
+ * earlier than that of a participant that holds one of its sections and waits for others. It holds
+ * nothing, fails as {@code LATE}, and is made again with a later time. A program that restarts in
+ * the middle of its sequence <em>resumes</em> it: it comes before all that wait for its body anyway.
+ * {@link org.starl.primitives.mutex.PipelineConformance} replays runs on the automaton of the
+ * theory {@code Pipeline_decls}. Its proofs cover exclusion of all requests, and the absence of
+ * circles for requests that neither are late nor resume. The order after a restart is tested, not
+ * proved; of how long a request waits, or how often it is late, nothing is proved.
+ *
  * <p><b>Envelope.</b> Safety holds under every loss, delay, duplication, reordering and partition,
  * under all crashes and restarts, and for right and wrong suspicions; it depends on no clock.
  * Messages are not forged (a message in another robot's name is dropped). With dynamic membership,
