@@ -157,6 +157,11 @@ class MutexProtocol {
     return held;
   }
 
+  /** The sections that it waits for, in order. */
+  List<String> waiting() {
+    return waiting;
+  }
+
   /** The sections of the latest request that it has not released. */
   SortedSet<String> wanted() {
     return want;
@@ -251,7 +256,8 @@ class MutexProtocol {
    * @param oneByOne whether they are granted one by one, in this order
    */
   void request(List<String> sections, boolean oneByOne, long nowNs) {
-    if (phase != Phase.IDLE) {
+    boolean mustRegister = oneByOne && over; // the caller cannot know before it is told
+    if (phase != Phase.IDLE && !mustRegister) {
       throw new IllegalStateException(
           "do_mutex of " + sections + " while " + phase + " for " + want);
     }
@@ -498,7 +504,7 @@ class MutexProtocol {
   }
 
   /** Whether its own request comes before {@code req}, where neither of them holds. */
-  private boolean comesBefore(Req req) {
+  boolean comesBefore(Req req) {
     if (resumes() && ahead.contains(req.from())) {
       return false;
     }
@@ -618,6 +624,7 @@ class MutexProtocol {
       waiting = List.copyOf(waiting.subList(free, waiting.size()));
       phase = waiting.isEmpty() ? Phase.CRITICAL : Phase.TRYING;
       timers.needsOnly(missing());
+      timers.endDeadline();
       effects.entered(num, held);
       answerPending();
     }

@@ -20,6 +20,7 @@ final class Peers {
   static final class Peer {
     private long seen;
     private boolean done;
+    private boolean inOrder;
     // What it holds or waits for; what was granted; and of that, what it may still hold.
     private SortedSet<String> want = Sections.NONE;
     private SortedSet<String> granted = Sections.NONE;
@@ -64,6 +65,7 @@ final class Peers {
     }
     if (req.num() > peer.seen) {
       peer.begin(req.num(), req.want());
+      peer.inOrder = req.inOrder();
       pending.remove(req.from());
     }
     if (!req.wish().holds().isEmpty()) {
@@ -115,10 +117,13 @@ final class Peers {
     return peers.get(id);
   }
 
-  /** Whether a request of {@code id} is recorded. */
+  /**
+   * Whether {@code id} has asked this process for all that it may hold: it asks a new process for a
+   * sequence of which it holds a part already.
+   */
   boolean hasAsked(ProcessId id) {
     Peer peer = peers.get(id);
-    return peer != null && peer.seen > 0;
+    return peer != null && peer.seen > 0 && !peer.inOrder;
   }
 
   /** The granted part of {@code id}'s newest request that it may still hold. */

@@ -42,6 +42,11 @@ final class RequestTimers {
     return nowNs >= deadlineNs;
   }
 
+  /** Ends the deadline: a process that holds a part of its sequence goes on waiting. */
+  void endDeadline() {
+    deadlineNs = Long.MAX_VALUE;
+  }
+
   /** Whether to give up if only a ghost blocks the request. */
   boolean isGhostTimeOver(long nowNs) {
     return nowNs - begunNs >= times.occupiedMs() * NS_PER_MS;

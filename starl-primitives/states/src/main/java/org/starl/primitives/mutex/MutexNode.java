@@ -23,6 +23,13 @@ final class MutexNode implements MutexEffects {
     MutexProtocol make(MutexProtocol.Self self, MutexEffects effects);
   }
 
+  /**
+   * The consents to one request.
+   *
+   * @param part the sections of a sequence; empty for all
+   */
+  record Consent(long num, SortedSet<String> part) {}
+
   static final MutexTimes TIMES = new MutexTimes(250, 1.5, 1_000, 1_000_000, 1_000_000, 1_000_000);
 
   final ProcessId id;
@@ -33,7 +40,7 @@ final class MutexNode implements MutexEffects {
   long num;
   long ts;
   SortedSet<String> want = Sections.NONE;
-  final TreeMap<ProcessId, Long> consentedTo = new TreeMap<>();
+  final TreeMap<ProcessId, Consent> consentedTo = new TreeMap<>();
   // The confinement that it proposes for the next view.
   final Set<Confinement> proposed = new LinkedHashSet<>();
   int refreshes;
@@ -94,9 +101,9 @@ final class MutexNode implements MutexEffects {
 
   @Override
   public void granted(ProcessId to, long ofNum, SortedSet<String> part) {
-    if (part.isEmpty()) {
-      consentedTo.put(to, ofNum);
-    }
+    Consent before = consentedTo.get(to);
+    boolean isMore = before != null && before.num() == ofNum && !part.isEmpty();
+    consentedTo.put(to, new Consent(ofNum, isMore ? Sections.union(before.part(), part) : part));
     trace.accept(new MutexFact.Grant(id, to, ofNum, part));
   }
 

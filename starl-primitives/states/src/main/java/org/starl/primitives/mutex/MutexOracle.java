@@ -12,6 +12,9 @@ import org.starl.primitives.membership.View;
 /** The mutex's invariants over the participants' states, independent of the monitors. */
 final class MutexOracle {
 
+  /** Of the exploration alone: a circle stays until a process withdraws. */
+  static final String CIRCLE = "mutex.Circle";
+
   private MutexOracle() {}
 
   /**
@@ -38,6 +41,9 @@ final class MutexOracle {
         found.add(MutexSpec.KEPT + ": " + i.protocol + " in " + last);
       }
     }
+    active.stream()
+        .filter(node -> isInCircle(node, active))
+        .forEach(node -> found.add(CIRCLE + ": " + node.protocol + " waits for itself"));
     for (int a = 0; a < active.size(); a++) {
       for (int b = 0; b < active.size(); b++) {
         MutexNode i = active.get(a);
@@ -58,10 +64,33 @@ final class MutexOracle {
   }
 
   private static boolean breaksPromise(MutexNode i, MutexNode j) {
-    Long consented = j.consentedTo.get(i.id);
-    return consented != null
-        && consented == i.num
-        && Sections.meet(i.want, j.want)
-        && !MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
+    MutexNode.Consent consent = j.consentedTo.get(i.id);
+    if (consent == null || consent.num() != i.num) {
+      return false;
+    }
+    SortedSet<String> promised =
+        consent.part().isEmpty() ? i.want : Sections.common(i.want, consent.part());
+    boolean isEarlier = MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
+    return Sections.meet(promised, isEarlier ? j.protocol.held() : j.want);
+  }
+
+  /** Whether it waits for a holder of its next section, which waits for the next one, and so on to it. */
+  private static boolean isInCircle(MutexNode start, List<MutexNode> active) {
+    MutexNode at = start;
+    for (int step = 0; step < active.size(); step++) {
+      List<String> waiting = at.protocol.waiting();
+      Optional<MutexNode> holder =
+          active.stream()
+              .filter(other -> !waiting.isEmpty() && other.held().contains(waiting.get(0)))
+              .findFirst();
+      if (holder.isEmpty()) {
+        return false;
+      }
+      at = holder.get();
+      if (at == start) {
+        return true;
+      }
+    }
+    return false;
   }
 }

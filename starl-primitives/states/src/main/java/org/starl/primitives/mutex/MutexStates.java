@@ -14,7 +14,6 @@ import org.starl.primitives.exhaustive.StateSearch.Steps;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.primitives.membership.Confinement;
-import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 
@@ -27,6 +26,8 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
 
   private static final int MOST_ROBOTS = 4;
 
+  static final List<List<String>> SEQUENCES = List.of(List.of("A", "B"), List.of("B", "A"));
+
   /** Members of one view request sections, enter, and release them one by one. */
   public static final StateSpace SPACE =
       new StateSpace(
@@ -38,6 +39,7 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
               new Bound("requesters", "members that request; 0: all", 0, 0, MOST_ROBOTS),
               new Bound("requests", "requests of one member", 1, 1, 3),
               new Bound("sections", "1: of one section; 2: of one, or of two", 1, 1, 2),
+              new Bound("sequences", "1: of two sections, one by one, in both orders", 0, 0, 1),
               new Bound("withdrawals", "1: a member may withdraw its request", 0, 0, 1),
               new Bound("suspicions", "wrong or right suspicions", 0, 0, MOST_ROBOTS)),
           MutexStates::search);
@@ -47,7 +49,8 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
    *
    * @param views the initial views; the members of the first one know it, and participants of a
    *     later one learn that view first. Confinements add views
-   * @param wants the sets of sections that may be requested
+   * @param wants the sets of sections that may be requested, or the sequences
+   * @param inOrder whether they are sequences
    * @param requests the largest number of requests by one participant
    * @param requesters the first participants, which request; the others only answer
    * @param suspicions the largest number of suspicions
@@ -57,11 +60,24 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
   record Shape(
       List<View> views,
       List<List<String>> wants,
+      boolean inOrder,
       int requests,
       int requesters,
       boolean withdrawals,
       int suspicions,
       int crashes) {
+
+    /** Of sets. */
+    Shape(
+        List<View> views,
+        List<List<String>> wants,
+        int requests,
+        int requesters,
+        boolean withdrawals,
+        int suspicions,
+        int crashes) {
+      this(views, wants, false, requests, requesters, withdrawals, suspicions, crashes);
+    }
 
     /** All participants request, and none crashes. */
     Shape(
@@ -104,11 +120,14 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
       members.add(ProcessId.first(new RobotId("bot" + i), 1));
     }
     int requesters = bounds.applyAsInt("requesters");
-    List<List<String>> wants = List.of(List.of("A"), List.of("A", "B"));
+    boolean inOrder = bounds.applyAsInt("sequences") == 1;
+    List<List<String>> sets =
+        List.of(List.of("A"), List.of("A", "B")).subList(0, bounds.applyAsInt("sections"));
     Shape shape =
         new Shape(
             List.of(View.closed(members)),
-            wants.subList(0, bounds.applyAsInt("sections")),
+            inOrder ? SEQUENCES : sets,
+            inOrder,
             bounds.applyAsInt("requests"),
             requesters == 0 ? members.size() : requesters,
             bounds.applyAsInt("withdrawals") == 1,
@@ -183,14 +202,15 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
       for (List<String> want : shape.wants()) {
         steps.add(
             node.id + " requests " + want,
-            n -> n.protocol.request(Sections.copyOf(want), 0),
+            n -> n.protocol.request(want, shape.inOrder(), 0),
             world);
       }
     }
     if (node.isIn(Phase.TRYING) && shape.withdrawals()) {
       steps.add(node.id + " withdraws", n -> n.protocol.withdraw(MutexFailure.WITHDRAWN), world);
     }
-    if (node.isIn(Phase.CRITICAL)) {
+    // Who waits stays in one section.
+    if (node.isIn(Phase.CRITICAL) || node.held().size() > 1) {
       for (String section : node.protocol.held()) {
         steps.add(
             node.id + " releases " + section,

@@ -78,6 +78,23 @@ class MutexExplorationTest {
   }
 
   @Test
+  void twoSequences() {
+    assertHolds(sequences(), MutexProtocol::new);
+  }
+
+  @Test
+  void consentWithoutAskingWhichOneIsEarlierIsFound() {
+    Outcome outcome = explore(sequences(), Polite::new);
+    assertThat(outcome.violation()).last().asString().startsWith("mutex.Promise");
+  }
+
+  @Test
+  void consentToAHeldSectionIsFound() {
+    Outcome outcome = explore(sequences(), Careless::new);
+    assertThat(outcome.violation()).last().asString().startsWith("mutex.Promise");
+  }
+
+  @Test
   void grantingAfterAFenceIsFoundWithItsSteps() {
     Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
     Outcome outcome = explore(shape, Unfenced::new);
@@ -97,6 +114,10 @@ class MutexExplorationTest {
     admitted.put(B, 2L);
     List<View> views = List.of(View.closed(List.of(A)), new View(2, admitted));
     return new Shape(views, List.of(List.of("x")), 2, false, 0);
+  }
+
+  private static Shape sequences() {
+    return new Shape(List.of(BOTH), MutexStates.SEQUENCES, true, 1, 2, false, 0, 0);
   }
 
   private static Outcome explore(Shape shape, MutexNode.Kind kind) {
@@ -131,6 +152,30 @@ class MutexExplorationTest {
     @Override
     boolean refuses(ProcessId peer) {
       return false;
+    }
+  }
+
+  /** Lets all others go first. */
+  private static final class Polite extends MutexProtocol {
+    Polite(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean comesBefore(MutexMessage.Req req) {
+      return false;
+    }
+  }
+
+  /** Consents to what it holds. */
+  private static final class Careless extends MutexProtocol {
+    Careless(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean defers(MutexMessage.Req req, String section) {
+      return !held().contains(section) && super.defers(req, section);
     }
   }
 }
