@@ -1,19 +1,25 @@
 package org.starl.workload;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentSkipListMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
+import org.starl.id.RobotId;
 import org.starl.input.Form;
 import org.starl.input.Quantities;
 import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
-import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
+import org.starl.primitives.mutex.PipelinePrim;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.time.Time;
@@ -21,6 +27,9 @@ import org.starl.time.Time;
 /**
  * Robots register, enter one or two of a few sections again and again, release them one by one, and
  * unregister. One that is removed while it holds sections may register again before it releases them.
+ *
+ * <p>With sequences, bodies pass two to four sections one after another, each from one into the next. A
+ * body stays where it is when its robot's program restarts, and its next program resumes there.
  */
 final class MutexClient extends Client {
 
@@ -49,6 +58,17 @@ final class MutexClient extends Client {
           "whether a silent process is suspected of a crash after 10 s (late) or 2 s (soon)",
           Form.choice(SUSPICIONS));
 
+  static final String SEQUENCE = "sequence";
+
+  private static final List<String> ORDERS = List.of("set", SEQUENCE);
+
+  static final Parameter ORDER =
+      new Parameter(
+          "order",
+          ORDERS.get(0),
+          "whether a robot asks for sections all at once (set) or one after another (sequence)",
+          Form.choice(ORDERS));
+
   /** Shorter than some waits. */
   private static final long SOON_MS = 2_000;
 
@@ -59,6 +79,17 @@ final class MutexClient extends Client {
   private static final long HOLD_MS = 400;
 
   private static final int MAX_REQUESTED = 2;
+  private static final int LONGEST = 4;
+
+  /**
+   * The way of a body.
+   *
+   * @param in the sections in which it is
+   * @param path these and the sections to pass
+   */
+  private record Body(SortedSet<String> in, List<String> path) {
+    static final Body OUTSIDE = new Body(Sections.NONE, List.of());
+  }
 
   /** Upper bound of the time to release two sections by a clock that is slow by a tenth. */
   private static final long D1_NS = 2 * Time.NS_PER_S;
@@ -89,13 +120,17 @@ final class MutexClient extends Client {
   /** A robot that waits longer waits for a silent one. */
   private final long patienceMs;
 
-  private final MutexPrim mux;
+  private final PipelinePrim mux;
   private final @Nullable Registration reg;
+
+  /** Of all robots, whose programs may restart; null if robots ask for sets. */
+  private final @Nullable Map<RobotId, Body> bodies;
 
   /**
    * @param patienceMs a robot that waits longer waits for a silent one
    * @param leaves whether the robot leaves after some rounds
    * @param reg the registration of the members, or null if all robots are members
+   * @param bodies of all robots, whose programs may restart; null if robots ask for sets
    */
   private MutexClient(
       GlobalVarHolder gvh,
@@ -103,16 +138,19 @@ final class MutexClient extends Client {
       int sections,
       long patienceMs,
       boolean leaves,
-      MutexPrim mux,
-      @Nullable Registration reg) {
+      PipelinePrim mux,
+      @Nullable Registration reg,
+      @Nullable Map<RobotId, Body> bodies) {
     super(gvh, setup, THINK_MS);
     this.sections = sections;
     this.patienceMs = patienceMs;
     this.leaves = leaves;
     this.mux = mux;
     this.reg = reg;
+    this.bodies = bodies;
     if (gvh.id.boot() > 1) {
-      mux.standsIn(List.of()); // these sections have no place, so the robot is in none
+      // Sections of sets have no place, so the robot is in none.
+      mux.resume(body().in(), body().path());
     }
   }
 
@@ -141,13 +179,15 @@ final class MutexClient extends Client {
                 ? new MutexSpec(bounds, calm).confinedWithin(confinedNs)
                 : new MutexSpec(bounds, calm));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, false);
+    boolean isSequence = setup.choice(ORDER, ORDERS).equals(SEQUENCE);
+    Map<RobotId, Body> bodies = isSequence ? new ConcurrentSkipListMap<>() : null;
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;
       Membership group = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
       M_Mutex mutex = new M_Mutex(gvh, XID, group, times);
       boolean isChanging = members.equals(CHANGING);
-      return new MutexClient(gvh, setup, sections, suspectMs / 2, isChanging, mutex, reg);
+      return new MutexClient(gvh, setup, sections, suspectMs / 2, isChanging, mutex, reg, bodies);
     });
     if (isOpen) {
       setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
@@ -163,9 +203,10 @@ final class MutexClient extends Client {
 
   @Override
   protected boolean obtain(int round) {
-    mux.do_mutex(some());
+    request();
     if (reg != null
         && leaves
+        && body().in().isEmpty()
         && rng.nextBoolean(LEAVES)
         && !isTrueWithin(this::isAnswered, patienceMs)) {
       giveUpWithOthers(reg);
@@ -192,7 +233,45 @@ final class MutexClient extends Client {
         await(() -> registration.rList().get().isAgreed() || !registration.mayRequest());
       }
       prepare();
+      request();
+    }
+  }
+
+  private void request() {
+    if (bodies == null) {
       mux.do_mutex(some());
+      return;
+    }
+    if (body().in().isEmpty()) {
+      moves(Sections.NONE, someInOrder());
+    }
+    mux.do_sequence(body().path());
+  }
+
+  /** Two to four sections, or all if there are fewer; in half of the cases in the order of their names. */
+  private List<String> someInOrder() {
+    List<String> all = new ArrayList<>();
+    for (int i = 0; i < sections; i++) {
+      all.add(String.valueOf((char) ('A' + i)));
+    }
+    int length = (int) Math.min(rng.nextLong(MAX_REQUESTED, LONGEST), sections);
+    List<String> some = new ArrayList<>();
+    while (some.size() < length) {
+      some.add(all.remove(rng.nextInt(all.size())));
+    }
+    if (rng.nextBoolean(0.5)) {
+      some.sort(null);
+    }
+    return List.copyOf(some);
+  }
+
+  private Body body() {
+    return bodies == null ? Body.OUTSIDE : bodies.getOrDefault(gvh.id.name(), Body.OUTSIDE);
+  }
+
+  private void moves(SortedSet<String> in, List<String> path) {
+    if (bodies != null) {
+      bodies.put(gvh.id.name(), new Body(in, path));
     }
   }
 
@@ -206,6 +285,9 @@ final class MutexClient extends Client {
 
   @Override
   protected void use() {
+    if (bodies != null) {
+      drive();
+    }
     for (String section : List.copyOf(mux.held())) {
       pause(rng.nextLong(0, HOLD_MS));
       if (reg != null && !reg.mayRequest() && rng.nextBoolean(0.5)) {
@@ -215,6 +297,38 @@ final class MutexClient extends Client {
     }
     if (leaves && rng.nextBoolean(LEAVES)) {
       leave();
+    }
+  }
+
+  /** Passes the sections of the path, each as soon as it is granted. */
+  private void drive() {
+    List<String> path = body().path();
+    while (!path.isEmpty()) {
+      String here = path.get(0);
+      List<String> rest = path.subList(1, path.size());
+      reach(here);
+      moves(Sections.union(body().in(), List.of(here)), path);
+      pause(rng.nextLong(0, HOLD_MS / 2));
+      if (!rest.isEmpty()) {
+        reach(rest.get(0));
+        moves(Sections.union(body().in(), rest.subList(0, 1)), path);
+        pause(rng.nextLong(0, HOLD_MS / 2));
+      }
+      moves(Sections.without(body().in(), List.of(here)), rest);
+      mux.release(here);
+      path = rest;
+    }
+  }
+
+  /** Waits for the next section; if the request ends, asks again for the whole rest of the path. */
+  private void reach(String section) {
+    while (!mux.held().contains(section)) {
+      if (mux.failed().get()) {
+        pause(rng.nextLong(0, THINK_MS));
+        prepare();
+        mux.do_sequence(body().path());
+      }
+      await(() -> mux.held().contains(section) || mux.failed().get());
     }
   }
 

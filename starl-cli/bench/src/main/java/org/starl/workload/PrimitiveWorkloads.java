@@ -103,11 +103,18 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               32,
               Duration.ofMillis(MutexTimes.DEFAULT.suspectMs()),
-              parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS, MutexClient.SUSPECT),
+              parameters(
+                  10,
+                  "20s",
+                  MutexClient.SECTIONS,
+                  MutexClient.MEMBERS,
+                  MutexClient.SUSPECT,
+                  MutexClient.ORDER),
               List.of(
                   new Variant(MutexClient.SECTIONS, "2"),
                   new Variant(MutexClient.MEMBERS, MutexClient.CHANGING),
-                  new Variant(MutexClient.SUSPECT, MutexClient.SOON)),
+                  new Variant(MutexClient.SUSPECT, MutexClient.SOON),
+                  new Variant(MutexClient.ORDER, MutexClient.SEQUENCE)),
               MutexClient::setUp),
           new Workload(
               "paths",
