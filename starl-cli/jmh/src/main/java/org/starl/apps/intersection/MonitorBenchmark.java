@@ -33,7 +33,7 @@ public class MonitorBenchmark {
   public void record() {
     SimSettings settings = SimSettings.builder().set("messageLoss", "0.3").build();
     List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(1).fork("cars"));
-    new IntersectionPlan(Floor.kerbs(), settings, CarProgram.APP)
+    new IntersectionPlan(Floor.kerbs(), settings, CarProgram.PAPER)
         .closed(cars)
         .simulation()
         .seed(1)
