@@ -244,6 +244,7 @@ class MazeTest {
   }
 
   @Test
+  @Tag("long")
   void aRobotThatWandersIsNotRequiredToKeepApart() {
     SimResult result = run(1, 4, Map.of(), Map.of("randomRobots", "1"));
     assertThat(result.spec().exceptions())
