@@ -90,9 +90,7 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
   }
 
   private long turnNs() {
-    return program == CarProgram.FLOW
-        ? IntersectionSpec.FLOWING_NS
-        : IntersectionSpec.STOPPING_NS;
+    return program == CarProgram.FLOW ? IntersectionSpec.FLOWING_NS : IntersectionSpec.STOPPING_NS;
   }
 
   private IntersectionSpec openSpec() {

@@ -60,13 +60,7 @@ sealed interface MutexMessage {
    * @param admittedBy the number of the view that admitted {@code from}
    * @param ts the request's logical time; the lower one goes first
    */
-  record Req(
-      ProcessId from,
-      ProcessId to,
-      long num,
-      long admittedBy,
-      long ts,
-      Wish wish)
+  record Req(ProcessId from, ProcessId to, long num, long admittedBy, long ts, Wish wish)
       implements MutexMessage {
 
     /** For a set. */

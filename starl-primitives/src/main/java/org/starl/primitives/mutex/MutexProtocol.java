@@ -691,7 +691,8 @@ class MutexProtocol {
   }
 
   private void sendRequest(ProcessId other) {
-    effects.send(new Req(
+    effects.send(
+        new Req(
             me,
             other,
             num,

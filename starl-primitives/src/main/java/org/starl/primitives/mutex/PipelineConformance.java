@@ -104,8 +104,7 @@ public final class PipelineConformance extends Conformance<PipelineConformance.R
   private void restart(TraceEvent event, Report report) {
     instances().values().stream()
         .filter(run -> run.hasSequences)
-        .forEach(run ->
-            run.replay.step(event, new PipelineAction.restart(event.robot()), report));
+        .forEach(run -> run.replay.step(event, new PipelineAction.restart(event.robot()), report));
   }
 
   @Override
@@ -127,8 +126,7 @@ public final class PipelineConformance extends Conformance<PipelineConformance.R
       case MutexFact.OdMutex access -> {
         if (!run.isWaiting(i)) {
           // Its id was given up, and enters what others still leave to it, as if it resumed.
-          SortedSet<String> rest =
-              Sections.without(access.held(), run.replay.state().held(i));
+          SortedSet<String> rest = Sections.without(access.held(), run.replay.state().held(i));
           ask(run, event, i, List.copyOf(rest), run.replay.state().ticket().at(i), report);
         }
         for (String z : List.copyOf(run.replay.state().req().at(i))) {

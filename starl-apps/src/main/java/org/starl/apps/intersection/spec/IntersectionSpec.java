@@ -36,7 +36,6 @@ public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) 
   /** The turn of a car that stops in each zone, and turns on the spot. */
   public static final long STOPPING_NS = 25 * NS_PER_S;
 
-
   // At most, for one car: to join the view and be granted its zones; to drive 3.5 m at the lowest
   // straight speed; to turn by a right angle three times at the lowest turning speed.
   private static final long NETWORK_NS = 15 * NS_PER_S;
