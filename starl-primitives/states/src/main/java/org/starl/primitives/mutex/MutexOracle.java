@@ -70,8 +70,7 @@ final class MutexOracle {
     }
     SortedSet<String> promised =
         consent.part().isEmpty() ? i.want : Sections.common(i.want, consent.part());
-    boolean isEarlier = MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
-    return Sections.meet(promised, isEarlier ? j.protocol.held() : j.want);
+    return Sections.meet(promised, j.want) && !MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
   }
 
   /** Whether it waits for a holder of its next section, which waits for the next one, and so on to it. */

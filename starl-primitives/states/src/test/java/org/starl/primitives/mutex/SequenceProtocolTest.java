@@ -242,6 +242,9 @@ class SequenceProtocolTest {
   @Test
   void aNewProcessConsentsToNothingOfWhatItClaims() {
     takesOver("x", "x", "y");
+    b.request(List.of("q"), true, 0);
+    b.withdraw(MutexFailure.WITHDRAWN);
+    sent.clear();
     hears(sequence(A, EARLIER, "x", "y", "z"));
     assertThat(sent).containsExactly(new Ok(B, A, 1, sections("z")));
     sent.clear();
