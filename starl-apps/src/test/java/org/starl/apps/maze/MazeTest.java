@@ -244,7 +244,6 @@ class MazeTest {
   }
 
   @Test
-  @Tag("long")
   void aRobotThatWandersIsNotRequiredToKeepApart() {
     SimResult result = run(1, 4, Map.of(), Map.of("randomRobots", "1"));
     assertThat(result.spec().exceptions())
