@@ -93,7 +93,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
   private List<Pose> drawStarts(int robots, Rng rng) {
     List<Pose> starts = new ArrayList<>();
     double roomMm = bodyMm + MazeTask.MARGIN_MM + SPARE_MM;
-    double apartMm = 2 * roomMm;
+    double apartMm = bodyMm + roomMm;
     for (int i = 0; i < TRIES && starts.size() < robots; i++) {
       double x = floor.xMinMm() + rng.nextDouble() * (floor.xMaxMm() - floor.xMinMm());
       double y = floor.yMinMm() + rng.nextDouble() * (floor.yMaxMm() - floor.yMinMm());

@@ -43,8 +43,8 @@ class FaultyRobotsTest {
     BUMPED_IS_NO_WAY,
     /** Marks a square around a guessed point of contact, widened by the body. */
     MARKS_A_GUESS,
-    /** Claims no tube, and drives to where another robot stands. */
-    CLAIMS_NO_TUBE,
+    /** Requests no blocks, and drives to where another robot stands. */
+    REQUESTS_NO_BLOCKS,
     /** Waits for ever after a bump, without an answer. */
     HOLDS_FOR_EVER
   }
@@ -79,7 +79,7 @@ class FaultyRobotsTest {
     public List<Object> callStarL() {
       await(gvh.gps::hasFix);
       var goal = task.goals().get(0);
-      Point to = bug == Bug.CLAIMS_NO_TUBE ? task.others().get(0).axis().from() : goal.at();
+      Point to = bug == Bug.REQUESTS_NO_BLOCKS ? task.others().get(0).axis().from() : goal.at();
       gvh.plat.moat.doMove(new ItemPosition(goal.name(), to.xMm(), to.yMm()));
       await(() -> !gvh.plat.moat.inMotion());
       boolean isThere = !gvh.plat.moat.failed();
@@ -90,7 +90,7 @@ class FaultyRobotsTest {
           await(() -> isThere);
           answer(Answer.REACHED);
         }
-        case MARKS_A_GUESS, CLAIMS_NO_TUBE -> answer(Answer.GAVE_UP);
+        case MARKS_A_GUESS, REQUESTS_NO_BLOCKS -> answer(Answer.GAVE_UP);
       }
       return List.of();
     }
@@ -104,7 +104,7 @@ class FaultyRobotsTest {
 
   private static SimResult run(Bug bug, long seed) {
     Layout walled = DrawnMaze.draw(4, 0.5, new Rng(seed).fork("maze"));
-    Obstacles obstacles = bug == Bug.CLAIMS_NO_TUBE ? Obstacles.NONE : walled.obstacles();
+    Obstacles obstacles = bug == Bug.REQUESTS_NO_BLOCKS ? Obstacles.NONE : walled.obstacles();
     Layout layout = new Layout(walled.floor(), obstacles, walled.robots());
     SortedMap<RobotId, MazeTask> tasks = new TreeMap<>();
     SimSettings settings = SimSettings.builder().set("duration", "400s").build();
@@ -129,7 +129,7 @@ class FaultyRobotsTest {
     "BUMPED_IS_THERE, maze.Reached",
     "BUMPED_IS_NO_WAY, maze.NoWay",
     "MARKS_A_GUESS, maze.Belief",
-    "CLAIMS_NO_TUBE, maze.Apart",
+    "REQUESTS_NO_BLOCKS, maze.Apart",
     "HOLDS_FOR_EVER, maze.Answered",
   })
   void aPlantedBugViolatesItsLemma(Bug bug, String lemma) {

@@ -178,20 +178,6 @@ class MazeTest {
         .containsExactly("outside NO_WAY", "block NO_WAY", "inside REACHED");
   }
 
-  /** Serial drives would take twice the time of one robot. */
-  @Test
-  void aRobotCrossesTheWayOfAnotherAsSoonAsItHasPassed(@TempDir Path folder) throws IOException {
-    Map<String, String> files = Map.of("files", folder.toString());
-    Map<String, String> floor = Map.of("floorWidth", "5m", "floorHeight", "5m");
-    String start = "WAY,500,2500,0,bot0";
-    String goal = "WAY,4500,2500,0,east,20";
-    folder(folder, "", start, goal);
-    SimResult alone = run(1, 1, files, floor);
-    folder(folder, "", start + "\nWAY,2500,500,90,bot1", goal, "WAY,2500,4500,0,north,20");
-    SimResult both = run(1, 2, files, floor);
-    assertThat(both.endNs()).isLessThan((long) (1.65 * alone.endNs()));
-  }
-
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -18,6 +18,7 @@ final class Agenda {
   private final List<Object> answers = new ArrayList<>();
   private Point rest;
   private boolean goesBack;
+  private boolean needsAll;
   private boolean isCutOff;
 
   Agenda(MazeTask task) {
@@ -50,6 +51,17 @@ final class Agenda {
     return goesBack ? BACK_MM : goal().toleranceMm();
   }
 
+  /** Whether the robot has to hold all blocks of the floor for this goal. */
+  boolean needsAll() {
+    return needsAll;
+  }
+
+  /** There is a way, but it needs blocks that are not held: go back, then ask for all blocks. */
+  void backForAll() {
+    needsAll = true;
+    goesBack = true;
+  }
+
   /** There is no way: go back, and answer from there. */
   void backForGood() {
     isCutOff = true;
@@ -72,6 +84,7 @@ final class Agenda {
       rest = goal.at();
     }
     answers.add(goal.name() + " " + answer);
+    needsAll = false;
     return goal;
   }
 

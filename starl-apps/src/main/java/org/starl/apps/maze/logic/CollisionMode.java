@@ -8,22 +8,22 @@ public enum CollisionMode {
   /** Stops at the contact; the app turns round and drives back on its trail. */
   STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 5_000),
   /** Backs away from the contact for 800 ms. */
-  BACK(CollisionPolicy.USE_COLBACK, 0, 5_000),
+  BACK(CollisionPolicy.USE_COLBACK, 110, 5_000),
   /** Backs away, then drives along the obstacle for a while, which gives more contacts. */
   DISCOVER(CollisionPolicy.USE_COLBACK, 1_000, 4_000);
 
   private final CollisionPolicy policy;
-  private final int wanderMm;
+  private final double wanderMm;
   private final long feelMs;
 
-  CollisionMode(CollisionPolicy policy, int wanderMm, long feelMs) {
+  CollisionMode(CollisionPolicy policy, double wanderMm, long feelMs) {
     this.policy = policy;
     this.wanderMm = wanderMm;
     this.feelMs = feelMs;
   }
 
-  /** How far from its tube a robot that is alone may get after a contact. */
-  int wanderMm() {
+  /** How far from its way the robot may get after a contact. */
+  double wanderMm() {
     return wanderMm;
   }
 

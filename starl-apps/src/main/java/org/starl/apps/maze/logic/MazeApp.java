@@ -1,15 +1,17 @@
 package org.starl.apps.maze.logic;
 
 import java.util.List;
+import java.util.SortedSet;
 import java.util.function.Supplier;
 import org.starl.Computation;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
 import org.starl.gvh.GvhCell;
-import org.starl.primitives.paths.Capsule;
+import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.mutex.MutexPrim;
+import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.paths.Path;
-import org.starl.random.Rng;
 
 /**
  * One robot in the maze (paper, section 5.4). It drives to its goals in turn. For each goal it
@@ -21,58 +23,68 @@ public final class MazeApp extends LogicThread {
   /** The program's locations. */
   public enum Location {
     START,
-    /** Stands at its resting place, and searches a way to the next goal. */
+    /** Stands at its resting place, holds nothing, and searches a way to the next goal. */
     CHOOSE,
-    /** Claims a tube along its way, and drives in it. */
+    ASK,
+    ASK_WAIT,
     DRIVE,
     /** Has bumped, and learns from it. */
     FEEL,
-    /** Stands away from its resting place, and searches a way. */
+    /** Stands in the blocks that it holds, and searches another way. */
     PLAN_AGAIN,
-    /** Drives to a place on its trail, or gives back all of its tube but where it stands. */
+    /** Drives back on its trail, because no way was found from where it stood. */
     RETREAT,
     DONE
   }
 
+  /** Instance of the mutex over the blocks. */
+  public static final String FLOOR = "floor";
+
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1_000;
-
-  // A robot that is held up so often in a row makes way, or looks whether there is still a way.
-  private static final int PATIENCE = 3;
+  private static final MutexTimes DAY = MutexTimes.DEFAULT.withDeadlineMs(24L * 3600 * 1000);
 
   private final MazeTask task;
+  private final double bodyMm;
+  private final MutexPrim mutex;
   private final Ride ride;
   private final GvhCell<Location> location;
   private final Diary diary;
   private final Knowledge known;
   private final Agenda agenda;
-  private final Rng rng;
 
-  /** Where it goes on if it gets no tube. */
-  private Location before = Location.CHOOSE;
-
-  /** The tubes that are in its way, while it waits. */
-  private List<Capsule> inTheWay = List.of();
-
-  private int heldUp;
+  private Path path;
 
   public MazeApp(GlobalVarHolder gvh, MazeTask task) {
     super(gvh);
     this.task = task;
-    ride = new Ride(gvh, task);
+    bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
+    mutex = new M_Mutex(gvh, FLOOR, M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
+    ride = new Ride(gvh);
     location = gvh.variable(MazeFact.LOCATION, Location.START);
     diary = new Diary(gvh);
     known = new Knowledge(gvh, task, ride, diary);
     agenda = new Agenda(task);
-    rng = gvh.plat.entropy.fork("maze");
+    path = new Path(List.of(task.start(), task.start()));
   }
 
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
       switch (location.get()) {
-        case START -> location.set(mayBegin() ? Location.CHOOSE : Location.START);
+        case START -> location.set(known.isPositionCertain() ? Location.CHOOSE : Location.START);
         case CHOOSE -> choose();
+        case ASK -> {
+          mutex.do_mutex(agenda.needsAll() ? task.blocks().all() : blocksFor(path));
+          location.set(Location.ASK_WAIT);
+        }
+        case ASK_WAIT -> {
+          if (mutex.od_mutex()) {
+            drive(path);
+          } else if (mutex.failed().get()) {
+            location.set(Location.ASK);
+          }
+        }
         case DRIVE -> drives(this::arrived);
         case RETREAT -> drives(() -> location.set(Location.PLAN_AGAIN));
         case FEEL -> {
@@ -87,25 +99,17 @@ public final class MazeApp extends LogicThread {
     return agenda.answers();
   }
 
-  private boolean mayBegin() {
-    return known.isPositionCertain() && ride.isPlaced();
-  }
-
   private void choose() {
     diary.toward(agenda.isDone() ? "" : agenda.goal().name());
     if (agenda.isDone()) {
       location.set(Location.DONE);
-    } else if (!waitsForTubes()) {
-      search();
+      return;
     }
-  }
-
-  private void search() {
-    switch (found(known.searchTo(agenda.to())::onward)) {
-      case Search.Outcome.Way way -> drive(way.path());
-      case Search.Outcome.Taken taken -> {
-        inTheWay = ride.taken();
-        heldUp = 0;
+    switch (found(known.searchTo(agenda.to())::anywhere)) {
+      case Search.Outcome.Way way -> {
+        path = way.path();
+        diary.way(path);
+        location.set(Location.ASK);
       }
       case Search.Outcome.NoWay no -> answer(Answer.NO_WAY);
       case Search.Outcome.Lost lost -> answer(Answer.GAVE_UP);
@@ -113,37 +117,19 @@ public final class MazeApp extends LogicThread {
   }
 
   private void drive(Path way) {
+    diary.way(way);
     CollisionMode mode = agenda.goesBack() ? task.mode().goingBack() : task.mode();
-    begin(way, agenda.toleranceMm(), mode, Location.DRIVE);
-  }
-
-  /** Sets out, if its position is certain enough for the tube; else it plans again. */
-  private void begin(Path way, double lastMm, CollisionMode mode, Location next) {
-    before = location.get();
-    inTheWay = List.of();
-    if (ride.along(way, lastMm, mode)) {
-      diary.way(way);
-      location.set(next);
-    }
+    ride.along(way, agenda.toleranceMm(), mode);
+    location.set(Location.DRIVE);
   }
 
   private void drives(Runnable arrived) {
     switch (ride.step()) {
-      case UNDER_WAY -> {
-        if (known.hasClosed(ride.way())) {
-          ride.stop();
-          location.set(Location.PLAN_AGAIN);
-        }
-      }
+      case UNDER_WAY -> {}
       case ARRIVED -> arrived.run();
-      case PART_WAY -> location.set(Location.PLAN_AGAIN);
       case BUMPED -> {
         known.bumped();
         location.set(Location.FEEL);
-      }
-      case REFUSED -> {
-        pause();
-        location.set(before);
       }
       case HELD_UP -> {
         sleep(RETRY_MS);
@@ -153,6 +139,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void arrived() {
+    mutex.release(mutex.held());
     diary.noWay();
     Answer answer = agenda.arrived();
     if (answer != null) {
@@ -162,80 +149,34 @@ public final class MazeApp extends LogicThread {
   }
 
   private void planAgain() {
-    if (agenda.isDone()) {
-      location.set(Location.CHOOSE);
-      return;
-    }
-    if (waitsForTubes()) {
-      return;
-    }
     Search search = known.searchTo(agenda.to());
-    Search.Outcome outcome = found(agenda.goesBack() ? search::back : search::onward);
-    switch (outcome) {
+    boolean isBack = agenda.goesBack();
+    // The way back starts where the body already stands, which may be near the edge of its blocks.
+    double reachMm = isBack ? bodyMm : bodyMm + task.mode().wanderMm();
+    List<Polygon> forbidden = task.blocks().forbidden(mutex.held(), reachMm);
+    switch (found(() -> isBack ? search.back(forbidden) : search.onward(forbidden))) {
       case Search.Outcome.Way way -> {
-        if (ride.mayTry(way)) {
+        if (!ride.mayTry(way)) {
+          giveUp();
+        } else if (isBack || mutex.held().containsAll(blocksFor(way.path()))) {
           drive(way.path());
         } else {
-          giveUp();
+          agenda.backForAll();
         }
-      }
-      case Search.Outcome.Taken taken -> {
-        makeWay();
-        inTheWay = ride.taken();
       }
       case Search.Outcome.NoWay no -> agenda.backForGood();
       case Search.Outcome.Lost lost -> {
-        Point back = ride.mayTry(lost) ? ride.retreatTo(known::isUnmarked) : null;
-        if (back == null) {
-          giveUp();
+        if (ride.mayTry(lost) && ride.retreat(known::isUnmarked)) {
+          location.set(Location.RETREAT);
         } else {
-          retreat(new Path(List.of(gvh.gps.pose().at(), back)));
+          giveUp();
         }
       }
     }
   }
 
-  /** Waits, if the tubes that were in its way still are, and not for too long. */
-  private boolean waitsForTubes() {
-    if (inTheWay.isEmpty() || heldUp > PATIENCE) {
-      return false;
-    }
-    pause();
-    heldUp++;
-    return inTheWay.equals(ride.taken());
-  }
-
-  /**
-   * Tubes of other robots are in its way: gives back its own, and after a while drives to a random
-   * place on its trail, since two robots may wait for each other.
-   */
-  private void makeWay() {
-    Point aside = heldUp > PATIENCE ? ride.somewhereOnTrail(rng) : null;
-    if (heldUp > PATIENCE) {
-      heldUp = 0;
-    }
-    if (aside == null) {
-      if (!ride.isStill()) {
-        stay();
-      }
-    } else if (found(known.searchTo(aside)::back) instanceof Search.Outcome.Way way) {
-      retreat(way.path());
-    }
-  }
-
-  /** Gives back all of its tube but where it stands. */
-  private void stay() {
-    Point here = gvh.gps.pose().at();
-    retreat(new Path(List.of(here, here)));
-  }
-
-  private void retreat(Path way) {
-    begin(way, Ride.PASS_MM, CollisionMode.BACK, Location.RETREAT);
-  }
-
-  /** A random time, so that robots that wait for each other do not try again in step. */
-  private void pause() {
-    sleep(rng.nextLong(RETRY_MS / 2, 2 * RETRY_MS));
+  private SortedSet<String> blocksFor(Path way) {
+    return task.blocks().toRequest(way, bodyMm + task.mode().wanderMm());
   }
 
   private void answer(Answer answer) {
@@ -243,12 +184,15 @@ public final class MazeApp extends LogicThread {
     location.set(Location.CHOOSE);
   }
 
-  /** Gives up all goals and stays where it is. */
+  /** Gives up all goals and stays where it is, with the blocks that it stands in. */
   private void giveUp() {
+    SortedSet<String> spare = task.blocks().spare(mutex.held(), gvh.gps.pose().at(), bodyMm);
+    if (!spare.isEmpty()) {
+      mutex.release(spare);
+    }
     while (!agenda.isDone()) {
       answer(Answer.GAVE_UP);
     }
-    stay();
   }
 
   /** Runs the search off the strand and waits for its result. */

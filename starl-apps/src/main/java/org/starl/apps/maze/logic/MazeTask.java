@@ -15,18 +15,23 @@ import org.starl.primitives.paths.PlanTask;
  *
  * @param start its position at the start of the run
  * @param goals in order
- * @param others the discs that the other robots hold while they rest, wider than a body by the
- *     margin: around their starts and goals
+ * @param others discs in which the other robots stand while they hold no block: their starts and
+ *     goals
  * @param floor all bodies stay in it
  */
 public record MazeTask(
-    Point start, List<Goal> goals, List<Capsule> others, Rectangle floor, CollisionMode mode) {
+    Point start,
+    List<Goal> goals,
+    List<Capsule> others,
+    Rectangle floor,
+    Blocks blocks,
+    CollisionMode mode) {
 
   /** If there is a way for a body that is wider by this on every side, a way is found. */
   public static final double MARGIN_MM = 75;
 
   // A contact this near to another robot's place may be with that robot.
-  private static final double NEAR_MM = 70;
+  private static final double NEAR_MM = 40;
 
   /**
    * Whether there is a way from the start to a goal for a body that is wider by the margin, past
@@ -38,13 +43,13 @@ public record MazeTask(
   }
 
   /**
-   * Whether a contact may be with another robot at rest, and so proves nothing.
+   * Whether a contact may be with another robot that holds no block, and so proves nothing.
    *
    * @param bodyMm radius of the body that was stopped
    */
   boolean mayBeOther(Contact contact, double bodyMm) {
     Point at = contact.at().pose().at();
-    double reachMm = bodyMm + contact.at().errorMm() + NEAR_MM - MARGIN_MM;
+    double reachMm = bodyMm + contact.at().errorMm() + NEAR_MM;
     return others.stream()
         .anyMatch(other -> other.axis().distanceMm(at) <= reachMm + other.radiusMm());
   }

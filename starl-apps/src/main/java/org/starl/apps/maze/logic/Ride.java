@@ -3,24 +3,18 @@ package org.starl.apps.maze.logic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
-import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
 import org.starl.geometry.Angles;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.motion.Contact;
-import org.starl.primitives.paths.Capsule;
-import org.starl.primitives.paths.DistributedPathPlanning;
-import org.starl.primitives.paths.LocalPlanner;
+import org.starl.motion.MotionFlag;
 import org.starl.primitives.paths.Path;
-import org.starl.primitives.paths.Tube;
-import org.starl.primitives.paths.TubeSettings;
-import org.starl.random.Rng;
 
 /**
- * Drives along a path, a piece at a time and each piece in a reach tube of its own, and records
- * contacts and the robot's own trail. Strand only.
+ * Drives along a path, point by point, and records contacts and the robot's own trail. Strand only.
  */
 final class Ride {
 
@@ -28,113 +22,55 @@ final class Ride {
   enum State {
     UNDER_WAY,
     ARRIVED,
-    /** Has driven the first piece of a path that is too long for one tube. */
-    PART_WAY,
     /** Has touched something; the collision mode moves the robot. */
     BUMPED,
-    /** Has not set out, because tubes of other robots are in the way. */
-    REFUSED,
     /** Stopped without a contact: no fix, or stuck wheels. */
     HELD_UP
   }
 
-  /** A point on the way is passed within this distance. */
-  static final double PASS_MM = 20;
-
   // Attempts in a row through a narrow gap or back along the trail.
   private static final int TRIES_WHEN_LOST = 30;
 
-  private static final int LEG_MM = 400;
-  private static final int ERROR_MM = 30;
-  private static final double STEP_MM = 15;
+  private static final double PASS_MM = 20;
+  private static final double LONGEST_LEG_MM = 1_000;
   private static final double STRAIGHT_RAD = Angles.fromDegrees(1);
   private static final double TRAIL_STEP_MM = 40;
   private static final int LONGEST_TRAIL = 500;
   private static final double LEAST_RETREAT_MM = 30;
-
-  // A longer piece holds up more robots; a shorter one is claimed more often.
-  private static final double LONGEST_PIECE_MM = 3_000;
+  private static final double RETREAT_TO_MM = 20;
 
   private final GlobalVarHolder gvh;
   private final RobotType own;
-  private final DistributedPathPlanning paths;
   private final List<Contact> contacts = new ArrayList<>();
   private final List<Point> trail = new ArrayList<>();
-  private Path way;
-  private boolean isWhole;
+  private List<Point> ahead = List.of();
+  private double toleranceMm;
   private int lost;
 
-  /** Changes how this robot moves: straight from point to point, and slower if it reacts late. */
-  Ride(GlobalVarHolder gvh, MazeTask task) {
+  Ride(GlobalVarHolder gvh) {
     this.gvh = gvh;
-    MotionParameters usual = gvh.plat.moat.parameters();
-    own = usual.robotType();
-    gvh.plat.moat.setParameters(
-        DistributedPathPlanning.slowed(
-            usual.toBuilder()
-                .goalRadiusMm(PASS_MM)
-                .smallTurnAngleRad(STRAIGHT_RAD)
-                .enableArcing(false)
-                .build(),
-            STEP_MM));
+    own = gvh.plat.moat.parameters().robotType();
     gvh.plat.moat.onContact(contacts::add);
-    // A robot alone may wander; among others a tube is as wide as a body and its margin.
-    boolean isAlone = gvh.id.participants().size() == 1;
-    int errorMm = ERROR_MM + (isAlone ? task.mode().wanderMm() : 0);
-    TubeSettings tubes = new TubeSettings(errorMm, LEG_MM, 60_000, 200, 2_000, 200, 2_000);
-    paths =
-        new DistributedPathPlanning(
-            gvh, "maze", gvh.id.participants(), new LocalPlanner(), task.floor(), tubes);
-    way = new Path(List.of(task.start(), task.start()));
-  }
-
-  /** Whether the others know where it stands. */
-  boolean isPlaced() {
-    return paths.isPlaced();
-  }
-
-  /** The tubes of other robots, as far as known. */
-  List<Capsule> taken() {
-    return paths.taken();
-  }
-
-  /** Whether it holds no more than where it stands. */
-  boolean isStill() {
-    return paths.held().stream().allMatch(tube -> tube.end().equals(tube.points().get(0)));
-  }
-
-  /** Half the width of its tubes. */
-  double tubeMm() {
-    return paths.radiusMm();
-  }
-
-  /** The piece of a path that it drives or has driven. */
-  Path way() {
-    return way;
   }
 
   /**
-   * Asks for a tube along the first piece of a path, and drives in it.
+   * Starts to drive.
    *
    * @param lastMm the ride ends when the robot is nearer to the end than this
-   * @return false if it is not certain enough that the robot is where the path begins
    */
-  boolean along(Path path, double lastMm, CollisionMode mode) {
-    double endMm = Math.min(PASS_MM, lastMm);
-    if (gvh.gps.maxDistanceMm(path.start()) > ERROR_MM + endMm) {
-      return false;
-    }
+  void along(Path path, double lastMm, CollisionMode mode) {
     contacts.clear();
-    way = firstPiece(path);
-    isWhole = way.goal().equals(path.goal());
+    ahead = cut(path);
+    toleranceMm = lastMm;
     gvh.plat.moat.setParameters(
         gvh.plat.moat.parameters().toBuilder()
             .collisionPolicy(mode.policy())
             .robotType(own == RobotType.GOAL ? mode.robotType() : own)
-            .goalRadiusMm(endMm)
+            .goalRadiusMm(PASS_MM)
+            .smallTurnAngleRad(STRAIGHT_RAD)
+            .enableArcing(false)
             .build());
-    paths.goAlong(way);
-    return true;
+    toNext();
   }
 
   /** Drives on; call it once a period. */
@@ -143,23 +79,20 @@ final class Ride {
     if (!contacts.isEmpty()) {
       return State.BUMPED;
     }
-    return switch (paths.tubeflag().get()) {
-      case DONE -> isWhole ? State.ARRIVED : State.PART_WAY;
-      case MOVING -> State.UNDER_WAY;
-      case PLANNING, CLAIMING -> {
-        if (paths.inTheWay().isEmpty()) {
-          yield State.UNDER_WAY;
-        }
-        paths.stop();
-        yield State.REFUSED;
+    MotionFlag flag = gvh.plat.moat.motionflag().get();
+    if (flag == MotionFlag.DONE) {
+      ahead = ahead.subList(1, ahead.size());
+      if (ahead.isEmpty()) {
+        return State.ARRIVED;
       }
-      case FAIL, IDLE -> State.HELD_UP;
-    };
+      toNext();
+    }
+    return flag == MotionFlag.FAIL ? State.HELD_UP : State.UNDER_WAY;
   }
 
   void stop() {
     extendTrail();
-    paths.stop();
+    gvh.plat.moat.motion_stop();
   }
 
   /** The contacts since the start of the ride. */
@@ -169,30 +102,39 @@ final class Ride {
 
   /** Whether to try what was found: narrow ways, and none, only so often in a row. */
   boolean mayTry(Search.Outcome found) {
-    boolean isWide = found instanceof Search.Outcome.Way wide && !wide.isNarrow();
+    boolean isWide = found instanceof Search.Outcome.Way way && !way.isNarrow();
     lost = isWide ? 0 : lost + 1;
     return lost <= TRIES_WHEN_LOST;
   }
 
   /**
-   * The latest point of its trail that {@code isAllowed}, null if there is none; forgets the trail
-   * from there on.
+   * Starts to drive back to the latest point of its trail that {@code isAllowed}, and forgets the
+   * trail from there on.
+   *
+   * @return false if there is no such point
    */
-  @Nullable Point retreatTo(Predicate<Point> isAllowed) {
+  boolean retreat(Predicate<Point> isAllowed) {
     Point here = gvh.gps.pose().at();
     for (int i = trail.size() - 1; i >= 0; i--) {
       Point at = trail.get(i);
       if (at.distanceMm(here) >= LEAST_RETREAT_MM && isAllowed.test(at)) {
         trail.subList(i + 1, trail.size()).clear();
-        return at;
+        along(new Path(List.of(here, at)), RETREAT_TO_MM, CollisionMode.BACK);
+        return true;
       }
     }
-    return null;
+    return false;
   }
 
-  /** A random point of its trail; null if it has none. */
-  @Nullable Point somewhereOnTrail(Rng rng) {
-    return trail.isEmpty() ? null : trail.get(rng.nextInt(trail.size()));
+  private void toNext() {
+    Point next = ahead.get(0);
+    MotionParameters usual = gvh.plat.moat.parameters();
+    if (ahead.size() == 1) {
+      double radiusMm = Math.min(usual.goalRadiusMm(), toleranceMm);
+      gvh.plat.moat.setParameters(usual.toBuilder().goalRadiusMm(radiusMm).build());
+    }
+    gvh.plat.moat.doMove(new ItemPosition("way", next.xMm(), next.yMm()));
+    gvh.plat.moat.setParameters(usual);
   }
 
   private void extendTrail() {
@@ -205,20 +147,17 @@ final class Ride {
     }
   }
 
-  /** As much of a path as is short enough, and fits one tube. */
-  private static Path firstPiece(Path path) {
-    List<Point> points = new ArrayList<>(List.of(path.start()));
-    double restMm = LONGEST_PIECE_MM;
-    int rest = Tube.MAX_POINTS - 1;
-    for (int i = 0; i < path.legs() && restMm > 0 && rest > 0; i++) {
+  /** The points to drive to. Legs are short, as a robot strays farther on a longer leg. */
+  private static List<Point> cut(Path path) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < path.legs(); i++) {
       Point from = path.leg(i).from();
-      Point to = path.leg(i).to();
-      double mm = from.distanceMm(to);
-      double partMm = Math.min(mm, Math.min(restMm, (double) rest * LEG_MM));
-      points.add(partMm == mm ? to : from.plus(to.minus(from).times(partMm / mm)));
-      restMm -= partMm;
-      rest -= (int) Math.max(1, StrictMath.ceil(partMm / LEG_MM));
+      Point way = path.leg(i).to().minus(from);
+      int pieces = (int) Math.max(1, StrictMath.ceil(way.normMm() / LONGEST_LEG_MM));
+      for (int j = 1; j <= pieces; j++) {
+        points.add(from.plus(way.times((double) j / pieces)));
+      }
     }
-    return new Path(points);
+    return points;
   }
 }

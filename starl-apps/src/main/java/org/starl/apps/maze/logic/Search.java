@@ -5,7 +5,6 @@ import java.util.List;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.primitives.paths.Capsule;
 import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.Path;
 import org.starl.primitives.paths.Plan;
@@ -16,23 +15,13 @@ import org.starl.primitives.paths.PlanTask;
  *
  * @param map the obstacles that are known beforehand
  * @param marks proven by contacts
- * @param taken the tubes of other robots
- * @param tubeMm half the width of its own tube
  * @param from the robot's position
  * @param bodyMm radius of its body
  */
 record Search(
-    MazeTask task,
-    Obstacles map,
-    List<Mark> marks,
-    List<Capsule> taken,
-    double tubeMm,
-    Point from,
-    Point goal,
-    double bodyMm) {
+    MazeTask task, Obstacles map, List<Mark> marks, Point from, Point goal, double bodyMm) {
 
-  private static final double FIRST_LOOK_MM = 6_000;
-  private static final LocalPlanner PLANNER = new LocalPlanner(FIRST_LOOK_MM);
+  private static final LocalPlanner PLANNER = new LocalPlanner();
 
   // A way may begin so far from the robot if the robot stands nearer to something than a way may
   // lead.
@@ -46,12 +35,8 @@ record Search(
   private static final List<Double> WIDE = PARTS.subList(0, 1);
   private static final List<Double> NARROWER = PARTS.subList(1, 3);
 
-  // Tubes are rounded to whole mm, and must not touch.
-  private static final double APART_MM = 3;
-
   Search {
     marks = List.copyOf(marks);
-    taken = List.copyOf(taken);
   }
 
   /** The result of a search. */
@@ -59,9 +44,6 @@ record Search(
 
     /** A way; a narrow one leads through gaps that fit the body, but not the margin. */
     record Way(Path path, boolean isNarrow) implements Outcome {}
-
-    /** There is a way once other robots have given back their tubes. */
-    record Taken() implements Outcome {}
 
     /** Proven: there is no way from the start for a body that is wider by the margin. */
     record NoWay() implements Outcome {}
@@ -71,46 +53,37 @@ record Search(
   }
 
   /** A way, or the proof that there is none. */
-  Outcome onward() {
-    Outcome wide = search(WIDE);
-    if (!(wide instanceof Outcome.Lost)) {
+  Outcome anywhere() {
+    Outcome wide = search(List.of(), WIDE);
+    if (wide instanceof Outcome.Way) {
       return wide;
     }
     // The robot may be where a wider body does not fit; no way from there proves nothing.
-    return isCutOff() ? new Outcome.NoWay() : search(NARROWER);
+    return isCutOff() ? new Outcome.NoWay() : search(List.of(), NARROWER);
   }
 
-  /** A way, through narrow gaps if necessary. */
-  Outcome back() {
-    return search(PARTS);
+  /** A way outside of {@code forbidden}; if there is none, a way anywhere, or the proof. */
+  Outcome onward(List<Polygon> forbidden) {
+    Outcome inside = search(forbidden, WIDE);
+    return inside instanceof Outcome.Way ? inside : anywhere();
+  }
+
+  /** A way outside of {@code forbidden}, through narrow gaps if necessary. */
+  Outcome back(List<Polygon> forbidden) {
+    return search(forbidden, PARTS);
   }
 
   /** The first way that is found for one of these parts of the margin, tried in turn. */
-  private Outcome search(List<Double> parts) {
+  private Outcome search(List<Polygon> forbidden, List<Double> parts) {
     for (double part : parts) {
-      List<Point> points = points(part, taken);
-      if (!points.isEmpty()) {
+      if (PLANNER.planFromNear(planTask(from, part, forbidden), SLACK_MM)
+          instanceof Plan.Found found) {
+        List<Point> points = new ArrayList<>(found.path().points());
+        points.add(0, from);
         return new Outcome.Way(new Path(points), part < 1);
-      }
-      if (!taken.isEmpty() && !points(part, List.of()).isEmpty()) {
-        return new Outcome.Taken();
       }
     }
     return new Outcome.Lost();
-  }
-
-  /** A way whose tube meets no tube of {@code held}, nor a robot at rest; empty if none is found. */
-  private List<Point> points(double part, List<Capsule> held) {
-    List<Capsule> tubes = new ArrayList<>(held);
-    tubes.addAll(task.others());
-    double moreMm = Math.max(0, tubeMm - bodyMm - clearanceMm(part)) + APART_MM;
-    tubes.replaceAll(tube -> new Capsule(tube.axis(), tube.radiusMm() + moreMm));
-    List<Point> points = new ArrayList<>();
-    if (PLANNER.planFromNear(planTask(from, part, tubes), SLACK_MM) instanceof Plan.Found found) {
-      points.add(from);
-      points.addAll(found.path().points());
-    }
-    return points;
   }
 
   /**
@@ -118,7 +91,7 @@ record Search(
    */
   private boolean isCutOff() {
     for (double part : PARTS) {
-      Plan plan = PLANNER.plan(planTask(task.start(), part, task.others()));
+      Plan plan = PLANNER.plan(planTask(task.start(), part, List.of()));
       boolean isStartBlocked = plan instanceof Plan.Blocked at && at.end() == Plan.End.START;
       if (!isStartBlocked) {
         return !(plan instanceof Plan.Found);
@@ -127,12 +100,11 @@ record Search(
     return false;
   }
 
-  private PlanTask planTask(Point start, double part, List<Capsule> others) {
-    List<Polygon> closed = Mark.places(marks, part);
-    return new PlanTask(start, goal, task.floor(), map, others, closed, bodyMm, clearanceMm(part));
-  }
-
-  private static double clearanceMm(double part) {
-    return Math.max(0, part * MazeTask.MARGIN_MM - PLANNER_MM);
+  private PlanTask planTask(Point start, double part, List<Polygon> forbidden) {
+    List<Polygon> keepOut = new ArrayList<>(Mark.places(marks, part));
+    keepOut.addAll(forbidden);
+    double clearanceMm = Math.max(0, part * MazeTask.MARGIN_MM - PLANNER_MM);
+    return new PlanTask(
+        start, goal, task.floor(), map, task.others(), keepOut, bodyMm, clearanceMm);
   }
 }

@@ -18,14 +18,11 @@
  *       contact, of radius m': the margin less the position's error and the width of a contact.
  *       Later ways stay outside of it, and the robot strays less than m' from its way. So any two
  *       contacts are at least the difference apart, and only finitely many fit on a floor.
- *   <li><b>Robots share the floor by tubes</b> ({@code org.starl.primitives.paths}). A robot drives
- *       each piece of its way in a reach tube and gives the tube back part by part, each when its
- *       whole body is certainly in the next one. Ways keep clear of the starts and goals of all
- *       other robots, so a robot at rest blocks no other. A robot that is held up elsewhere gives
- *       back its tube but for the disc that it stands in, and after a while drives to a random
- *       place on its trail. So two robots that wait for each other part in the end, with
- *       probability one; no bound is proven.
- *   <li><b>Robots share marks.</b> A mark is true for every robot with an equal body.
+ *   <li><b>No robot blocks another for ever.</b> Robots stand at starts and goals only, unless they
+ *       hold the blocks of the floor that they are in. The mutex grants all blocks of a request at
+ *       once. A robot that needs more goes back to its resting place, releases all, and requests
+ *       the whole floor. If each goal can be reached past the starts and goals of the others, no
+ *       two robots ever wait for each other.
  * </ul>
  *
  * <p><b>Assumptions.</b> Obstacles do not move; all moving bodies on the floor belong to the group;

@@ -13,7 +13,7 @@ import org.starl.apps.maze.logic.MazeApp;
 import org.starl.apps.maze.logic.MazeFact;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
-import org.starl.primitives.paths.TubesSpec;
+import org.starl.primitives.mutex.MutexSpec;
 import org.starl.random.Rng;
 import org.starl.trace.Vocabulary;
 
@@ -78,7 +78,7 @@ public final class MazeFactory implements AppFactory {
               return new MazeApp(gvh, maze.task(RobotProgram.number(gvh), bodyMm, mode));
             })
         .withMap(maze.obstacles().known())
-        .withMonitor(TubesSpec::new);
+        .withMonitor(MutexSpec::new);
   }
 
   /**
