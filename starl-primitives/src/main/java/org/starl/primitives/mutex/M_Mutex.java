@@ -1,3 +1,5 @@
+// Longer than 500 lines because an app has one object for sets and sequences, over all ids of its
+// robot.
 package org.starl.primitives.mutex;
 
 import java.util.ArrayDeque;

@@ -1,6 +1,6 @@
 package org.starl.primitives.mutex;
 
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -35,7 +35,7 @@ import org.starl.trace.TraceEvent.Fault;
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
   private final Set<RobotId> gone = new TreeSet<>();
-  private final Set<Instance> withSequences = new HashSet<>();
+  private final Set<Instance> withSequences = new LinkedHashSet<>();
 
   public MutexConformance() {
     this(AutomatonListener.none());

@@ -1,3 +1,5 @@
+// Longer than 500 lines because all its rules depend on one state: sets and sequences have one
+// order.
 package org.starl.primitives.mutex;
 
 import java.util.List;

@@ -2,7 +2,7 @@ package org.starl.primitives.mutex;
 
 import static org.starl.time.Time.NS_PER_MS;
 
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -71,7 +71,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final Liveness liveness = new Liveness();
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
-  private final Map<ProcessKey, Set<ProcessId>> holders = new HashMap<>();
+  private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
   private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */

@@ -63,6 +63,7 @@ public final class FlowingCar extends LogicThread {
   private int from;
   private boolean isTurning;
   private boolean turnsOnTheSpot;
+  private boolean isOffTrack;
   private @Nullable Point goal;
   private long retryAtNs;
   private long atTheHeadSinceNs = Long.MAX_VALUE;
@@ -75,7 +76,7 @@ public final class FlowingCar extends LogicThread {
   public FlowingCar(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
     super(gvh);
     this.trip = trip;
-    claim = new Claim(gvh, xid, acceptors, this::isGoodTime);
+    claim = new Claim(gvh, xid, acceptors, this::mayAsk);
     lane = new Lane(gvh, xid, trip.approach(), acceptors);
     track = new Track(trip, gvh.plat.moat.parameters().robotRadiusMm());
     gvh.trace.action(Way.SHAPE, Way.of(trip, trip.zones()));
@@ -149,7 +150,7 @@ public final class FlowingCar extends LogicThread {
   }
 
   /** Whether asking now holds up no other car. */
-  private boolean isGoodTime() {
+  private boolean mayAsk() {
     if (!isAtTheHead() || !gvh.gps.hasFix()) {
       return false;
     }
@@ -203,12 +204,31 @@ public final class FlowingCar extends LogicThread {
     if (flag == MotionFlag.FAIL && goal != null) {
       retryAtNs = nowNs + (hasBumped ? rng.nextLong(RETRY_NS, LATEST_AFTER_BUMP_NS) : RETRY_NS);
       hasBumped = false;
-      turnsOnTheSpot |= isTurning;
+      turnsOnTheSpot = true;
+      isOffTrack = true;
       goal = null;
     }
-    if (nowNs >= retryAtNs) {
+    if (nowNs >= retryAtNs && !returnsToTrack(flag)) {
       advance(flag);
     }
+  }
+
+  /** After a failure it may be beside its track: it drives to the middle of the section it is in first. */
+  private boolean returnsToTrack(MotionFlag flag) {
+    int here = track.sections().size() - 1;
+    while (here >= 0 && !isIn(here)) {
+      here--;
+    }
+    if (!isOffTrack || here < 0 || !own().contains(track.sections().get(here))) {
+      isOffTrack = false;
+      return false;
+    }
+    Point middle = Crossing.region(track.sections().get(here)).center();
+    isOffTrack = flag != MotionFlag.DONE || !middle.equals(goal);
+    if (isOffTrack) {
+      moveTo(middle, straight);
+    }
+    return isOffTrack;
   }
 
   /** Finds the next point to drive to. */
