@@ -33,7 +33,9 @@ class BuggyCarsTest {
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
         new IntersectionPlan(Floor.kerbs(), settings, CarProgram.PAPER)
-            .simulation(new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0))
+            .simulation(
+                new IntersectionSpec(
+                    IntersectionPlan.deltaNs(settings), CARS, 0, IntersectionSpec.STOPPING_NS))
             .seed(seed)
             .director(traffic)
             .observer(traffic);

@@ -41,7 +41,7 @@ public class MonitorBenchmark {
         .build()
         .run();
     monitors =
-        new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0)
+        new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0, IntersectionSpec.STOPPING_NS)
             .monitors(IntersectionFactory.XID);
   }
 

@@ -102,8 +102,11 @@ final class MutexNode implements MutexEffects {
   @Override
   public void granted(ProcessId to, long ofNum, SortedSet<String> part) {
     Consent before = consentedTo.get(to);
-    boolean isMore = before != null && before.num() == ofNum && !part.isEmpty();
-    consentedTo.put(to, new Consent(ofNum, isMore ? Sections.union(before.part(), part) : part));
+    SortedSet<String> all =
+        before != null && before.num() == ofNum && !part.isEmpty()
+            ? Sections.union(before.part(), part)
+            : part;
+    consentedTo.put(to, new Consent(ofNum, all));
     trace.accept(new MutexFact.Grant(id, to, ofNum, part));
   }
 

@@ -41,7 +41,7 @@ class SequenceProtocolTest {
   void aSequenceIsGrantedSectionBySectionFromItsFirst() {
     asks("y", "x", "z");
     assertThat(sent)
-        .contains(new Req(B, A, 1, 1, 1, Kind.SEQUENCE, sections("x", "y", "z")))
+        .contains(new Req(B, A, 1, 1, 1, wish(Kind.SEQUENCE, sections("x", "y", "z"))))
         .hasSize(2);
     hears(new Ok(C, B, 1));
     hears(new Ok(A, B, 1, sections("x")));
@@ -256,11 +256,11 @@ class SequenceProtocolTest {
   void aRequestForTheClaimsResumesAndAnotherOneDoesNot() {
     takesOver("x", "x", "y");
     b.request(List.of("x", "y"), true, 0);
-    assertThat(sent).contains(new Req(B, A, 1, 1, 1, Kind.RESUMED, sections("x", "y")));
+    assertThat(sent).contains(new Req(B, A, 1, 1, 1, wish(Kind.RESUMED, sections("x", "y"))));
     b.withdraw(MutexFailure.WITHDRAWN);
     sent.clear();
     b.request(List.of("x", "z"), true, 0);
-    assertThat(sent).contains(new Req(B, A, 2, 1, 2, Kind.SEQUENCE, sections("x", "z")));
+    assertThat(sent).contains(new Req(B, A, 2, 1, 2, wish(Kind.SEQUENCE, sections("x", "z"))));
   }
 
   @Test
@@ -394,8 +394,12 @@ class SequenceProtocolTest {
     b.receive(message, 0);
   }
 
+  private static MutexMessage.Wish wish(Kind kind, SortedSet<String> waits) {
+    return new MutexMessage.Wish(kind, waits, Sections.NONE);
+  }
+
   private static Req sequence(ProcessId from, long ts, String... names) {
-    return new Req(from, B, 1, 1, ts, Kind.SEQUENCE, sections(names));
+    return new Req(from, B, 1, 1, ts, wish(Kind.SEQUENCE, sections(names)));
   }
 
   private static Req resumed(ProcessId from, long ts, String... names) {
@@ -403,7 +407,7 @@ class SequenceProtocolTest {
   }
 
   private static Req resumed(ProcessId from, int num, long ts, String... names) {
-    return new Req(from, B, num, 1, ts, Kind.RESUMED, sections(names));
+    return new Req(from, B, num, 1, ts, wish(Kind.RESUMED, sections(names)));
   }
 
   private static Rem rem(ProcessId to) {
