@@ -19,11 +19,11 @@ final class SequenceRecipe extends LogicThread {
   @Override
   public List<Object> callStarL() {
     List<String> way = List.of("RAMP", "DOCK");
-    mutex.do_sequence(way);
+    mutex.doSequence(way);
     while (!mutex.held().contains("RAMP")) {
       sleep(100);
       if (mutex.failed().get()) {
-        mutex.do_sequence(way); // it holds nothing yet: it asks again
+        mutex.doSequence(way); // it holds nothing yet: it asks again
       }
     }
     sleep(1_000); // it drives on the ramp, and stops before the dock

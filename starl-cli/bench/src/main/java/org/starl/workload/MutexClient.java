@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentSkipListMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
@@ -163,6 +163,7 @@ final class MutexClient extends Client {
     // After the bounds: a late grant violates the specification before the request fails.
     boolean isSoon = setup.choice(SUSPECT, SUSPICIONS).equals(SOON);
     long suspectMs = isSoon ? SOON_MS : MutexTimes.DEFAULT.suspectMs();
+    boolean isSequence = setup.choice(ORDER, ORDERS).equals(SEQUENCE);
     MutexTimes times =
         MutexTimes.DEFAULT
             .withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS)
@@ -174,13 +175,15 @@ final class MutexClient extends Client {
             : null;
     setup
         .simulation()
-        .monitor(() ->
-            isOpen && setup.isLossless()
-                ? new MutexSpec(bounds, calm).confinedWithin(confinedNs)
-                : new MutexSpec(bounds, calm));
+        .monitor(() -> {
+          MutexSpec spec = new MutexSpec(bounds, calm);
+          if (isSequence) {
+            spec.withSequences();
+          }
+          return isOpen && setup.isLossless() ? spec.confinedWithin(confinedNs) : spec;
+        });
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, false);
-    boolean isSequence = setup.choice(ORDER, ORDERS).equals(SEQUENCE);
-    Map<RobotId, Body> bodies = isSequence ? new ConcurrentSkipListMap<>() : null;
+    Map<RobotId, Body> bodies = isSequence ? new TreeMap<>() : null;
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;
@@ -245,7 +248,7 @@ final class MutexClient extends Client {
     if (body().in().isEmpty()) {
       moves(Sections.NONE, someInOrder());
     }
-    mux.do_sequence(body().path());
+    mux.doSequence(body().path());
   }
 
   /** Two to four sections, or all if there are fewer; in half of the cases in the order of their names. */
@@ -326,7 +329,7 @@ final class MutexClient extends Client {
       if (mux.failed().get()) {
         pause(rng.nextLong(0, THINK_MS));
         prepare();
-        mux.do_sequence(body().path());
+        mux.doSequence(body().path());
       }
       await(() -> mux.held().contains(section) || mux.failed().get());
     }

@@ -151,14 +151,14 @@ public final class M_Mutex implements PipelinePrim {
   }
 
   @Override
-  public void do_sequence(List<String> sections) {
+  public void doSequence(List<String> sections) {
     requireOpen();
     if (Sections.copyOf(sections).size() < sections.size()) {
-      throw new IllegalArgumentException(source + ": do_sequence of " + sections + ": one twice");
+      throw new IllegalArgumentException(source + ": doSequence of " + sections + ": one twice");
     }
     if (!sections.containsAll(holder().held())) {
       throw new IllegalArgumentException(
-          source + ": do_sequence of " + sections + " while holding " + holder().held());
+          source + ": doSequence of " + sections + " while holding " + holder().held());
     }
     if (current.phase() == Phase.IDLE && !sections.isEmpty()) {
       failed.set(false);

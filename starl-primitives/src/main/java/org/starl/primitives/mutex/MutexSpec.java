@@ -2,6 +2,7 @@ package org.starl.primitives.mutex;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -72,6 +73,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
   private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
+  private boolean hasSequences;
   private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */
@@ -122,6 +124,12 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     return this;
   }
 
+  /** Also replays mutexes with sequences on the theory of these. */
+  public MutexSpec withSequences() {
+    hasSequences = true;
+    return this;
+  }
+
   @Override
   protected MutexRecord begin(Instance source) {
     return new MutexRecord(bounds, calm, liveness);
@@ -140,8 +148,13 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
         bounds == null
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
-    return List.of(
-        new MutexConformance(), new PipelineConformance(), new ConsentSpec(ghostNs, confinedNs));
+    List<Monitor> all = new ArrayList<>();
+    all.add(new MutexConformance());
+    all.add(new ConsentSpec(ghostNs, confinedNs));
+    if (hasSequences) {
+      all.add(new PipelineConformance());
+    }
+    return all;
   }
 
   @Override

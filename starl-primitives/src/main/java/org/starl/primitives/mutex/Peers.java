@@ -50,7 +50,8 @@ final class Peers {
 
     void grant(SortedSet<String> sections) {
       granted = Sections.union(granted, sections);
-      open = Sections.common(want, Sections.union(open, sections));
+      SortedSet<String> all = Sections.union(open, sections);
+      open = inOrder ? Sections.common(want, all) : all;
     }
   }
 
@@ -147,7 +148,7 @@ final class Peers {
             .append(':')
             .append(peer.seen)
             .append(peer.granted)
-            .append(peer.want)
+            .append(peer.inOrder ? peer.want : "")
             .append(peer.done ? "d" : "")
             .append(peer.open));
     return text.append(' ').append(pending).toString();

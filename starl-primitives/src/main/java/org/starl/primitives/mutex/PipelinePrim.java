@@ -9,7 +9,7 @@ import java.util.List;
  * each other closely. Strand only.
  *
  * <pre>{@code
- * mux.do_sequence(List.of("A", "C", "D"));
+ * mux.doSequence(List.of("A", "C", "D"));
  * // drive on while mux.held() has the next section, and stop before it while it has not;
  * // release each section when the body has left it
  * }</pre>
@@ -32,7 +32,7 @@ public interface PipelinePrim extends MutexPrim {
    * @throws IllegalStateException while an earlier request waits, or holds sections otherwise
    * @throws IllegalArgumentException if {@code sections} is no such list, or lacks a section that is held
    */
-  void do_sequence(List<String> sections);
+  void doSequence(List<String> sections);
 
   /**
    * Declares, after a restart of the robot's program in the middle of its sequence, that its body is only

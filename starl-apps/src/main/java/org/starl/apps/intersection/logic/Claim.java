@@ -139,7 +139,7 @@ final class Claim {
       case REGISTERED -> {
         boolean isAgain = askFromNs > 0 || isInside || !held().isEmpty();
         if (gvh.plat.clock.nowNs() >= askFromNs && (isAgain || isGoodTime.getAsBoolean())) {
-          mutex.do_sequence(rest);
+          mutex.doSequence(rest);
           state = State.ASKING;
           if (mutex.failed().get()) {
             step(); // given up as crashed, meanwhile

@@ -10,6 +10,7 @@ import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
@@ -276,7 +277,8 @@ public final class FlowingCar extends LogicThread {
       goal = target;
       gvh.plat.moat.setParameters(parameters);
       gvh.plat.moat.doMove(
-          new ItemPosition("way", target.xMm(), target.yMm()), Crossing.others(gvh, own()));
+          new ItemPosition("way", target.xMm(), target.yMm()),
+          trip.route().isPresent() ? Crossing.others(gvh, own()) : new Nowhere());
     }
   }
 

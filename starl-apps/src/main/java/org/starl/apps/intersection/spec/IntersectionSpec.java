@@ -116,7 +116,11 @@ public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) 
       TrafficProgress progress = new TrafficProgress(trafficNs(), stray);
       return new ExceptRobots(progress, stray, progress.lemmas(), "leave their way");
     });
-    monitors.add(() -> new MutexSpec(zones).only(xid));
+    boolean hasSequences = places > 0 || turnNs == FLOWING_NS;
+    monitors.add(() -> {
+      MutexSpec mutex = new MutexSpec(zones);
+      return (hasSequences ? mutex.withSequences() : mutex).only(xid);
+    });
     monitors.add(RegistrationSpec::new);
     // A car holds its place while it waits for its zones.
     MutexBounds queue = MutexBounds.of(participants, trafficNs(), deltaNs);

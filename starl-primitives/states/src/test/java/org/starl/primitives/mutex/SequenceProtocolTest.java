@@ -335,21 +335,15 @@ class SequenceProtocolTest {
   }
 
   @Test
-  void aFencedHolderLeavesTheRestToItsNextProcess() {
+  void aFencedHolderWaitsForTheViewThatRemovesItAndLeavesTheRestToItsNextProcess() {
     holdsFirst("x", "y");
+    events.clear();
     hears(new MutexMessage.Fenced(A, B));
-    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.FENCED));
+    assertThat(events).as("a member still, which holds x").isEmpty();
+    b.learn(View.closed(List.of(A)).next().next().next());
+    assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.REMOVED));
     assertThat(b.held()).containsExactly("x");
     assertThat(b.rest()).isEqualTo(new Resume(sections("x"), sections("x", "y")));
-  }
-
-  @Test
-  void aFencedHolderIsToldToRegisterIfItAsksAgain() {
-    holdsFirst("x", "y");
-    hears(new MutexMessage.Fenced(A, B));
-    b.request(List.of("x", "y"), true, 0);
-    assertThat(events).endsWith(new MutexFact.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
-    assertThat(b.held()).containsExactly("x");
   }
 
   @Test
