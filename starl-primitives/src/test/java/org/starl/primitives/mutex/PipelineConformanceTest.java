@@ -1,0 +1,85 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.conformance.ShownRun;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.Short;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.PipelineAutomaton.States;
+import org.starl.trace.TraceEvent;
+
+/** The map from events of sequences to actions, and traces that are no runs of the theory. */
+class PipelineConformanceTest {
+
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
+
+  private final ShownRun<States, PipelineAction> run = new ShownRun<>(PipelineConformance::new);
+
+  private void event(MutexFact event) {
+    run.has(
+        TraceEvent.Action.of(
+            0, event.who().robot(), MutexFact.source("x"), MutexFact.SHAPE, event));
+  }
+
+  private void asks(ProcessId who, long ts, String... sections) {
+    List<String> all = List.of(sections);
+    event(
+        new MutexFact.DoMutex(
+            who, 1, ts, Sections.copyOf(all), all, false, new TreeSet<>(Set.of(I, J))));
+  }
+
+  private void enters(ProcessId who, String held) {
+    event(new MutexFact.OdMutex(who, 1, Short.sections(held)));
+  }
+
+  @Test
+  void aSequenceIsGrantedSectionBySection() {
+    asks(I, 1, "A", "B");
+    enters(I, "A");
+    asks(J, 2, "A", "B");
+    enters(I, "A B");
+    event(new MutexFact.Release(I, 1, Short.sections("A"), Short.sections("B")));
+    enters(J, "A");
+    assertThat(run.steps())
+        .contains("grant(i, A)", "grant(i, B)", "release(i, [A])", "grant(j, A)");
+    assertThat(run.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aSectionThatAnotherHoldsIsNotGranted() {
+    asks(I, 1, "A", "B");
+    enters(I, "A");
+    asks(J, 2, "A", "B");
+    enters(J, "A");
+    assertThat(run.report().violations()).hasSize(1);
+  }
+
+  @Test
+  void aHolderIsNotOvertaken() {
+    asks(I, 1, "A", "B");
+    enters(I, "A");
+    asks(J, 2, "B");
+    enters(J, "B");
+    assertThat(run.report().violations()).as("B is to be granted to i first").hasSize(1);
+  }
+
+  @Test
+  void anIdThatIsGivenUpWaitsNoLonger() {
+    event(new MutexFact.Learned(J, View.closed(List.of(I, J))));
+    asks(I, 1, "A", "B");
+    enters(I, "A");
+    asks(J, 2, "B");
+    event(new MutexFact.Learned(J, View.closed(List.of(J)).next()));
+    enters(J, "B");
+    assertThat(run.report().violations()).isEmpty();
+    assertThat(run.steps()).contains("withdraw(i)");
+  }
+}
