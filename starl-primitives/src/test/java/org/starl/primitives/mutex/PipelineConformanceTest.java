@@ -13,7 +13,7 @@ import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.Short;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.PipelineAutomaton.States;
-import org.starl.spec.Violation;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 
 /** The map from events of sequences to actions, and traces that are no runs of the theory. */
