@@ -103,7 +103,9 @@ class RunTest {
     Path pvs = folder.resolve("run.pvs");
     Cli cli =
         Cli.run(
-            "run", "intersection", "--seed", "7", "--png", file("a.png"), "--pvs", pvs.toString());
+            "run intersection --seed 7 --set car=paper --png %s --pvs %s"
+                .formatted(file("a.png"), pvs)
+                .split(" "));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(Files.readString(pvs))
         .contains("run_mutex_crossing: THEORY")
@@ -118,7 +120,7 @@ class RunTest {
     Path png = folder.resolve("deep/er/a.png");
     Cli cli =
         Cli.run(
-            "run intersection --seed 7 --set scenario=figure7 --trace %s --csv %s --png %s"
+            "run intersection --seed 7 --set scenario=figure7 --set car=paper --trace %s --csv %s --png %s"
                 .formatted(trace, csv, png)
                 .split(" "));
     assertThat(cli.status()).as("%s", cli).isZero();

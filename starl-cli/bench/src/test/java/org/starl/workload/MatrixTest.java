@@ -28,6 +28,7 @@ import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.MutexSpec;
+import org.starl.primitives.mutex.PipelineConformance;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -51,7 +52,8 @@ class MatrixTest {
               "election", settings -> new ElectionSpec(),
               "geocast", settings -> new GeocastSpec(),
               "motion", settings -> new MotionSpec(settings.motionParameters(0)),
-              "mutex", settings -> new MutexSpec().withSequences(),
+              "mutex", settings -> new MutexSpec(),
+              "mutex of sequences", settings -> new PipelineConformance(),
               "paths", settings -> new TubesSpec(),
               "registration", settings -> new RegistrationSpec()));
 
@@ -190,11 +192,6 @@ class MatrixTest {
             assertThat(monitors(plan(name, "none", 5)).monitors())
                 .as(name)
                 .extracting(monitor -> monitor.getClass().getName())
-                .containsAll(
-                    monitors.stream()
-                        // The mutex workload asks for sequences only with order=sequence.
-                        .filter(monitor ->
-                            !name.equals("mutex") || !monitor.endsWith(".PipelineConformance"))
-                        .toList()));
+                .containsAll(monitors));
   }
 }

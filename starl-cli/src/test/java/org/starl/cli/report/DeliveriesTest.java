@@ -48,7 +48,7 @@ class DeliveriesTest {
     action(
         BOT1,
         MUTEX,
-        "{\"do_mutex\":{\"who\":\"bot1\",\"num\":1,\"ts\":1,\"want\":[\"A\"],\"known\":[]}}");
+        "{\"do_mutex\":{\"who\":\"bot1\",\"num\":1,\"ts\":1,\"want\":[\"A\"],\"sequence\":[],\"resumes\":false,\"known\":[]}}");
   }
 
   private void at(RobotId robot, String location) {

@@ -2,7 +2,6 @@ package org.starl.primitives.mutex;
 
 import static org.starl.time.Time.NS_PER_MS;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -124,7 +123,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     return this;
   }
 
-  /** Also replays mutexes with sequences on the theory of these. */
+  /** Of mutexes with sequences, which are replayed on the theory of these. */
   public MutexSpec withSequences() {
     hasSequences = true;
     return this;
@@ -148,13 +147,9 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
         bounds == null
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
-    List<Monitor> all = new ArrayList<>();
-    all.add(new MutexConformance());
-    all.add(new ConsentSpec(ghostNs, confinedNs));
-    if (hasSequences) {
-      all.add(new PipelineConformance());
-    }
-    return all;
+    return List.of(
+        hasSequences ? new PipelineConformance() : new MutexConformance(),
+        new ConsentSpec(ghostNs, confinedNs));
   }
 
   @Override

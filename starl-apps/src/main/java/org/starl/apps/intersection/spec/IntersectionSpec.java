@@ -116,7 +116,7 @@ public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) 
       TrafficProgress progress = new TrafficProgress(trafficNs(), stray);
       return new ExceptRobots(progress, stray, progress.lemmas(), "leave their way");
     });
-    boolean hasSequences = places > 0 || turnNs == FLOWING_NS;
+    boolean hasSequences = turnNs == FLOWING_NS;
     monitors.add(() -> {
       MutexSpec mutex = new MutexSpec(zones);
       return (hasSequences ? mutex.withSequences() : mutex).only(xid);
@@ -125,7 +125,7 @@ public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) 
     // A car holds its place while it waits for its zones.
     MutexBounds queue = MutexBounds.of(participants, trafficNs(), deltaNs);
     if (places > 0) {
-      monitors.add(() -> new MutexSpec(queue).only(Lane.instance(xid)));
+      monitors.add(() -> new MutexSpec(queue).withSequences().only(Lane.instance(xid)));
     }
     return monitors;
   }
