@@ -316,6 +316,7 @@ class MutexProtocol {
     phase = held.isEmpty() ? Phase.IDLE : Phase.CRITICAL;
     want = held;
     waiting = List.of();
+    asked.replaceAll((other, lacking) -> Sections.NONE);
     timers.needsOnly(missing());
     effects.failed(num, why);
     tellRest();
