@@ -170,11 +170,11 @@ public final class M_Mutex implements PipelinePrim {
 
   @Override
   public void resume(Collection<String> stands, List<String> sections) {
-    standsIn(stands);
     if (!sections.containsAll(stands)) {
       throw new IllegalArgumentException(
           source + ": resume in " + stands + " with " + sections + ": expected all of the first");
     }
+    standsIn(stands);
     resume =
         stands.isEmpty()
             ? Resume.NOTHING

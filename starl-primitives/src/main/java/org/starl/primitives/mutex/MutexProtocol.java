@@ -40,9 +40,9 @@ import org.starl.random.Rng;
  * logical times. Two rules keep circles out of it, since a sequence holds while it waits:
  *
  * <ul>
- *   <li>A request is <em>late</em> if an earlier time than that of a waiting holder is on it: such a
- *       holder consents to nothing of it, and tells ({@code ahead}). A late request, which so holds
- *       nothing, ends.
+ *   <li>A request is <em>late</em> if another request holds one of its sections, still waits, and has
+ *       a later time. That holder consents to nothing of the late request, and tells it so ({@code
+ *       ahead}). So the late request holds nothing, and it ends.
  *   <li>A new process of a robot whose earlier one may hold sections <em>resumes</em>: it claims the
  *       sections ahead of it. It comes before all that wait and hold none of these, which would wait
  *       for its body, and after those that hold one and tell it that they are ahead. It consents to no
@@ -641,7 +641,8 @@ class MutexProtocol {
         && hasConsents(waiting.get(free))) {
       free++;
     }
-    // While a removed process may be inside, nobody new stops on its way there.
+    // While the view has a ghost, a request that holds nothing is granted only as a whole: else it
+    // could hold a section and wait for the ghost's one.
     boolean isAtOnce = !inOrder || (held.isEmpty() && !view.ghosts().isEmpty());
     return isAtOnce && free < waiting.size() ? 0 : free;
   }
@@ -669,7 +670,7 @@ class MutexProtocol {
     SortedSet<ProcessId> now = known();
     effects.known(num, now);
     if (phase == Phase.TRYING) {
-      // Who is no longer known needs no answer, but is told of releases.
+      // A participant that is no longer known need not answer, but it is told of releases.
       asked.replaceAll((other, lacking) -> now.contains(other) ? lacking : Sections.NONE);
       timers.needsOnly(missing());
       for (ProcessId other : now) {

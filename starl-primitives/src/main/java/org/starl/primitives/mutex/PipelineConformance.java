@@ -30,7 +30,7 @@ import org.starl.trace.TraceEvent.Fault;
  * fact release                release(i, given), of the newest id; stands_in(i, the rest without given)
  * fact withdraw               withdraw(i), if it waits
  * fact stands_in              stands_in(i, sections)
- * a view without i's id       withdraw(i), if it waits: an id that was given up asks nobody any more
+ * a view without i's id       withdraw(i), if it waits: a removed id has no request
  * fault restart               restart(i); also before a request of a new id, if an older one holds, and
  *                             of an id that was given up and still enters
  * joined                      restart(i), if the robot had left before
