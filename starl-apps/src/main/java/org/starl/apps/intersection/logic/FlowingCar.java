@@ -216,11 +216,14 @@ public final class FlowingCar extends LogicThread {
 
   /** After a failure it may be beside its track: it drives to the middle of the section it is in first. */
   private boolean returnsToTrack(MotionFlag flag) {
+    if (!isOffTrack) {
+      return false;
+    }
     int here = track.sections().size() - 1;
     while (here >= 0 && !isIn(here)) {
       here--;
     }
-    if (!isOffTrack || here < 0 || !own().contains(track.sections().get(here))) {
+    if (here < 0 || !own().contains(track.sections().get(here))) {
       isOffTrack = false;
       return false;
     }
