@@ -75,12 +75,22 @@ class ProcessesTest {
     }
   }
 
-  /** Two cars need the same zones; the first one inside is killed there. */
+  /** Two cars of the paper need the same zones; the first one inside is killed there. */
   @Test
   void noCarEntersTheZonesOfAKilledCar() throws Exception {
     List<String> words =
         List.of(
-            "intersection", "--seed", "1", "--robots", "2", "--loss", "0.2", "--set", "debris=0");
+            "intersection",
+            "--seed",
+            "1",
+            "--robots",
+            "2",
+            "--loss",
+            "0.2",
+            "--set",
+            "debris=0",
+            "--set",
+            "car=paper");
     Plan plan = plan();
     SimulationPlan simulation = plan.simulation().build().plan();
     LaunchSettings settings =
@@ -119,6 +129,7 @@ class ProcessesTest {
     return new RunRequest.Builder(demo)
         .set("", "robots", "2")
         .set("", "debris", "0")
+        .set("", "car", "paper")
         .set("", "messageLoss", "0.2")
         .build()
         .plan(1);

@@ -44,7 +44,7 @@ class RunTheoriesTest {
     acts(
         robot,
         mutex,
-        "{'do_mutex':{'who':'%s','num':1,'ts':1,'want':%s,'known':[]}}"
+        "{'do_mutex':{'who':'%s','num':1,'ts':1,'want':%s,'sequence':[],'resumes':false,'known':[]}}"
             .formatted(robot, sections(want)));
   }
 
