@@ -204,6 +204,11 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   /** In Markdown, for the docs. */
   private void showCrossingRules() {
     PrintWriter out = out();
+    if (!CrossingRules.hasSumo()) {
+      err()
+          .println(
+              "starl: no rows of SUMO: netconvert and sumo (PyPI: eclipse-sumo) are not on the PATH");
+    }
     ProgressLine progress = new ProgressLine(err(), "rows");
     List<Map<String, Object>> rows =
         CrossingRules.take(
@@ -214,14 +219,14 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       return;
     }
     out.println(
-        "| arrivals/min | loss | rule | arrived | crossed in time/min | mean delay"
+        "| arrivals/min | faults | rule | arrived | crossed in time/min | mean delay"
             + " | turned away | contacts |");
     out.println("|---|---|---|---|---|---|---|---|");
     for (Map<String, Object> row : rows) {
       out.println(
           String.format(
               Locale.ROOT,
-              "| %d | %.1f | %s | %d | %.1f | %.1f s | %d | %d |",
+              "| %d | %s | %s | %d | %.1f | %.1f s | %d | %d |",
               row.values().toArray()));
     }
   }

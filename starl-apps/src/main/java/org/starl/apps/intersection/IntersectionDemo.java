@@ -160,9 +160,19 @@ public final class IntersectionDemo implements Demo {
    * @param rateHz average number of cars that arrive per second, on all arms together; above 0
    */
   public static Plan openRoad(CarMaker car, double rateHz, SimSettings settings, long seed) {
-    Rng rng = new Rng(seed).fork(FACTORY.name());
     return new IntersectionPlan(Floor.kerbs(), settings, car)
-        .openUnchecked(rateHz, rng.fork("arrivals"));
+        .openUnchecked(rateHz, arrivalsRng(seed));
+  }
+
+  /** The cars that arrive on {@link #openRoad} within a time, for other simulators. */
+  public static List<Car> arrivals(double rateHz, Duration within, long seed) {
+    long untilNs = within.toNanos();
+    return new Arrivals(rateHz, untilNs, Integer.MAX_VALUE, "car", arrivalsRng(seed))
+        .until(untilNs);
+  }
+
+  private static Rng arrivalsRng(long seed) {
+    return new Rng(seed).fork(FACTORY.name()).fork("arrivals");
   }
 
   /** The scenario; {@code open} if the user gives arrivals and no scenario. */

@@ -1,9 +1,11 @@
 package org.starl.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.time.Duration;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.starl.bench.CrossingRules.Flow;
@@ -19,35 +21,38 @@ final class CrossingRulesTest {
   void underEachRuleTheSameCarsCrossAndNoneTouch() {
     Map<Rule, Flow> flows = new EnumMap<>(Rule.class);
     for (Rule rule : Rule.values()) {
-      Flow flow = CrossingRules.run(rule, 8, 0, Duration.ofSeconds(120), 3);
+      Flow flow = CrossingRules.run(rule, 8, List.of(), Duration.ofSeconds(120), 3);
       assertThat(flow.contacts()).as("%s", rule).isZero();
-      int arrived = (int) flow.figure("arrived");
+      int arrived = (int) flow.arrived();
       assertThat(arrived).isGreaterThan(8);
-      assertThat(flow.measures().completed())
-          .isEqualTo(flow.measures().waitsNs().size())
-          .isBetween(arrived - 4, arrived);
+      assertThat(flow.completed()).isBetween(arrived - 4, arrived);
       flows.put(rule, flow);
     }
     assertThat(flows.values())
-        .extracting(flow -> flow.figure("arrived"))
-        .containsOnly(flows.get(Rule.FLOW).figure("arrived"));
-    assertThat(delayS(flows.get(Rule.FLOW))).isLessThan(delayS(flows.get(Rule.PAPER)));
-    assertThat(delayS(flows.get(Rule.PAPER))).isLessThan(delayS(flows.get(Rule.LOCK)));
-    assertThat(flows.get(Rule.STOP).measures().waitsNs())
-        .as("the stop")
-        .allMatch(waitNs -> waitNs >= 2 * Time.NS_PER_S);
+        .extracting(Flow::arrived)
+        .containsOnly(flows.get(Rule.FLOW).arrived());
+    assertThat(flows.get(Rule.FLOW).delayMeanS()).isLessThan(flows.get(Rule.PAPER).delayMeanS());
+    assertThat(flows.get(Rule.PAPER).delayMeanS()).isLessThan(flows.get(Rule.LOCK).delayMeanS());
+    assertThat(flows.get(Rule.STOP).shortestWaitNs()).isGreaterThanOrEqualTo(2 * Time.NS_PER_S);
   }
 
   @Test
   void aFencedCarThatHoldsSectionsWaitsUntilItIsRemovedAndRegistersAgain() {
-    Flow flow = CrossingRules.run(Rule.FLOW, 8, 0.5, Duration.ofSeconds(240), 4);
-    assertThat(flow.measures().completed() + flow.figure("turned_away"))
-        .isEqualTo(flow.figure("arrived"));
+    Flow flow = CrossingRules.run(Rule.FLOW, 8, List.of("loss(0.5)"), Duration.ofSeconds(240), 4);
+    assertThat(flow.completed() + flow.turnedAway()).isEqualTo(flow.arrived());
     assertThat(flow.contacts()).isZero();
   }
 
-  private static double delayS(Flow flow) {
-    return flow.figure("delay_mean_s");
+  @Test
+  void sumoHasTheSameCarsWhereItIsInstalled() {
+    assumeTrue(CrossingRules.hasSumo(), "skipped: netconvert and sumo are not on the PATH");
+    Sumo sumo = Sumo.find().orElseThrow();
+    Flow ours = CrossingRules.run(Rule.FLOW, 8, List.of(), Duration.ofSeconds(120), 3);
+    for (Sumo.Control control : Sumo.Control.values()) {
+      Flow theirs = sumo.run(control, 8, Duration.ofSeconds(120), 3);
+      assertThat(theirs.arrived()).as("%s", control).isEqualTo(ours.arrived());
+      assertThat(theirs.delayMeanS()).isBetween(0.1, 30.0);
+    }
   }
 
   @Test
