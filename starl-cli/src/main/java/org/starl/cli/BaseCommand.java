@@ -63,6 +63,20 @@ abstract class BaseCommand {
     return words;
   }
 
+  /** The command line as typed, with another value of an option that it has. */
+  final String typedWith(String option, String value) {
+    List<String> words =
+        new ArrayList<>(spec().root().commandLine().getParseResult().originalArgs());
+    for (int i = 0; i < words.size(); i++) {
+      if (words.get(i).equals(option)) {
+        words.set(i + 1, value);
+      } else if (words.get(i).startsWith(option + "=")) {
+        words.set(i, option + "=" + value);
+      }
+    }
+    return Shell.starl(words);
+  }
+
   /** The command line of {@link #words}. */
   final String typed() {
     return Shell.starl(words());

@@ -159,22 +159,51 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
     CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(work.points().getFirst()));
+    ProgressLine progress = new ProgressLine(err(), "runs");
     Predicate<SeedRow> isLast = collector(work.ending(), tally, page);
     if (engine.isOn()) {
       engine.run(work, typed(), threads.count(), parquet, isLast, err());
-    } else {
-      ProgressLine progress = new ProgressLine(err(), "runs");
-      work.runSeeds(
-          work.numbers(),
-          new ShardWork.How(carriers, threads.count(), progress::show),
-          page != null,
-          isLast);
-      progress.end();
+      return print(output(work, carriers, shrink, ""), tally, page);
     }
-    return print(
-        new Output(this, work, carriers, threads.count(), json.isOn(), shrink, report, typed()),
-        tally,
-        page);
+    UntilStopped stop = UntilStopped.interrupting();
+    try {
+      String interrupted = "";
+      try {
+        work.runSeeds(
+            work.numbers(),
+            new ShardWork.How(carriers, threads.count(), progress::show),
+            page != null,
+            row -> {
+              if (!row.outcome().isGood()) {
+                progress.note("bad so far: " + new FirstBad(work.points().getFirst(), row).line());
+              }
+              return isLast.test(row);
+            });
+      } catch (InterruptedException e) {
+        if (!stop.isStopped()) {
+          throw e;
+        }
+        interrupted = interrupted(work, tally);
+      }
+      progress.end();
+      return print(
+          output(work, carriers, shrink && interrupted.isEmpty(), interrupted), tally, page);
+    } finally {
+      stop.ended();
+    }
+  }
+
+  private Output output(SeedWork work, CarrierKind carriers, boolean shrinks, String interrupted) {
+    return new Output(
+        this, work, carriers, threads.count(), json.isOn(), shrinks, report, typed(), interrupted);
+  }
+
+  /** What a signal left undone, and the command that does it. */
+  private String interrupted(SeedWork work, CampaignTally tally) {
+    Seeds.Range all = work.seeds();
+    Seeds.Range rest = new Seeds.Range(all.first() + tally.runs(), all.last());
+    return "interrupted after %d of %d runs; to go on: %s"
+        .formatted(tally.runs(), all.size(), typedWith("--seeds", rest.toString()));
   }
 
   /** Adds each row to the sums and the page, and answers whether it decides the campaign. */
@@ -196,6 +225,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
    * @param workers threads for further runs
    * @param report the name of the report's file; null without
    * @param typed the command of the campaign, as the user typed it
+   * @param interrupted what a signal left undone; empty if none came
    */
   record Output(
       BaseCommand command,
@@ -205,7 +235,8 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       boolean isJson,
       boolean shrinks,
       @Nullable String report,
-      String typed) {
+      String typed,
+      String interrupted) {
 
     RunRequest request() {
       return work.points().getFirst();
@@ -225,6 +256,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       throws InterruptedException, IOException {
     PrintWriter out = output.command().out();
     PrintWriter err = output.command().err();
+    if (tally.runs() == 0) {
+      err.println(output.interrupted());
+      return ExitStatus.VIOLATED;
+    }
     RunRequest request = output.request();
     Seeds.Range range = output.range();
     SteeredRuns steered = steered(output, tally, err);
@@ -252,6 +287,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
         summary.put("until", output.ending().untilText());
         summary.put("until_shown", !output.ending().isMissed(tally));
       }
+      summary.put("interrupted", !output.interrupted().isEmpty());
       summary.put("never_checked", List.copyOf(tally.neverChecked()));
       summary.putAll(steered.json());
       if (shrunk != null) {
@@ -273,6 +309,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       if (output.report() != null) {
         out.println("report: " + output.report());
       }
+    }
+    if (!output.interrupted().isEmpty()) {
+      err.println(output.interrupted());
     }
     if (!tally.neverChecked().isEmpty()) {
       err.println(
@@ -317,6 +356,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     SteeredRuns steered =
         new SteeredRuns(
             output.request(), output.work().keys().getFirst(), tally, output.carriers());
+    if (!output.interrupted().isEmpty()) {
+      return steered;
+    }
     ProgressLine progress = new ProgressLine(err, "steered runs");
     steered.run(tally, output.carriers(), output.workers(), progress::show);
     progress.end();

@@ -1,7 +1,6 @@
 package org.starl.cli;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -120,7 +119,7 @@ record Ending(boolean stops, @Nullable Until until) {
       return List.of();
     }
     long needed = until.needed(tally.bad());
-    String what = "bad runs below %s at %s %%: ".formatted(number(until.below), percent());
+    String what = "bad runs below %s at %s %%: ".formatted(ErrorRate.text(until.below), percent());
     if (!isMissed(tally)) {
       return List.of(what + "shown by %d of %d runs".formatted(tally.runs(), until.runs));
     }
@@ -137,9 +136,5 @@ record Ending(boolean stops, @Nullable Until until) {
 
   private String percent() {
     return untilText().strip().split(" *%", 2)[0];
-  }
-
-  private static String number(double value) {
-    return String.format(Locale.ROOT, "%.1e", value);
   }
 }

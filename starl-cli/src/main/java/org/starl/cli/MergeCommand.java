@@ -88,7 +88,8 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
                   json.isOn(),
                   shrink,
                   report,
-                  merge.header().command()),
+                  merge.header().command(),
+                  ""),
               tally,
               page);
     }

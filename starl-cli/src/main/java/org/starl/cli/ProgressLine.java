@@ -13,6 +13,7 @@ import picocli.CommandLine.Help.Ansi;
 final class ProgressLine {
 
   private static final int BAR_WIDTH = 30;
+  private static final int USUAL_COLUMNS = 80;
   private static final int PLAIN_LINES = 10;
 
   /** Shorter than 10 s by the second in which work that goes on reports again. */
@@ -26,6 +27,7 @@ final class ProgressLine {
   private final PrintWriter err;
   private final String units;
   private final boolean isTerminal;
+  private final int columns;
   private final LongSupplier wallNs;
   private final long startNs;
   private long drawnNs;
@@ -37,16 +39,19 @@ final class ProgressLine {
    * @param units the units of work, in the plural: {@code runs}
    */
   ProgressLine(PrintWriter err, String units) {
-    this(err, units, Ansi.AUTO.enabled(), System::nanoTime);
+    this(err, units, Ansi.AUTO.enabled(), columns(), System::nanoTime);
   }
 
   /**
+   * @param columns width of the terminal, at least 2
    * @param wallNs the wall clock
    */
-  ProgressLine(PrintWriter err, String units, boolean isTerminal, LongSupplier wallNs) {
+  ProgressLine(
+      PrintWriter err, String units, boolean isTerminal, int columns, LongSupplier wallNs) {
     this.err = err;
     this.units = units;
     this.isTerminal = isTerminal;
+    this.columns = columns;
     this.wallNs = wallNs;
     startNs = wallNs.getAsLong();
     drawnNs = startNs - REDRAW_NS;
@@ -72,13 +77,7 @@ final class ProgressLine {
     if (isTerminal) {
       if (isLast || nowNs - drawnNs >= REDRAW_NS) {
         drawnNs = nowNs;
-        int filled = (int) (finished * BAR_WIDTH / planned);
-        draw(
-            "[%s%s] %s"
-                .formatted(
-                    "#".repeat(filled),
-                    ".".repeat(BAR_WIDTH - filled),
-                    text(finished, planned, rest, nowNs)));
+        draw(bar(finished, planned, text(finished, planned, rest, nowNs)));
       }
       return;
     }
@@ -90,12 +89,38 @@ final class ProgressLine {
     }
   }
 
+  /** Prints a line of its own; on a terminal it takes the bar's place, which is drawn anew below. */
+  void note(String line) {
+    if (drawnWidth > 0) {
+      draw("");
+      err.print("\r");
+    }
+    err.println(line);
+    drawnWidth = 0;
+  }
+
   /** Ends the bar's line, if there is one. May be called repeatedly. */
   void end() {
     if (drawnWidth > 0) {
       err.println();
       drawnWidth = 0;
     }
+  }
+
+  /** A bar and a text, in one line: the bar is shorter if the terminal is narrow. */
+  private String bar(long finished, long planned, String text) {
+    int width = Math.min(BAR_WIDTH, columns - 1 - "[] ".length() - text.length());
+    if (width <= 0) {
+      return text.substring(0, Math.min(text.length(), columns - 1));
+    }
+    int filled = (int) (finished * width / planned);
+    return "[%s%s] %s".formatted("#".repeat(filled), ".".repeat(width - filled), text);
+  }
+
+  /** The width of the terminal, which shells tell in COLUMNS if it is exported. */
+  private static int columns() {
+    String columns = System.getenv().getOrDefault("COLUMNS", "");
+    return columns.matches("[1-9]\\d{1,3}") ? Integer.parseInt(columns) : USUAL_COLUMNS;
   }
 
   /** Overwrites the previous line, which may be longer. */

@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentSkipListMap;
@@ -114,14 +113,13 @@ final class SplitRuns {
         out.println("  level %d: reached by %,d seeds".formatted(level + 1, reached[level]));
       }
       out.println(
-          String.format(
-              Locale.ROOT,
-              "bad runs: %,d of %,d seeds have one; probability %.1e, from %.1e to %.1e at 95 %%",
-              bad,
-              seeds.size(),
-              rate.mean(),
-              rate.low(),
-              rate.high()));
+          "bad runs: %,d of %,d seeds have one; probability %s, from %s to %s at 95 %%"
+              .formatted(
+                  bad,
+                  seeds.size(),
+                  ErrorRate.text(rate.mean()),
+                  ErrorRate.text(rate.low()),
+                  ErrorRate.text(rate.high())));
     }
     for (Map.Entry<Long, Splitting.Tree> entry : trees.entrySet()) {
       Splitting.@Nullable Bad first = entry.getValue().first();

@@ -38,7 +38,7 @@ record Cli(int status, List<String> out, List<String> err) {
   /** Standard error without the progress and the speed, which depend on the machine. */
   List<String> messages() {
     return err.stream()
-        .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second"))
+        .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second|bad so far: .*"))
         .toList();
   }
 

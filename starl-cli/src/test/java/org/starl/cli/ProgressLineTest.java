@@ -71,7 +71,31 @@ class ProgressLineTest {
                 + System.lineSeparator());
   }
 
+  @Test
+  void theBarFitsTheTerminal() {
+    for (int columns : new int[] {20, 60, 80}) {
+      ProgressLine line =
+          new ProgressLine(new PrintWriter(out, true), "runs", true, columns, () -> nowNs);
+      for (int finished = 1; finished <= 1000; finished += 10) {
+        nowNs += S;
+        line.show(finished, 1000, 0);
+      }
+      line.end();
+      assertThat(out.toString().split("[\r\n]+"))
+          .allMatch(drawn -> drawn.stripTrailing().length() < columns);
+      out.getBuffer().setLength(0);
+    }
+  }
+
+  @Test
+  void aNoteTakesTheBarsPlace() {
+    ProgressLine line = line(true);
+    line.show(500, 1000, 1);
+    line.note("seed 7: violated");
+    assertThat(out.toString()).endsWith("\rseed 7: violated" + System.lineSeparator());
+  }
+
   private ProgressLine line(boolean isTerminal) {
-    return new ProgressLine(new PrintWriter(out, true), "runs", isTerminal, () -> nowNs);
+    return new ProgressLine(new PrintWriter(out, true), "runs", isTerminal, 120, () -> nowNs);
   }
 }

@@ -18,7 +18,8 @@ class RunProgressTest {
   /** Events of 100 simulated seconds, of which each takes so many ns. */
   private void run(boolean isTerminal, long perSecondNs) {
     PrintWriter err = new PrintWriter(out, true);
-    ProgressLine line = new ProgressLine(err, "simulated seconds at most", isTerminal, () -> nowNs);
+    ProgressLine line =
+        new ProgressLine(err, "simulated seconds at most", isTerminal, 120, () -> nowNs);
     RunProgress progress = new RunProgress(line, 200 * S);
     for (int second = 1; second <= 100; second++) {
       nowNs += perSecondNs;

@@ -99,8 +99,7 @@ class ViolationTest {
     Cli cli = Cli.run("campaign hello --seeds 1..59 --fault loss(0.1,at=0s,for=11s)".split(" "));
     assertThat(cli.out())
         .contains(
-            "bad runs: 0 of 59: below 5.0e-02 at 95 %",
-            "  with loss: 0 of 59: below 5.0e-02 at 95 %");
+            "bad runs: 0 of 59: below 5.0 % at 95 %", "  with loss: 0 of 59: below 5.0 % at 95 %");
   }
 
   @Test

@@ -3,7 +3,6 @@ package org.starl.cli.report;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -62,9 +61,8 @@ public final class Chances {
       return ErrorRate.below(bad, runs, CONFIDENCE);
     }
 
-    /** {@code 1.5e-02}. */
     String belowText() {
-      return String.format(Locale.ROOT, "%.1e", below());
+      return ErrorRate.text(below());
     }
   }
 
@@ -84,7 +82,7 @@ public final class Chances {
     return counts;
   }
 
-  /** A line for each group: {@code bad runs: 0 of 200: below 1.5e-2 at 95 %}. */
+  /** A line for each group: {@code bad runs: 0 of 200: below 1.5 % at 95 %}. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     counts()

@@ -1,5 +1,9 @@
 package org.starl.sim.check;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
 /** Upper bounds of a probability, from independent trials. */
 public final class ErrorRate {
 
@@ -7,6 +11,14 @@ public final class ErrorRate {
   private static final double ROUNDING = 1e-9;
 
   private ErrorRate() {}
+
+  /** A probability for people, with two digits: {@code 4.9 %}, {@code 0.0012 %}. */
+  public static String text(double probability) {
+    return new BigDecimal(100 * probability)
+            .round(new MathContext(2, RoundingMode.HALF_UP))
+            .toPlainString()
+        + " %";
+  }
 
   /**
    * The exact one-sided upper bound (Clopper, Pearson, "The use of confidence or fiducial limits",
