@@ -180,6 +180,10 @@ public final class DeployedRobot implements AutoCloseable {
     background = opened.add(new RealBackground(id.name(), strand));
     poses = opened.add(PoseFeeds.open(deployment, surroundings.linesKey(), local, clock, log));
     poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
+    poses.own(
+        entry.rigidBody(),
+        OwnPath.of(wheels, entry.wheels(), deployment.limits()),
+        wheels::doubted);
     long startNs = clock.nowNs();
     Participants participants = deployment.participants();
     isProven = keys != null;

@@ -101,6 +101,9 @@ class BumperObjectsTest {
     public void fixed(Fix fix) {}
 
     @Override
+    public void doubted() {}
+
+    @Override
     public void emergencyStop() {}
 
     @Override

@@ -14,6 +14,7 @@ final class SimulatedWheels implements Wheelbase {
 
   // Set by any thread; read on the world's strand, so that an earlier command cannot undo a stop.
   private volatile boolean isStopped;
+  private volatile boolean isDoubted;
   private Runnable receiver = () -> {};
 
   SimulatedWheels(WorldBody body, Strand strand) {
@@ -24,7 +25,7 @@ final class SimulatedWheels implements Wheelbase {
 
   @Override
   public void drive(WheelCommand command) {
-    body.drive(() -> isStopped ? WheelCommand.STOP : command);
+    body.drive(() -> isStopped || isDoubted ? WheelCommand.STOP : command);
   }
 
   @Override
@@ -39,7 +40,20 @@ final class SimulatedWheels implements Wheelbase {
 
   /** No watchdog is needed: wheels and program are in one process. */
   @Override
-  public void fixed(Fix fix) {}
+  public void fixed(Fix fix) {
+    isDoubted = false;
+  }
+
+  @Override
+  public void doubted() {
+    isDoubted = true;
+    body.drive(() -> WheelCommand.STOP);
+  }
+
+  @Override
+  public void onTravel(TravelReceiver receiver) {
+    body.onTravel(receiver);
+  }
 
   @Override
   public void emergencyStop() {

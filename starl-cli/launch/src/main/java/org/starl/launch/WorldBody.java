@@ -3,12 +3,15 @@ package org.starl.launch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.platform.Strand;
 import org.starl.robot.create.CreateBody;
+import org.starl.robot.create.CreateTravel;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.sim.RobotSpec;
@@ -33,9 +36,11 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   // Set by the program's thread, called on the world's strand.
   private volatile Runnable onBump = () -> {};
+  private volatile Wheelbase.@Nullable TravelReceiver odometer;
 
   // The world's strand only.
   private Pose lastPose;
+  private CreateTravel travel = CreateTravel.NONE;
 
   WorldBody(
       RobotSpec spec,
@@ -79,6 +84,24 @@ final class WorldBody extends SimulatedBody implements CreateBody {
     onBump = receiver;
   }
 
+  /** {@code receiver} is called on the world's strand, with a way that does not slip. */
+  void onTravel(Wheelbase.TravelReceiver receiver) {
+    odometer = receiver;
+  }
+
+  private void travel(Pose from, Pose to, long nowNs) {
+    double turn = Angles.difference(to.headingRad(), from.headingRad());
+    double middleRad = from.headingRad() + turn / 2;
+    double wayMm =
+        StrictMath.cos(middleRad) * (to.xMm() - from.xMm())
+            + StrictMath.sin(middleRad) * (to.yMm() - from.yMm());
+    travel = new CreateTravel(travel.forwardMm() + wayMm, travel.turnedRad() + turn);
+    Wheelbase.TravelReceiver receiver = odometer;
+    if (receiver != null) {
+      receiver.travelled(nowNs, travel, bumps.any());
+    }
+  }
+
   @Override
   public Senses senses(long atNs) {
     Bumps now = bumps;
@@ -89,8 +112,14 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   @Override
   void lift() {
-    seen();
+    if (isOnFloor()) {
+      lastPose = onFloor().pose();
+    }
     super.lift();
+    Wheelbase.TravelReceiver to = odometer;
+    if (to != null) {
+      to.lost();
+    }
     bumps = Bumps.NONE;
     near = Senses.NOTHING;
   }
@@ -118,9 +147,11 @@ final class WorldBody extends SimulatedBody implements CreateBody {
   }
 
   /** The body as cameras see it: tracked only on the floor. */
-  PoseSource.Body seen() {
+  PoseSource.Body seen(long nowNs) {
     if (isOnFloor()) {
+      Pose before = lastPose;
       lastPose = onFloor().pose();
+      travel(before, lastPose, nowNs);
       near = near(lastPose);
     }
     return new PoseSource.Body(rigidBody, lastPose, isOnFloor(), 0);

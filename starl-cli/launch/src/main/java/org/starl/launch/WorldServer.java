@@ -206,7 +206,7 @@ public final class WorldServer implements AutoCloseable {
         });
     long nowNs = strand.pieceClock().nowNs();
     List<PoseSource.Body> all = new ArrayList<>();
-    bodies.values().forEach(body -> all.add(body.seen()));
+    bodies.values().forEach(body -> all.add(body.seen(nowNs)));
     all.addAll(objects);
     seen = new PoseSource.Snapshot(nowNs, all);
     update.set(nowNs + CAMERA_PERIOD_NS);

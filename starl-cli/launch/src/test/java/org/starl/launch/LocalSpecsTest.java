@@ -132,6 +132,9 @@ class LocalSpecsTest {
     }
 
     @Override
+    public void doubted() {}
+
+    @Override
     public void emergencyStop() {
       stops.incrementAndGet();
     }

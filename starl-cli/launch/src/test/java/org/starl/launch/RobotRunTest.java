@@ -326,6 +326,9 @@ class RobotRunTest {
     public void fixed(Fix fix) {}
 
     @Override
+    public void doubted() {}
+
+    @Override
     public void emergencyStop() {
       happened.add("wheels stand");
     }

@@ -143,6 +143,16 @@ public final class CreateChassis implements Wheelbase {
   }
 
   @Override
+  public void doubted() {
+    update(protocol::doubted);
+  }
+
+  @Override
+  public void onTravel(TravelReceiver travelReceiver) {
+    guard.run(() -> protocol.onTravel(travelReceiver));
+  }
+
+  @Override
   public void emergencyStop() {
     update(() -> protocol.emergencyStop(true));
   }

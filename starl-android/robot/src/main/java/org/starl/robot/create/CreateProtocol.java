@@ -5,6 +5,7 @@ import static org.starl.time.Time.NS_PER_MS;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 
@@ -71,6 +72,7 @@ final class CreateProtocol {
   private long heardNs = Long.MIN_VALUE;
   private long lastFixNs = Long.MIN_VALUE;
   private CreateSensors sensors = CreateSensors.NONE;
+  private Wheelbase.@Nullable TravelReceiver odometer;
   private long clearSinceNs;
 
   private WheelCommand wanted = WheelCommand.STOP;
@@ -107,6 +109,9 @@ final class CreateProtocol {
     openedNs = atNs;
     decoder.reset();
     meter.lose();
+    if (odometer != null) {
+      odometer.lost();
+    }
     lastFrameNs = Long.MIN_VALUE;
   }
 
@@ -153,6 +158,15 @@ final class CreateProtocol {
   void fixed(long fixNs, long atNs) {
     nowNs = atNs;
     lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
+  }
+
+  /** As if no fix had come yet. */
+  void doubted() {
+    lastFixNs = Long.MIN_VALUE;
+  }
+
+  void onTravel(Wheelbase.TravelReceiver receiver) {
+    odometer = receiver;
   }
 
   void emergencyStop(boolean isOn) {
@@ -265,6 +279,9 @@ final class CreateProtocol {
     Bumps before = sensors.bumps();
     sensors = CreateSensors.of(frame, meter.add(frame));
     Bumps now = sensors.bumps();
+    if (odometer != null) {
+      odometer.travelled(nowNs, sensors.travel(), now.any() || sensors.wheelDrop());
+    }
     if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
       clearSinceNs = nowNs;
     }

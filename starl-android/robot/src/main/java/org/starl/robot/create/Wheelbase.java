@@ -48,6 +48,25 @@ public interface Wheelbase extends Chassis, Light, AutoCloseable {
   /** Takes each fix of this robot; without fixes the wheels stop. */
   void fixed(Fix fix);
 
+  /** Fixes cannot be trusted: stops the wheels at once, until the next one. */
+  void doubted();
+
+  /**
+   * Gives each state of the odometry to {@code receiver}, on any thread, which must not block; a drive
+   * without odometry has none.
+   */
+  default void onTravel(TravelReceiver receiver) {}
+
+  /** Receives the odometry. */
+  interface TravelReceiver {
+
+    /** @param isMoved whether a contact or a person may also move the body */
+    void travelled(long atNs, CreateTravel travel, boolean isMoved);
+
+    /** Some way is missing before the next state. */
+    void lost();
+  }
+
   /** Stops the wheels at once, until {@link #release}, whatever the program commands. */
   void emergencyStop();
 

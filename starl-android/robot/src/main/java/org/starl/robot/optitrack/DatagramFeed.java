@@ -77,6 +77,11 @@ abstract class DatagramFeed implements PoseFeed {
   }
 
   @Override
+  public synchronized void own(String name, WheelPath path, Runnable onDoubt) {
+    tally.own(name, path, onDoubt);
+  }
+
+  @Override
   public SortedMap<String, Fix> newest() {
     return new TreeMap<>(newest);
   }

@@ -29,8 +29,11 @@ public enum FeedDrop {
   /** The cameras have lost the body. */
   LOST,
 
-  /** No robot drives so fast from its last fix to this one. */
+  /** No robot drives so fast from its last fix to this one, or its wheels turned otherwise. */
   JUMPED,
+
+  /** Other poses of the same body contradict it. */
+  DOUBTED,
 
   /** It is not authenticated with the feed's key. */
   FORGED,

@@ -276,7 +276,7 @@ final class NatNetProtocol {
     }
     Fix fix = settings.bounds().ofMarkers(pose, MM_PER_M * state.meanErrorM(), when);
     PoseGate gate = gates.computeIfAbsent(name, body -> new PoseGate(settings.bounds()));
-    return tally.admit(gate, printable(name), fix, nowNs) ? fix : null;
+    return tally.admit(gate, name, fix, nowNs) ? fix : null;
   }
 
   private void checkWanted(String name, long nowNs) {

@@ -19,6 +19,14 @@ public interface PoseFeed extends AutoCloseable {
    */
   void onBodies(Consumer<List<TrackedBody>> watcher);
 
+  /**
+   * Judges the fixes of the body {@code name}, a robot, by its wheels, too.
+   *
+   * @param onDoubt called on the feed's own thread as soon as two streams of its poses contradict each
+   *     other, or its wheels: it must stop until its next fix, and the call must not block
+   */
+  void own(String name, WheelPath path, Runnable onDoubt);
+
   /** The newest fix of each body, by its name; a copy. */
   SortedMap<String, Fix> newest();
 

@@ -3,6 +3,7 @@ package org.starl.robot.optitrack;
 import static org.starl.time.Time.NS_PER_MS;
 import static org.starl.time.Time.NS_PER_S;
 
+import java.util.ArrayDeque;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
@@ -11,13 +12,16 @@ import org.starl.geometry.Pose;
 import org.starl.time.Time;
 
 /**
- * Which fixes of one body are possible. A body moves at most as {@link FixBounds} says; a fix beyond
- * that is a jump. Jumps are dropped, until poses at a new place were consistent with each other, and
- * none was at the old place, for {@link FixBounds#stillMs}: then the body was moved by hand. The
- * first place counts in the same way. So single false datagrams do not move a body; a robot that is
- * really moved by hand has no fixes for that time, and stands.
+ * Which fixes of one body are possible. A body moves at most as {@link FixBounds} says, and a robot as its
+ * wheels turn ({@link WheelPath}), since each of its places on the last metres of its way; a fix beyond
+ * that is a jump, whatever its time. Jumps are dropped, until poses at a new place were consistent with
+ * each other, and none was at the old place, for {@link FixBounds#stillMs}: then the body was moved by
+ * hand. The first place counts in the same way. A robot that has driven must also have been lifted or
+ * touched; otherwise the new place contradicts its wheels, and it stands.
  *
- * <p>A body is not at two places at once. If poses at the old place came among those at a new one,
+ * <p>A body is not at two places at once. After {@link #LEAST_POSES} jumps, each within {@code stillMs} of
+ * the one before it, no fix passes until there were no jumps for {@code stillMs}: the gate cannot know
+ * which of two streams is true, since the false one may be the older one. If poses at the old place came among those at a new one,
  * somebody sends false ones. Then a new place counts only after {@link #DOUBT_NS} without the old
  * one, so false poses do not move a body when the true ones fail for a short time.
  *
@@ -31,15 +35,22 @@ final class PoseGate {
     PASSED,
     /** Possible, at a new place: moved by hand. */
     MOVED,
-    /** Too far from the fix before it. */
+    /** Too far from the fix before it, or from where the wheels have gone. */
     JUMPED,
+    /** The same, and from now on no fix passes. */
+    CONTRADICTED,
+    /** Possible, but another stream contradicts it. */
+    DOUBTED,
     /** At the first place, not for long enough yet. */
     EARLY,
     /** Not newer than the fix before it. */
     OUTDATED
   }
 
-  /** Poses at a new place, at least. */
+  /** A fix, and what the wheels said then. */
+  private record Anchor(Fix fix, WheelPath.State wheels) {}
+
+  /** Poses at a new place, and jumps that make a stream, at least. */
   static final int LEAST_POSES = 3;
 
   /** A sender's claim of a larger error does not make a jump possible. */
@@ -56,10 +67,26 @@ final class PoseGate {
   /** No new place counts for this time after a pose at the old place came among those at a new one. */
   static final long DOUBT_NS = 10 * NS_PER_S;
 
+  /** Sensor frames of the wheels come this much after what they tell, at most. */
+  private static final long WHEELS_LATE_NS = 50 * NS_PER_MS;
+
+  /** Fixes are compared with these many on the way before them, at these distances. */
+  private static final int MOST_ANCHORS = 32;
+
+  private static final double ANCHORS_MM = 50;
+  private static final double ANCHORS_RAD = 0.5;
+
+  /** A robot that has gone less since its place was found has not driven. */
+  private static final double STANDS_MM = 10;
+
   private final FixBounds bounds;
+  private final ArrayDeque<Anchor> anchors = new ArrayDeque<>();
   private @Nullable Fix origin;
-  private long newestNs = Long.MIN_VALUE;
-  private long doubtUntilNs = Long.MIN_VALUE;
+  private @Nullable Fix newest;
+  private double placedAtMm;
+  private long newPlaceFromNs = Long.MIN_VALUE;
+  private int jumps;
+  private long jumpedNs;
 
   // A possible new place: its first fix, its last, and their number.
   private @Nullable Fix first;
@@ -70,67 +97,187 @@ final class PoseGate {
     this.bounds = bounds;
   }
 
-  /** Judges the next fix. */
-  Verdict judge(Fix fix) {
-    if (fix.timeNs() <= newestNs) {
+  /**
+   * Judges the next fix.
+   *
+   * @param path of this robot's wheels; null if it is not known
+   */
+  Verdict judge(Fix fix, @Nullable WheelPath path) {
+    boolean isOld = newest != null && fix.timeNs() <= newest.timeNs();
+    if (bounds.stillMs() == 0) {
+      newest = isOld ? newest : fix;
+      return isOld ? Verdict.OUTDATED : Verdict.PASSED;
+    }
+    WheelPath.State wheels = path == null ? null : path.at(fix.timeNs());
+    double wheelError = path == null ? 0 : path.error();
+    if (isAtKnownPlace(fix, wheels, wheelError)) {
+      if (isOld) {
+        return Verdict.OUTDATED;
+      }
+      boolean isDoubted = isDoubted(fix);
+      keep(fix, isDoubted ? null : wheels);
+      return isDoubted ? Verdict.DOUBTED : Verdict.PASSED;
+    }
+    boolean isNear =
+        first != null
+            && last != null
+            && Math.abs(fix.timeNs() - last.timeNs()) <= bounds.stillNs()
+            && isReachable(first, fix)
+            && isReachable(last, fix);
+    if (isNear && last != null && fix.timeNs() <= last.timeNs()) {
       return Verdict.OUTDATED;
     }
-    if (bounds.stillMs() == 0 || (origin != null && isReachable(origin, fix))) {
-      return pass(fix);
-    }
-    if (last != null && fix.timeNs() <= last.timeNs()) {
-      return Verdict.OUTDATED;
-    }
-    boolean isConsistent =
-        last != null && fix.timeNs() - last.timeNs() <= bounds.stillNs() && isReachable(last, fix);
-    boolean isBroken = first != null && !isConsistent;
-    if (first == null || !isConsistent) {
+    boolean isSecondPlace = origin != null || (first != null && !isNear);
+    Verdict verdict = isSecondPlace ? jump(fix) : Verdict.EARLY;
+    if (first == null || !isNear) {
       first = fix;
       poses = 0;
     }
     last = fix;
     poses++;
-    if (poses >= LEAST_POSES
-        && fix.timeNs() - first.timeNs() >= bounds.stillNs()
-        && fix.timeNs() >= doubtUntilNs) {
-      boolean isMoved = origin != null;
-      origin = fix;
-      first = null;
-      pass(fix);
-      return isMoved ? Verdict.MOVED : Verdict.PASSED;
-    }
-    return origin == null && !isBroken ? Verdict.EARLY : Verdict.JUMPED;
+    return isNewPlace(fix, wheels, wheelError) ? place(fix, wheels) : verdict;
   }
 
-  /** The last possible fix, for a message; null if there was none. */
+  /** The last possible fix, for a message; else the last of a first place; null if there was none. */
   @Nullable Fix before() {
-    return origin;
+    return newest == null ? last : newest;
   }
 
-  private Verdict pass(Fix fix) {
-    newestNs = fix.timeNs();
+  /** Where the robot is by its wheels at the time of {@code fix}, for a message; null if unknown. */
+  @Nullable Pose byWheels(Fix fix, WheelPath path) {
+    WheelPath.State wheels = path.at(fix.timeNs());
+    Anchor anchor = anchors.peekLast();
+    return wheels == null || anchor == null || anchor.wheels.stretch() != wheels.stretch()
+        ? null
+        : moved(anchor, wheels);
+  }
+
+  private boolean isDoubted(Fix fix) {
+    return jumps >= LEAST_POSES && fix.timeNs() - jumpedNs < bounds.stillNs();
+  }
+
+  private Verdict jump(Fix fix) {
+    jumps = jumps > 0 && fix.timeNs() - jumpedNs < bounds.stillNs() ? jumps + 1 : 1;
+    jumpedNs = jumps == 1 ? fix.timeNs() : Math.max(jumpedNs, fix.timeNs());
+    return jumps == LEAST_POSES ? Verdict.CONTRADICTED : Verdict.JUMPED;
+  }
+
+  private void keep(Fix fix, WheelPath.@Nullable State wheels) {
+    newest = fix;
     if (first != null) {
-      doubtUntilNs = fix.timeNs() + DOUBT_NS;
+      newPlaceFromNs = fix.timeNs() + DOUBT_NS;
     }
     first = null;
     last = null;
     if (origin == null || fix.timeNs() - origin.timeNs() >= ORIGIN_NS) {
       origin = fix;
     }
-    return Verdict.PASSED;
+    if (wheels != null && isFarFromAnchor(wheels)) {
+      anchors.add(new Anchor(fix, wheels));
+      if (anchors.size() > MOST_ANCHORS) {
+        anchors.removeFirst();
+      }
+    }
+  }
+
+  private boolean isFarFromAnchor(WheelPath.State wheels) {
+    Anchor anchor = anchors.peekLast();
+    return anchor == null
+        || wheels.stretch() != anchor.wheels.stretch()
+        || wheels.pathMm() - anchor.wheels.pathMm() >= ANCHORS_MM
+        || wheels.turnedRad() - anchor.wheels.turnedRad() >= ANCHORS_RAD;
+  }
+
+  private boolean isNewPlace(Fix fix, WheelPath.@Nullable State wheels, double wheelError) {
+    return first != null
+        && poses >= LEAST_POSES
+        && fix.timeNs() - first.timeNs() >= bounds.stillNs()
+        && fix.timeNs() >= newPlaceFromNs
+        && (wheels == null
+            || wheels.pathMm() - placedAtMm < STANDS_MM
+            || areWheelsThere(fix, wheels, wheelError));
+  }
+
+  private Verdict place(Fix fix, WheelPath.@Nullable State wheels) {
+    boolean isMoved = origin != null;
+    first = null;
+    jumps = 0;
+    anchors.clear();
+    placedAtMm = wheels == null ? placedAtMm : wheels.pathMm();
+    origin = fix;
+    keep(fix, wheels);
+    return isMoved ? Verdict.MOVED : Verdict.PASSED;
+  }
+
+  private boolean isAtKnownPlace(Fix fix, WheelPath.@Nullable State wheels, double wheelError) {
+    return origin != null
+        && newest != null
+        && isReachable(origin, fix)
+        && isReachable(newest, fix)
+        && (wheels == null || areWheelsThere(fix, wheels, wheelError));
+  }
+
+  private boolean areWheelsThere(Fix fix, WheelPath.State wheels, double wheelError) {
+    for (Anchor anchor : anchors) {
+      if (anchor.wheels.stretch() == wheels.stretch()
+          && !isThere(fix, anchor, wheels, wheelError)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean isThere(Fix fix, Anchor anchor, WheelPath.State wheels, double wheelError) {
+    double lateS =
+        Time.seconds(
+            Math.min(bounds.stillNs(), Math.max(WHEELS_LATE_NS, fix.timeNs() - wheels.atNs())));
+    double pathMm = Math.abs(wheels.pathMm() - anchor.wheels.pathMm());
+    double turnsRad = wheelError * Math.abs(wheels.turnedRad() - anchor.wheels.turnedRad());
+    double asideRad = Math.min(anchor.fix.errorRad(), MOST_ERROR_RAD) + turnsRad;
+    return isWithin(
+        moved(anchor, wheels),
+        fix.pose(),
+        errorMm(anchor.fix, fix)
+            + bounds.maxSpeedMmPerS() * lateS
+            + pathMm * (wheelError + asideRad),
+        errorRad(anchor.fix, fix) + bounds.maxTurnRadPerS() * lateS + turnsRad);
+  }
+
+  /** The pose of the anchor, moved as the wheels have turned since. */
+  private static Pose moved(Anchor anchor, WheelPath.State wheels) {
+    WheelPath.State then = anchor.wheels;
+    double byRad = anchor.fix.pose().headingRad() - then.headingRad();
+    double cosine = StrictMath.cos(byRad);
+    double sine = StrictMath.sin(byRad);
+    double dx = wheels.xMm() - then.xMm();
+    double dy = wheels.yMm() - then.yMm();
+    return new Pose(
+        anchor.fix.pose().xMm() + cosine * dx - sine * dy,
+        anchor.fix.pose().yMm() + sine * dx + cosine * dy,
+        Angles.normalize(byRad + wheels.headingRad()));
   }
 
   private boolean isReachable(Fix from, Fix to) {
     // The wheels stop without fixes, so a longer gap is no longer way.
-    double s = Time.seconds(Math.min(to.timeNs() - from.timeNs(), bounds.stillNs()));
-    double errorMm = error(from.errorMm(), to.errorMm(), bounds.errorFloorMm(), MOST_ERROR_MM);
-    double errorRad = error(from.errorRad(), to.errorRad(), bounds.errorFloorRad(), MOST_ERROR_RAD);
-    double goneMm =
-        StrictMath.hypot(to.pose().xMm() - from.pose().xMm(), to.pose().yMm() - from.pose().yMm());
-    double turnedRad =
-        Math.abs(Angles.difference(to.pose().headingRad(), from.pose().headingRad()));
-    return goneMm <= errorMm + bounds.maxSpeedMmPerS() * s
-        && turnedRad <= errorRad + bounds.maxTurnRadPerS() * s;
+    double s = Time.seconds(Math.min(Math.abs(to.timeNs() - from.timeNs()), bounds.stillNs()));
+    return isWithin(
+        from.pose(),
+        to.pose(),
+        errorMm(from, to) + bounds.maxSpeedMmPerS() * s,
+        errorRad(from, to) + bounds.maxTurnRadPerS() * s);
+  }
+
+  private static boolean isWithin(Pose one, Pose other, double mm, double rad) {
+    return StrictMath.hypot(other.xMm() - one.xMm(), other.yMm() - one.yMm()) <= mm
+        && Math.abs(Angles.difference(other.headingRad(), one.headingRad())) <= rad;
+  }
+
+  private double errorMm(Fix one, Fix other) {
+    return error(one.errorMm(), other.errorMm(), bounds.errorFloorMm(), MOST_ERROR_MM);
+  }
+
+  private double errorRad(Fix one, Fix other) {
+    return error(one.errorRad(), other.errorRad(), bounds.errorFloorRad(), MOST_ERROR_RAD);
   }
 
   private static double error(double one, double other, double floor, double cap) {

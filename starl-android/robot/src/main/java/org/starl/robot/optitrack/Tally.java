@@ -1,5 +1,6 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.robot.optitrack.NatNetProtocol.printable;
 import static org.starl.time.Time.NS_PER_S;
 
 import java.util.Map;
@@ -8,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
+import org.starl.geometry.Pose;
 import org.starl.platform.LogSink;
 import org.starl.robot.udp.DropCounts;
 
@@ -23,11 +25,16 @@ final class Tally {
   /** Bodies whose jumps are logged; those of further ones are only counted. */
   private static final int MOST_TOLD = 64;
 
+  /** A robot that follows its own fixes. */
+  private record Own(WheelPath path, Runnable onDoubt) {}
+
   private final LogSink log;
   private final String tag;
   private final DropCounts<FeedDrop> drops = new DropCounts<>(FeedDrop.class);
   private final Set<String> warned = new TreeSet<>();
   private final Map<String, Long> jumpedNs = new TreeMap<>();
+  private final Map<String, Long> doubtedNs = new TreeMap<>();
+  private final Map<String, Own> own = new TreeMap<>();
   private long received;
   private long fixes;
 
@@ -48,46 +55,99 @@ final class Tally {
   }
 
   /**
+   * Judges the fixes of this robot by its wheels, too.
+   *
+   * @param onDoubt called at once when other poses contradict them: the wheels must stop
+   */
+  void own(String name, WheelPath path, Runnable onDoubt) {
+    own.put(name, new Own(path, onDoubt));
+  }
+
+  /**
    * Judges a fix; counts it if it is dropped.
    *
+   * @param name of the body as it is sent
    * @return whether to use it
    */
   boolean admit(PoseGate gate, String name, Fix fix, long nowNs) {
+    Own robot = own.get(name);
+    WheelPath path = robot == null ? null : robot.path();
     Fix before = gate.before();
-    switch (gate.judge(fix)) {
+    PoseGate.Verdict verdict = gate.judge(fix, path);
+    switch (verdict) {
       case PASSED -> {
         fixes++;
         return true;
       }
       case MOVED -> {
         fixes++;
-        warn(name + " was moved by hand: it is at " + PoseGate.text(fix.pose()), nowNs);
+        warn(printable(name) + " was moved by hand: it is at " + text(fix), nowNs);
         return true;
       }
-      case OUTDATED -> drop(FeedDrop.OUTDATED, "a newer fix of " + name + " came before", nowNs);
+      case OUTDATED ->
+          drop(FeedDrop.OUTDATED, "a newer fix of " + printable(name) + " came before", nowNs);
       case EARLY -> drops.add(FeedDrop.EARLY);
-      case JUMPED -> jumped(name, before, fix, nowNs);
+      case DOUBTED -> drops.add(FeedDrop.DOUBTED);
+      case JUMPED, CONTRADICTED -> {
+        drops.add(FeedDrop.JUMPED);
+        if (verdict == PoseGate.Verdict.CONTRADICTED && robot != null) {
+          robot.onDoubt().run();
+        }
+        Pose byWheels = path == null ? null : gate.byWheels(fix, path);
+        jumped(verdict, name, before, fix, byWheels, nowNs);
+      }
     }
     return false;
   }
 
-  private void jumped(String name, @Nullable Fix before, Fix fix, long nowNs) {
-    drops.add(FeedDrop.JUMPED);
-    // Names of robots are few, names that an attacker invents are many.
-    boolean isFull = jumpedNs.size() >= MOST_TOLD && !jumpedNs.containsKey(name);
-    Long lastNs = isFull ? Long.valueOf(nowNs) : jumpedNs.put(name, nowNs);
-    if (lastNs == null || nowNs - lastNs > EPISODE_NS) {
-      String from = before == null ? "the fix before it" : PoseGate.text(before.pose());
+  private void jumped(
+      PoseGate.Verdict verdict,
+      String name,
+      @Nullable Fix before,
+      Fix fix,
+      @Nullable Pose byWheels,
+      long nowNs) {
+    boolean isDoubt = verdict == PoseGate.Verdict.CONTRADICTED;
+    if (!isNewEpisode(isDoubt ? doubtedNs : jumpedNs, name, nowNs)) {
+      return;
+    }
+    String from = before == null ? "the fix before it" : text(before);
+    String wheels = byWheels == null ? "" : ", and its wheels say " + PoseGate.text(byWheels);
+    if (isDoubt) {
       warn(
-          name
+          printable(name)
+              + " is measured at "
+              + from
+              + " and at "
+              + text(fix)
+              + wheels
+              + ": no fix until these agree; a robot that has driven must otherwise be lifted, or"
+              + " start again",
+          nowNs);
+    } else {
+      warn(
+          printable(name)
               + " jumps from "
               + from
               + " to "
-              + PoseGate.text(fix.pose())
-              + ": faster than a robot drives, so no fix; further ones are only counted: "
+              + text(fix)
+              + wheels
+              + ": faster than a robot drives, or otherwise than its wheels, so no fix; further ones"
+              + " are only counted: "
               + FeedDrop.JUMPED,
           nowNs);
     }
+  }
+
+  /** Names of robots are few, names that an attacker invents are many. */
+  private static boolean isNewEpisode(Map<String, Long> episodes, String name, long nowNs) {
+    boolean isFull = episodes.size() >= MOST_TOLD && !episodes.containsKey(name);
+    Long lastNs = isFull ? Long.valueOf(nowNs) : episodes.put(name, nowNs);
+    return lastNs == null || nowNs - lastNs > EPISODE_NS;
+  }
+
+  private static String text(Fix fix) {
+    return PoseGate.text(fix.pose());
   }
 
   private void warn(String what, long nowNs) {

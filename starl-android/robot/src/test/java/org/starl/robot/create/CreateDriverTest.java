@@ -3,6 +3,7 @@ package org.starl.robot.create;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -285,6 +286,49 @@ class CreateDriverTest {
     assertThat(bench.body.driven)
         .as("the high byte that had come, then zeros, for some bytes' time")
         .isEqualTo(List.of("0,256", "0,0"));
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void doubtedFixesStopTheWheelsUntilTheNextFix(CreateModel model) {
+    Bench bench = Bench.driving(model);
+    bench.hasFixes = false;
+    bench.driver.doubted();
+    assertThat(bench.msUntilItStands(300)).isBetween(0.0, 30.0);
+    bench.hasFixes = true;
+    bench.runMs(300);
+    assertThat(bench.driver.status().holds()).isEmpty();
+  }
+
+  @Test
+  void odometryIsGivenWithEachFrameAndMarksContacts() {
+    Bench bench = Bench.ready(CreateModel.CREATE_2);
+    List<CreateTravel> travels = new ArrayList<>();
+    List<Boolean> moved = new ArrayList<>();
+    bench.driver.onTravel(
+        new Wheelbase.TravelReceiver() {
+          @Override
+          public void travelled(long atNs, CreateTravel travel, boolean isMoved) {
+            travels.add(travel);
+            moved.add(isMoved);
+          }
+
+          @Override
+          public void lost() {
+            travels.clear();
+          }
+        });
+    bench.wanted = new WheelCommand(250, 0);
+    bench.runMs(2000);
+    assertThat(travels.getLast().forwardMm() - travels.getFirst().forwardMm())
+        .isCloseTo(490, within(20.0));
+    assertThat(moved).doesNotContain(true);
+    bench.body.senses = Senses.bumps(true, false);
+    bench.runMs(100);
+    assertThat(moved).contains(true);
+    bench.driver.linkLost(bench.nowNs);
+    bench.driver.linkOpened(bench.nowNs);
+    assertThat(travels).isEmpty();
   }
 
   @Test
