@@ -11,8 +11,12 @@ import static org.starl.time.Time.NS_PER_MS;
  * two clocks.
  *
  * <p>Without answers the lower end is an assumption: the fastest datagram so far took at most {@code
- * maxDelayNs}. Then a sender's clock that jumps back counts as a new clock, which is used after it has
- * run for {@link #SETTLE_NS}.
+ * maxDelayNs}. Then a sender's clock that has jumped counts as a new clock, which is used after it has
+ * run for {@link #SETTLE_NS} and the old one has not: single false times change nothing.
+ *
+ * <p>An answer that contradicts the estimate is ignored, unless {@link #CONTRADICTIONS} come in a row: then
+ * the clock was set anew. After so many within {@link #DOUBT_NS} of each other no time is certain: some answers are false, or
+ * the clock runs at another rate than it is said to.
  *
  * <p>Pure; one thread at a time.
  */
@@ -26,6 +30,11 @@ final class ClockMap {
   /** Datagrams overtake each other by less than this time. */
   static final long JUMP_NS = 1000 * NS_PER_MS;
 
+  /** Contradicting answers that count. */
+  static final int CONTRADICTIONS = 3;
+
+  static final long DOUBT_NS = 5000 * NS_PER_MS;
+
   private final long maxDelayNs;
   private boolean isKnown;
   private boolean hasAnswer;
@@ -35,6 +44,16 @@ final class ClockMap {
   private long sinceNs;
   private long newestSenderNs;
 
+  // Another clock, without answers: since when it runs, and its largest possible offset.
+  private boolean hasRival;
+  private long rivalSinceNs;
+  private long rivalMostNs;
+
+  // Contradicting answers: in a row, and in all.
+  private int inARow;
+  private int contradictions;
+  private long contradictedNs;
+
   ClockMap(long maxDelayNs) {
     this.maxDelayNs = maxDelayNs;
   }
@@ -42,20 +61,36 @@ final class ClockMap {
   /** Uses a datagram, sent at {@code senderNs} by the sender's clock, received by ours. */
   void received(long senderNs, long receivedNs) {
     long mostOffNs = receivedNs - senderNs;
-    if (!isKnown || (!hasAnswer && newestSenderNs - senderNs > JUMP_NS)) {
+    if (!isKnown) {
       begin(mostOffNs - maxDelayNs, mostOffNs, receivedNs);
       newestSenderNs = senderNs;
       return;
     }
-    newestSenderNs = Math.max(newestSenderNs, senderNs);
     advanceTo(receivedNs);
     if (hasAnswer && mostOffNs < leastNs) {
-      // The datagram's time is in the future. If the sender's clock is wrong, the next answer shows
+      // The datagram's time is in the future. If the sender's clock is wrong, the next answers show
       // it.
       return;
     }
+    boolean isBack = newestSenderNs - senderNs > (hasRival ? 0 : JUMP_NS);
+    if (!hasAnswer && (mostOffNs < leastNs || isBack)) {
+      rival(senderNs, mostOffNs, receivedNs);
+      return;
+    }
+    hasRival = false;
+    newestSenderNs = Math.max(newestSenderNs, senderNs);
     mostNs = Math.min(mostNs, mostOffNs);
     leastNs = hasAnswer ? leastNs : mostNs - maxDelayNs;
+  }
+
+  private void rival(long senderNs, long mostOffNs, long receivedNs) {
+    rivalSinceNs = hasRival ? rivalSinceNs : receivedNs;
+    rivalMostNs = hasRival ? Math.min(rivalMostNs, mostOffNs) : mostOffNs;
+    hasRival = true;
+    if (receivedNs - rivalSinceNs >= SETTLE_NS) {
+      begin(rivalMostNs - maxDelayNs, rivalMostNs, rivalSinceNs);
+      newestSenderNs = senderNs;
+    }
   }
 
   /** Uses the answer to our request of {@code sentNs}, received at {@code senderNs}. */
@@ -70,6 +105,11 @@ final class ClockMap {
       leastOffNs = hasAnswer ? Math.max(leastOffNs, leastNs) : leastOffNs;
       mostOffNs = Math.min(mostOffNs, mostNs);
     }
+    boolean isContradiction = hasAnswer && leastOffNs > mostOffNs;
+    count(isContradiction, receivedNs);
+    if (isContradiction && inARow < CONTRADICTIONS) {
+      return;
+    }
     if (!isKnown || leastOffNs > mostOffNs) {
       begin(leastAnsweredNs, mostAnsweredNs, receivedNs);
     } else {
@@ -80,9 +120,21 @@ final class ClockMap {
     hasAnswer = true;
   }
 
+  private void count(boolean isContradiction, long nowNs) {
+    inARow = isContradiction ? inARow + 1 : 0;
+    contradictions = nowNs - contradictedNs < DOUBT_NS ? contradictions : 0;
+    contradictions += isContradiction ? 1 : 0;
+    contradictedNs = isContradiction ? nowNs : contradictedNs;
+  }
+
+  /** Whether some answers are false. */
+  boolean isContradicted(long nowNs) {
+    return contradictions >= CONTRADICTIONS && nowNs - contradictedNs < DOUBT_NS;
+  }
+
   /** Whether {@link #span} is reliable. */
   boolean isSettled(long nowNs) {
-    return isKnown && (hasAnswer || nowNs - sinceNs >= SETTLE_NS);
+    return isKnown && !isContradicted(nowNs) && (hasAnswer || nowNs - sinceNs >= SETTLE_NS);
   }
 
   /**
@@ -100,6 +152,7 @@ final class ClockMap {
   private void begin(long newLeastNs, long newMostNs, long nowNs) {
     isKnown = true;
     hasAnswer = false;
+    hasRival = false;
     leastNs = newLeastNs;
     mostNs = newMostNs;
     atNs = nowNs;

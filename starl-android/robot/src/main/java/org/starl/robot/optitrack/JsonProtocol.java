@@ -77,6 +77,9 @@ final class JsonProtocol {
       return drop(FeedDrop.EARLY, "the sender's clock is not known yet", nowNs);
     }
     TimeSpan when = track.clock.span(line.atNs(), line.atNs(), nowNs);
+    if (when.earliestNs() > when.latestNs()) {
+      return drop(FeedDrop.IMPLAUSIBLE, line.robot() + " was measured in the future", nowNs);
+    }
     if (nowNs - when.middleNs() > bounds.maxAgeNs()) {
       return drop(FeedDrop.STALE, line.robot() + " was measured too long ago", nowNs);
     }

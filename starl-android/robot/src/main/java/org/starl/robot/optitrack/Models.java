@@ -2,6 +2,7 @@ package org.starl.robot.optitrack;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -34,6 +35,14 @@ final class Models {
 
   Set<Integer> ids() {
     return names.keySet();
+  }
+
+  /** The numbers that have another name, or none, in {@code other}. */
+  Set<Integer> differences(Models other) {
+    Set<Integer> different = new TreeSet<>(names.keySet());
+    different.addAll(other.names.keySet());
+    different.removeIf(id -> Objects.equals(names.get(id), other.names.get(id)));
+    return different;
   }
 
   boolean has(String name) {

@@ -18,6 +18,10 @@ import org.starl.geometry.Pose;
  * The client's side of NatNet: connects, and reconnects when the server is silent; gets the server's
  * version, models and clock; keeps a unicast stream alive; converts frames to fixes.
  *
+ * <p>A message that changes what the server is may be forged, so it is doubted: another server's description
+ * counts only after {@link #SILENCE_NS} without frames that the known one explains, and new models are asked for again until all
+ * answers were equal for {@link #CONFIRM_NS}; meanwhile the bodies that they name otherwise have no fixes.
+ *
  * <p>Pure and driven by the clock: no socket, no thread. One caller at a time.
  */
 final class NatNetProtocol {
@@ -27,6 +31,9 @@ final class NatNetProtocol {
   static final long ECHO_NS = NS_PER_S;
   static final long FIRST_ECHO_NS = 100 * NS_PER_MS;
   static final long SILENCE_NS = 3 * NS_PER_S;
+
+  /** Two requests of models or more are answered in this time. */
+  static final long CONFIRM_NS = 1100 * NS_PER_MS;
 
   /** Number of clock answers that are requested at the faster rate. */
   private static final int FIRST_ECHOES = 10;
@@ -51,6 +58,9 @@ final class NatNetProtocol {
   private @Nullable ServerInfo server;
   private Models models = Models.NONE;
   private boolean wantsModels = true;
+  private Models newestModels = Models.NONE;
+  private long sameModelsNs;
+  private final TreeSet<Integer> doubted = new TreeSet<>();
   private long lastMessageNs;
   private long lastFrameNs;
   private long connectAtNs = Long.MIN_VALUE;
@@ -122,6 +132,7 @@ final class NatNetProtocol {
     if (nowNs >= echoAtNs) {
       echoAtNs = nowNs + (echoes < FIRST_ECHOES ? FIRST_ECHO_NS : ECHO_NS);
       echoSentNs = nowNs;
+      echoes++;
       toServer.accept(out.begin(Message.ECHO_REQUEST).i64(nowNs).end());
     }
   }
@@ -166,10 +177,20 @@ final class NatNetProtocol {
     if (info.equals(server)) {
       return;
     }
+    if (server != null && nowNs - lastFrameNs <= SILENCE_NS) {
+      tally.warnOnce(
+          "other server",
+          "a description of another server came, and is not believed while frames come: "
+              + printable(info.toString()),
+          nowNs);
+      return;
+    }
     warn(info, nowNs);
     tally.info("connected to " + printable(info.name()) + ", NatNet " + info.version(), nowNs);
     server = info;
     models = Models.NONE;
+    newestModels = Models.NONE;
+    doubted.clear();
     wantsModels = true;
     lastFrameNs = nowNs;
     modelsAtNs = nowNs;
@@ -199,9 +220,28 @@ final class NatNetProtocol {
       early(nowNs);
       return;
     }
-    models = Models.parse(in, server.version());
-    wantsModels = false;
-    gates.keySet().removeIf(name -> !models.has(name));
+    Models sent = Models.parse(in, server.version());
+    boolean isFirst = models == Models.NONE;
+    models = isFirst ? sent : models;
+    if (isFirst || !sent.differences(newestModels).isEmpty()) {
+      sameModelsNs = nowNs;
+      wantsModels = true;
+      doubted.addAll(sent.differences(models));
+      newestModels = sent;
+    }
+    if (!doubted.isEmpty()) {
+      tally.warnOnce(
+          "other models",
+          "the server's rigid bodies differ from those before; asking again: "
+              + printable(sent.toString()),
+          nowNs);
+    }
+    if (nowNs - sameModelsNs >= CONFIRM_NS) {
+      models = sent;
+      wantsModels = false;
+      doubted.clear();
+    }
+    gates.keySet().removeIf(name -> !models.has(name) && !wanted.contains(name));
     wanted.forEach(name -> checkWanted(name, nowNs));
     tally.warnOnce("models", "the server's rigid bodies: " + printable(models.toString()), nowNs);
     if (!models.isWhole()) {
@@ -212,11 +252,16 @@ final class NatNetProtocol {
   private void onEcho(LittleEndianReader in, long nowNs) {
     long sentNs = in.i64();
     long ticks = in.i64();
-    // Only the first answer to the last request counts.
-    if (server != null && sentNs == echoSentNs && echoSentNs != 0) {
+    // Each answer to the last request counts: a false one may come first.
+    if (server != null && sentNs == echoSentNs && echoes > 0) {
       time.answered(sentNs, ticks, nowNs);
-      echoSentNs = 0;
-      echoes++;
+      if (time.isContradicted(nowNs)) {
+        tally.warnOnce(
+            "clock",
+            "answers about the server's clock contradict each other, so no fixes: some are forged, or"
+                + " its clock does not run at the rate that it has told",
+            nowNs);
+      }
     }
   }
 
@@ -226,7 +271,6 @@ final class NatNetProtocol {
       return;
     }
     MocapFrame frame = FrameParser.parse(in, server.version());
-    lastFrameNs = nowNs;
     wantsModels |= frame.hasNewModels();
     TimeSpan when = time.measured(frame, nowNs);
     if (when == null) {
@@ -236,6 +280,7 @@ final class NatNetProtocol {
     } else if (nowNs - when.middleNs() > settings.bounds().maxAgeNs()) {
       tally.drop(FeedDrop.STALE, "a frame was measured too long ago", nowNs);
     } else {
+      lastFrameNs = nowNs;
       bodies.accept(tracked(frame.bodies(), when, nowNs));
     }
   }
@@ -253,6 +298,9 @@ final class NatNetProtocol {
       String name = models.name(state.id());
       if (name == null) {
         wantsModels = true;
+      } else if (doubted.contains(state.id())) {
+        tally.drop(
+            FeedDrop.DOUBTED, "the server's models disagree about " + printable(name), nowNs);
       } else if (twice.contains(state.id()) || models.isAmbiguous(name)) {
         tally.drop(
             FeedDrop.AMBIGUOUS, "two rigid bodies are " + printable(name) + state.id(), nowNs);

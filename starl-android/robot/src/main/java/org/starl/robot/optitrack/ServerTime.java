@@ -34,6 +34,11 @@ final class ServerTime {
     }
   }
 
+  /** Whether answers contradict each other: some are false, or the rate is. */
+  boolean isContradicted(long nowNs) {
+    return map.isContradicted(nowNs);
+  }
+
   /**
    * The time span in which the frame was measured; null if it is not known yet. Without usable stamps
    * the assumed largest delay bounds it.

@@ -3,6 +3,7 @@ package org.starl.robot.optitrack;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
@@ -106,18 +107,24 @@ class ClockMapTest {
     assertThat(map.isSettled(10 * MS + ClockMap.SETTLE_NS)).isTrue();
   }
 
-  @Test
-  void aBackwardJumpStartsANewClockAndOneOldDatagramHasNoLastingEffect() {
+  @Property(tries = 50)
+  void singleFalseTimesChangeNothingAndAClockThatHasJumpedCountsAfterATime(
+      @ForAll @LongRange(min = -100_000, max = 100_000) long jumpMs) {
+    Assume.that(jumpMs < -ClockMap.JUMP_NS / MS || jumpMs > 2 * MAX_DELAY_NS / MS);
     ClockMap map = new ClockMap(MAX_DELAY_NS);
-    for (int i = 0; i < 100; i++) {
+    for (int i = 0; i < 200; i++) {
       map.received(7000 * MS + 10 * i * MS, 10 * i * MS);
+      map.received((7000 + 10 * i + jumpMs) * MS, 10 * i * MS + 5 * MS);
     }
-    map.received(100 * MS, 1000 * MS);
-    assertThat(map.isSettled(1000 * MS)).isFalse();
-    map.received(8010 * MS, 1010 * MS);
-    long laterNs = 1010 * MS + ClockMap.SETTLE_NS;
-    assertThat(map.isSettled(laterNs)).isTrue();
-    assertThat(map.span(8010 * MS, 8010 * MS, laterNs).middleNs()).isBetween(990 * MS, 1011 * MS);
+    assertThat(map.isSettled(2000 * MS)).isTrue();
+    assertThat(map.span(9000 * MS, 9000 * MS, 2020 * MS).middleNs())
+        .isBetween(1980 * MS, 2001 * MS);
+    for (int i = 200; i < 255; i++) {
+      map.received((7000 + 10 * i + jumpMs) * MS, 10 * i * MS);
+    }
+    assertThat(map.isSettled(2550 * MS)).isTrue();
+    long senderNs = (9500 + jumpMs) * MS;
+    assertThat(map.span(senderNs, senderNs, 2550 * MS).middleNs()).isBetween(2480 * MS, 2501 * MS);
   }
 
   @Test
@@ -131,12 +138,18 @@ class ClockMapTest {
   }
 
   @Property(tries = 100)
-  void aContradictoryAnswerStartsANewClock(
+  void onlyContradictoryAnswersInARowStartANewClock(
       @ForAll @LongRange(min = 100, max = 1_000_000) long jumpMs) {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);
-    map.answered(2000 * MS, 6000 * MS + jumpMs * MS, 2002 * MS);
-    TimeSpan span = map.span(6000 * MS + jumpMs * MS, 6000 * MS + jumpMs * MS, 2002 * MS);
-    assertIsAbout(span, 2000 * MS, 2002 * MS);
+    for (int i = 2; i < 2 + ClockMap.CONTRADICTIONS; i++) {
+      TimeSpan before = map.span(5000 * MS, 5000 * MS, i * 1000 * MS);
+      assertThat(before.middleNs()).isBetween(999 * MS, 1003 * MS);
+      map.answered(i * 1000 * MS, (4000 + i * 1000 + jumpMs) * MS, (2 + i * 1000) * MS);
+    }
+    long senderNs = (8000 + jumpMs) * MS;
+    assertIsAbout(map.span(senderNs, senderNs, 4002 * MS), 4000 * MS, 4002 * MS);
+    assertThat(map.isSettled(4002 * MS)).isFalse();
+    assertThat(map.isSettled(4002 * MS + ClockMap.DOUBT_NS)).isTrue();
   }
 }

@@ -170,4 +170,39 @@ class JsonFeedTest {
     assertThat(tally.statistics().dropped(FeedDrop.TOO_MANY)).isEqualTo(1);
     assertThat(tally.statistics().dropped(FeedDrop.EARLY)).isEqualTo(JsonProtocol.MAX_ROBOTS);
   }
+
+  @ParameterizedTest
+  @ValueSource(longs = {-100_000, -2000, -900, 200, 900, 5000, 1_000_000})
+  void singleLinesWithAFalseTimeTakeNoFixes(long falseMs) {
+    int fixes = 0;
+    for (int i = 0; i < 400; i++) {
+      if (i % 20 == 19) {
+        assertThat(receive("bot0", (10 * i + falseMs) * MS, 10 * i * MS + 3 * MS)).isNull();
+      }
+      fixes += receive("bot0", 10 * i * MS, 10 * i * MS + 4 * MS) == null ? 0 : 1;
+    }
+    assertThat(fixes).isGreaterThan(340);
+  }
+
+  @Test
+  void forgedLinesWithoutAKeyStopTheRobotAndAreTold() {
+    FixBounds bounds = FixBounds.DEFAULT.withMotion(550, 700);
+    JsonProtocol open = new JsonProtocol(bounds, null, tally);
+    List<String> stops = new ArrayList<>();
+    tally.own("bot0", new WheelPath(0.1), () -> stops.add("stop"));
+    int fixes = 0;
+    for (int ms = 0; ms < 5000; ms++) {
+      boolean isForged = ms >= 2000 && ms % 3 == 0;
+      if (isForged || ms % 10 == 0) {
+        String line = LINE.replace("81234000000", String.valueOf(ms * MS));
+        byte[] bytes =
+            (isForged ? line.replace("1200", "600") : line).getBytes(StandardCharsets.UTF_8);
+        TrackedBody body = open.received(bytes, bytes.length, ms * MS + 2 * MS);
+        fixes += body == null || ms < 2030 ? 0 : 1;
+      }
+    }
+    assertThat(fixes).isZero();
+    assertThat(stops).isNotEmpty();
+    assertThat(lines).anyMatch(line -> line.contains("bot0 is measured at (1200 mm"));
+  }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
@@ -138,6 +139,11 @@ class NatNetProtocolTest {
     assertThat(sentIds())
         .containsExactly(Message.REQUEST_MODELS, Message.KEEP_ALIVE, Message.ECHO_REQUEST);
     describe("bot0");
+    nowNs += NatNetProtocol.CONFIRM_NS;
+    protocol.tick(nowNs);
+    assertThat(sentIds())
+        .containsExactly(Message.REQUEST_MODELS, Message.KEEP_ALIVE, Message.ECHO_REQUEST);
+    describe("bot0");
     nowNs += S;
     protocol.tick(nowNs);
     assertThat(sentIds()).containsExactly(Message.KEEP_ALIVE, Message.ECHO_REQUEST);
@@ -249,6 +255,8 @@ class NatNetProtocolTest {
     frame(5, at(1, 1, true), at(2, 2, true), at(1, 3, true));
     assertThat(heard.get(0)).extracting(TrackedBody::name).containsExactly("bot1");
     describe("bot0", "bot0", "bot2");
+    nowNs += NatNetProtocol.CONFIRM_NS;
+    describe("bot0", "bot0", "bot2");
     frame(4, at(1, 1, true), at(2, 2, true), at(3, 3, true));
     assertThat(heard.get(1)).extracting(TrackedBody::name).containsExactly("bot2");
     assertThat(tally.statistics().dropped(FeedDrop.AMBIGUOUS)).isEqualTo(4);
@@ -320,5 +328,157 @@ class NatNetProtocolTest {
     assertThat(tally.statistics().dropped(FeedDrop.EARLY)).isEqualTo(1);
     assertThat(tally.statistics().dropped(FeedDrop.UNKNOWN)).isEqualTo(2);
     assertThat(tally.statistics().dropped(FeedDrop.MALFORMED)).isEqualTo(1);
+  }
+
+  /** Runs for this time with a frame each 10 ms; the server answers all questions. */
+  private void serve(long ms, String... names) {
+    for (long endNs = nowNs + ms * MS; nowNs < endNs; nowNs += 10 * MS) {
+      frame(2, at(1, 1, true), at(2, 2, true));
+      int before = sent.size();
+      protocol.tick(nowNs);
+      for (byte[] question : List.copyOf(sent.subList(before, sent.size()))) {
+        switch (Message.id(question, question.length)) {
+          case Message.REQUEST_MODELS -> describe(names);
+          case Message.CONNECT -> introduce(NatNetVersion.V4_1, TICKS_PER_S);
+          case Message.ECHO_REQUEST -> answer(question, 0);
+          default -> {
+            // not answered
+          }
+        }
+      }
+    }
+  }
+
+  private void answer(byte[] question, long falseTicks) {
+    long stamp = Message.payload(question, question.length).i64();
+    receive(
+        new LittleEndianWriter()
+            .begin(Message.ECHO_RESPONSE)
+            .i64(stamp)
+            .i64(ticks(nowNs) + falseTicks)
+            .end());
+  }
+
+  /** The place of a body in the last message, in mm; null if it has no fix. */
+  private @Nullable Double xMm(String name) {
+    for (TrackedBody body : heard.isEmpty() ? List.<TrackedBody>of() : heard.getLast()) {
+      if (body.name().equals(name) && body.fix() != null) {
+        return body.fix().pose().xMm();
+      }
+    }
+    return null;
+  }
+
+  private void assertTrueFixes() {
+    assertThat(nowNs - heard.getLast().get(0).fix().timeNs()).isLessThan(50 * MS);
+    assertThat(xMm("bot0")).isEqualTo(1000);
+    assertThat(xMm("bot1")).isEqualTo(2000);
+  }
+
+  @Test
+  void descriptionsOfAnotherServerChangeNothingWhileFramesCome() {
+    connect();
+    serve(2000, "bot0", "bot1");
+    for (int i = 0; i < 7; i++) {
+      introduce(NatNetVersion.V3_0, TICKS_PER_S);
+      introduce(NatNetVersion.V4_1, 2 * TICKS_PER_S);
+      heard.clear();
+      serve(300, "bot0", "bot1");
+      assertThat(heard).hasSize(30);
+      assertTrueFixes();
+    }
+    assertThat(lines).filteredOn(line -> line.contains("is not believed")).hasSize(1);
+  }
+
+  @Test
+  void anotherServerIsBelievedAfterSilence() {
+    connect();
+    serve(1000, "bot0", "bot1");
+    nowNs += NatNetProtocol.SILENCE_NS + MS;
+    introduce(NatNetVersion.V3_0, TICKS_PER_S);
+    assertThat(lines).anyMatch(line -> line.contains("connected to Motive, NatNet 3.0"));
+  }
+
+  @Test
+  void aFalseTickRateAtTheStartGivesNoFixesUntilTheTrueOneIsAskedFor() {
+    introduce(NatNetVersion.V4_1, 2 * TICKS_PER_S);
+    serve(1000, "bot0", "bot1");
+    assertThat(lines).anyMatch(line -> line.contains("clock contradict each other"));
+    heard.clear();
+    serve(1000, "bot0", "bot1");
+    assertThat(heard).isEmpty();
+    serve(8000, "bot0", "bot1");
+    assertTrueFixes();
+  }
+
+  @Test
+  void modelsThatSwapTwoNamesAreAskedForAgain() {
+    connect();
+    serve(2000, "bot0", "bot1");
+    describe("bot1", "bot0");
+    for (int i = 0; i < 300; i++) {
+      serve(10, "bot0", "bot1");
+      assertThat(xMm("bot0")).isIn(null, 1000.0);
+    }
+    assertTrueFixes();
+    assertThat(lines).filteredOn(line -> line.contains("asking again")).hasSize(1);
+  }
+
+  @Test
+  void modelsThatAreForgedAgainAndAgainStopTheRobotsThatTheySwap() {
+    introduce(NatNetVersion.V4_1, TICKS_PER_S);
+    describe("bot1", "bot0");
+    serve(200, "bot0", "bot1");
+    heard.clear();
+    for (int i = 0; i < 50; i++) {
+      describe("bot1", "bot0");
+      serve(100, "bot0", "bot1");
+      describe("bot1", "bot0");
+      assertThat(xMm("bot0")).isNull();
+    }
+    serve(3000, "bot0", "bot1");
+    assertTrueFixes();
+  }
+
+  @Test
+  void newModelsCountOnceAllAnswersAreEqual() {
+    connect();
+    serve(2000, "bot0", "bot1");
+    describe("bot0", "other");
+    serve(2000, "bot0", "other");
+    assertThat(heard.getLast()).extracting(TrackedBody::name).containsExactly("bot0", "other");
+  }
+
+  @Test
+  void falseAnswersAboutTheClockAreIgnoredOrStopAllFixes() {
+    connect();
+    serve(2000, "bot0", "bot1");
+    sent.clear();
+    protocol.tick(nowNs += NatNetProtocol.ECHO_NS);
+    byte[] question = sent.getLast();
+    for (long falseMs : new long[] {-100, 100}) {
+      answer(question, falseMs * TICKS_PER_S / 1000);
+      heard.clear();
+      serve(500, "bot0", "bot1");
+      assertThat(heard).hasSize(50);
+      assertTrueFixes();
+    }
+    for (int i = 0; i < 5; i++) {
+      answer(question, TICKS_PER_S / 10);
+      serve(1000, "bot0", "bot1");
+      question = lastQuestion();
+      answer(question, TICKS_PER_S / 10);
+    }
+    heard.clear();
+    serve(500, "bot0", "bot1");
+    assertThat(heard).isEmpty();
+    serve(8000, "bot0", "bot1");
+    assertTrueFixes();
+  }
+
+  private byte[] lastQuestion() {
+    List<byte[]> questions = new ArrayList<>(sent);
+    questions.removeIf(each -> Message.id(each, each.length) != Message.ECHO_REQUEST);
+    return questions.getLast();
   }
 }
