@@ -134,6 +134,10 @@ begin create create "$work/second/create.log" $starl simulated-create --pty "$wo
 begin_attack pose 2000
 single=$(false_poses)
 begin_attack poses 2000
+begin_attack models 1
+begin_attack info 7
+begin_attack ticks 7
+begin_attack scaled 3000
 
 # The next robot but bot0 whose round ends loses its storage below: it has just unregistered, so it holds
 # no zone.
@@ -149,33 +153,50 @@ until_ "$limit" ends_round
 kill -9 "${pids[$lost]}"
 wait "${pids[$lost]}" 2>/dev/null
 
+# Robots whose log or trace has a line with $1: an attack that nobody has noticed has not arrived.
+noticed() { grep -ls -- "$1" "$run"/bot?.log "$run"/bot?.trace | sed 's/.*\(bot[0-9]\).*/\1/' | sort -u | grep -c .; }
+all_noticed() { seen=$(noticed "$1"); [ "$seen" = 4 ]; }
+
 crossing garbage
 status=$?
 grown=$(($(folder_kb "$run") - kb))
 [ $grown -lt 8192 ] || status=1
+all_noticed 'longer than any StarL datagram' || status=1
 row "garbage" "${answers[garbage]}: noise, changed, cut, too long" \
-  "crossings go on, files grow less than 8 MB" "$crossed, $grown kB" $status
+  "all drop it, crossings go on, files grow less than 8 MB" "$seen drop it, $crossed, $grown kB" $status
 crossing beacons
 status=$?
-row "forged beacons" "${answers[beacons]}: changed, and repeated" "crossings go on" "$crossed" $status
-crossing clients && [ "$frames" -ge 50 ]
+all_noticed 'a beacon that the robot it names has not signed' || status=1
+row "forged beacons" "${answers[beacons]}: changed, and repeated" "all drop them, crossings go on" \
+  "$seen drop them, $crossed" $status
+served=${answers[clients]#*, } served=${served%% *}
+crossing clients && [ "$frames" -ge 50 ] && [ "$served" -le 64 ] && [ "$served" -gt 0 ]
 status=$?
-row "NatNet clients" "${answers[clients]%,*}, 3,000 a second" \
-  "each robot has 50 frames/s, crossings go on" "$frames frames/s, $crossed" $status
-crossing tcp && [ $many -lt 80 ]
+row "NatNet clients" "${answers[clients]%%,*}, 3,000 a second" \
+  "at most 64 of 500 get frames, each robot has 50 frames/s, crossings go on" \
+  "$served get frames, $frames frames/s, $crossed" $status
+crossing tcp && [ $many -lt 80 ] && [ "${answers[tcp]}" = "900 connections, 0 failed" ]
 status=$?
-row "TCP to world" "900 connections without a name" "fewer than 80 threads, crossings go on" \
+row "TCP to world" "${answers[tcp]}, without a name" "fewer than 80 threads, crossings go on" \
   "$many threads more, $crossed" $status
-crossing pose && [ "$single" = 0 ]
+crossing pose && [ "$single" = 0 ] && all_noticed 'jumps from'
 status=$?
 row "single poses" "${answers[pose]} in the cameras' name, one to a robot each 0.3 s" \
-  "none used, crossings go on" \
-  "$single used, $(count 'jumps from' "$run"/bot?.log) lines in the logs, $crossed" $status
-crossing poses && [ "$(false_poses)" = "$single" ]
+  "none used, all tell it, crossings go on" "$single used, $seen tell it, $crossed" $status
+crossing poses && [ "$(false_poses)" = "$single" ] && all_noticed 'is measured at .* and at (7777 mm'
 status=$?
 row "many poses" "${answers[poses]}, 200 a second to each robot" \
-  "none used while the cameras work, crossings go on" \
-  "$(($(false_poses) - single)) used, $crossed" $status
+  "none used, all stop and tell both places, crossings go on" \
+  "$(($(false_poses) - single)) used, $seen tell it, $crossed" $status
+# forged COMMAND NAME WHAT LINE: a row about forged messages of the cameras.
+forged() {
+  crossing "$1" && all_noticed "$4"
+  row "$2" "${answers[$1]}: $3" "all tell it, crossings go on" "$seen tell it, $crossed" $?
+}
+forged models "swapped models" "two names swapped" 'rigid bodies differ'
+forged info "server info" "of NatNet 3.1" 'a server of NatNet 3.1 has described itself'
+forged ticks "tick rate" "twice the rate" 'another server has described itself'
+forged scaled "scaled poses" "positions by half, 3 times the cameras' rate" 'is measured at .* and at'
 attack hangup
 
 # Both at once: a robot without its storage may believe the second bot0, and must not stop the first one.
@@ -218,14 +239,15 @@ sleep 1
 # A robot's messages to itself do not pass the network.
 accepted=$(cat "$run"/bot?.trace | grep '"kind":"delivered"' | grep -vc '"robot":"\(bot.\)","from":"\1"')
 refused=$(count '"kind":"dropped"' "$run"/bot?.trace)
-[ "$accepted" = 0 ]
+[ "$accepted" = 0 ] && all_noticed '"kind":"dropped"'
 status=$?
-row "replay" "$recorded in the first run, $answer from their senders' addresses" "none accepted" \
-  "$accepted accepted, $refused refused" $status
+row "replay" "$recorded in the first run, $answer from their senders' addresses" \
+  "none accepted, all refuse them" "$accepted accepted, $refused refused by $seen" $status
 hears=$(count 'network: hears' "$run"/bot?.log)
-[ "$hears" = 0 ]
+[ "$hears" = 0 ] && all_noticed 'a beacon that '
 status=$?
-row "replayed beacons" "the first run's beacons among them" "no robot seems alive" "$hears times" $status
+row "replayed beacons" "the first run's beacons among them" "no robot seems alive, all refuse them" \
+  "$hears seem alive, $seen refuse them" $status
 attack pass
 until_ "$limit" all_through "$run" 1
 status=$?

@@ -37,7 +37,9 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
 
   @Option(
       names = "--probe",
-      description = "Also connect to the TCP servers: the world, and the Creates' serial servers.")
+      description =
+          "Also connect to the TCP servers (the world, the Creates' serial servers), and wait up to"
+              + " 3 s for the cameras.")
   private boolean probes;
 
   @Mixin private JsonOption json = new JsonOption();

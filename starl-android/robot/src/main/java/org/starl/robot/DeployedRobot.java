@@ -36,6 +36,7 @@ import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Network;
 import org.starl.robot.file.RobotEntry;
+import org.starl.robot.optitrack.FeedStatistics;
 import org.starl.robot.optitrack.PoseFeed;
 import org.starl.robot.optitrack.TrackedBody;
 import org.starl.robot.realtime.RealBackground;
@@ -280,6 +281,11 @@ public final class DeployedRobot implements AutoCloseable {
   /** The use of the strand's time so far. */
   public StrandUse strandUse() {
     return strand.use();
+  }
+
+  /** Counts of the measuring system's messages. */
+  public FeedStatistics positions() {
+    return poses.statistics();
   }
 
   /** Counts of the radio's datagrams. */

@@ -3,6 +3,10 @@ package org.starl.robot;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.DeploymentKey;
@@ -30,7 +34,7 @@ public final class PoseFeeds {
    * @param linesKey of the JSON feed; null for none
    * @param local this robot's address, to choose the interface by; null for any
    */
-  static PoseFeed open(
+  public static PoseFeed open(
       Deployment deployment,
       @Nullable DeploymentKey linesKey,
       @Nullable InetAddress local,
@@ -67,7 +71,29 @@ public final class PoseFeeds {
         multicast == null
             ? null
             : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort());
-    return new NatNetSettings(server, group, local, axes(natNet), bounds);
+    String at = natNet.networkInterface();
+    InetAddress camerasAt =
+        at == null ? NatNetClient.towards(server, local) : addressOf(at, server.getAddress());
+    return new NatNetSettings(server, group, camerasAt, axes(natNet), bounds);
+  }
+
+  /** This machine's address at an interface, of the same kind as the server's. */
+  private static InetAddress addressOf(String at, InetAddress server) throws IOException {
+    List<String> names = new ArrayList<>();
+    for (NetworkInterface each : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+      names.add(each.getName());
+      for (InetAddress address : Collections.list(each.getInetAddresses())) {
+        boolean isMeant = each.getName().equals(at) || address.getHostAddress().equals(at);
+        if (isMeant && address.getClass() == server.getClass()) {
+          return address;
+        }
+      }
+    }
+    throw new IOException(
+        "positions.interface: '"
+            + at
+            + "': expected a network interface of this machine, by its name or address: one of "
+            + names);
   }
 
   /**

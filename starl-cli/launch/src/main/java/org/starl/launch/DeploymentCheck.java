@@ -1,5 +1,7 @@
 package org.starl.launch;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.io.IOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -11,9 +13,14 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
+import org.starl.robot.PoseFeeds;
 import org.starl.robot.RealMotion;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
@@ -23,16 +30,20 @@ import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.optitrack.PoseFeed;
+import org.starl.robot.realtime.RealClock;
 import org.starl.sim.world.FloorObjects;
 
 /**
  * Checks a deployment without running it: whether hosts have addresses; on the machine of one
- * robot, whether its device, address and port exist; on request, whether the TCP servers answer.
+ * robot, whether its device, address and port exist; on request, whether the TCP servers and the
+ * cameras answer.
  * Each problem is one line.
  */
 public final class DeploymentCheck {
 
   private static final int CONNECT_MS = 2000;
+  private static final long CAMERAS_NS = 3000 * NS_PER_MS;
   private static final double MS_PER_S = 1e3;
 
   private final Deployment deployment;
@@ -46,7 +57,7 @@ public final class DeploymentCheck {
    * Checks hosts and machines.
    *
    * @param here the robot whose machine this is; null for none
-   * @param probes whether to connect to the TCP servers
+   * @param probes whether to connect to the TCP servers, and to ask the cameras
    * @return a line for each problem
    */
   public static List<String> of(Deployment deployment, @Nullable RobotEntry here, boolean probes) {
@@ -57,6 +68,7 @@ public final class DeploymentCheck {
     }
     if (probes) {
       check.probe();
+      check.probeCameras(here);
     }
     return List.copyOf(check.problems);
   }
@@ -198,6 +210,41 @@ public final class DeploymentCheck {
       if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
         connect(at(robot, "chassis.port"), tcp.address(), "a Create's serial server there");
       }
+    }
+  }
+
+  /** Asks the cameras as a robot does; JSON lines come only to a robot's machine. */
+  private void probeCameras(@Nullable RobotEntry here) {
+    HostPort server =
+        deployment.positions() instanceof Positions.NatNet natNet ? natNet.server() : null;
+    if (server == null && here == null) {
+      return;
+    }
+    String where = at("positions", server == null ? "source" : "server");
+    Object source = server == null ? "json" : server;
+    Collection<RobotEntry> robots = here == null ? deployment.robots().values() : List.of(here);
+    HostPort address = here == null ? null : here.address();
+    Set<String> seen = new ConcurrentSkipListSet<>();
+    try (PoseFeed feed =
+        PoseFeeds.open(
+            deployment,
+            DeploymentFile.linesKey(deployment),
+            address == null ? null : address.resolve().getAddress(),
+            RealClock.ofDate(),
+            (timeNs, level, tag, line) -> {})) {
+      feed.onBodies(bodies -> bodies.forEach(body -> seen.add(body.name())));
+      long endNs = RealClock.machineNs() + CAMERAS_NS;
+      while (RealClock.machineNs() < endNs
+          && robots.stream().anyMatch(robot -> !seen.contains(robot.rigidBody()))) {
+        LockSupport.parkNanos(NS_PER_MS);
+      }
+      for (RobotEntry robot : robots) {
+        if (!seen.contains(robot.rigidBody())) {
+          problem(where, source, feed.silence(robot.rigidBody()));
+        }
+      }
+    } catch (IOException e) {
+      problem(where, source, e.getMessage());
     }
   }
 

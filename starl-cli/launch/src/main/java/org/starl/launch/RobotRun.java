@@ -21,6 +21,7 @@ import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.RobotEntry;
+import org.starl.robot.optitrack.FeedStatistics;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.LateTrace;
@@ -217,7 +218,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     if (running != null) {
       explain(running);
       running.close();
-      report(running.strandUse(), running.network());
+      report(running.strandUse(), running.network(), running.positions());
     }
     if (world != null) {
       if (isLifted) {
@@ -245,7 +246,10 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     }
   }
 
-  private void report(StrandUse use, UdpStatistics network) {
+  private void report(StrandUse use, UdpStatistics network, FeedStatistics positions) {
+    console.accept(
+        "positions: %d messages received, %d fixes, dropped %s"
+            .formatted(positions.received(), positions.fixes(), positions.dropped()));
     console.accept(
         String.format(
             Locale.ROOT,

@@ -12,6 +12,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
@@ -25,13 +26,17 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.robot.optitrack.Axes;
+import org.starl.robot.optitrack.FixBounds;
+import org.starl.robot.optitrack.NatNetClient;
 import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.NatNetServerSettings;
+import org.starl.robot.optitrack.NatNetSettings;
 import org.starl.robot.optitrack.NatNetVersion;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.Daemons;
@@ -60,6 +65,12 @@ final class Attacker implements AutoCloseable {
   private static final int MAX_DATAGRAM = 65_507;
   private static final int FAKE_CLIENTS = 500;
   private static final double FALSE_X_MM = 7777;
+  private static final byte FRAME = 7;
+  private static final byte[] REQUEST_MODELS = {4, 0, 0, 0};
+
+  /** Where a server's description has its clock's ticks in a second. */
+  private static final int TICKS_AT = 268;
+
   private static final byte[] CONNECT = {0, 0, 5, 0, 'P', 'i', 'n', 'g', 0};
 
   /** A datagram on its way from one robot to another. */
@@ -172,6 +183,10 @@ final class Attacker implements AutoCloseable {
       case "hangup" -> hangUp();
       case "pose" -> forgePoses(count, 300);
       case "poses" -> forgePoses(count, 5);
+      case "scaled" -> scalePoses(count);
+      case "models" -> forgeAnswer(count, "4.1", REQUEST_MODELS, 0);
+      case "info" -> forgeAnswer(count, "3.1", CONNECT, 0);
+      case "ticks" -> forgeAnswer(count, "4.1", CONNECT, 2);
       default -> throw new BadInput("attack: " + BadInput.quote(words[0]) + ": no such command");
     };
   }
@@ -382,10 +397,29 @@ final class Attacker implements AutoCloseable {
       }
     }
     long[] after = frameCounts();
+    int served = 0;
     for (DatagramChannel fake : fakes) {
+      fake.configureBlocking(false);
+      served += hasFrame(fake) ? 1 : 0;
       fake.close();
     }
-    return sent + " requests sent, frames a second at least " + least(before, after);
+    return sent
+        + " requests sent, "
+        + served
+        + " of "
+        + FAKE_CLIENTS
+        + " get frames, frames a second at least "
+        + least(before, after);
+  }
+
+  private static boolean hasFrame(DatagramChannel client) throws IOException {
+    ByteBuffer datagram = ByteBuffer.allocate(MAX_DATAGRAM);
+    while (client.receive(datagram.clear()) != null) {
+      if (datagram.get(0) == FRAME) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private long[] frameCounts() {
@@ -428,21 +462,55 @@ final class Attacker implements AutoCloseable {
 
   /** Frames in the cameras' name, with all robots far away, one each {@code periodMs}. */
   private String forgePoses(int ms, int periodMs) throws IOException {
-    RealClock now = RealClock.ofDate();
     List<PoseSource.Body> bodies = new ArrayList<>();
     for (int i = 0; i < ROBOTS; i++) {
       bodies.add(new PoseSource.Body("bot" + i, new Pose(FALSE_X_MM, 1000.0 * i, 0), true, 0.1));
     }
-    NatNetServerSettings settings =
-        new NatNetServerSettings(local(0), null, new NatNetVersion(4, 1), Axes.DEFAULT, 200);
-    long sent = 0;
+    return forgeFrames(ms, periodMs, () -> bodies);
+  }
+
+  /** The cameras' frames at three times their rate, with the positions scaled by half. */
+  private String scalePoses(int ms) throws IOException {
+    NatNetSettings settings =
+        new NatNetSettings(local(base + 6), null, null, Axes.DEFAULT, FixBounds.DEFAULT);
+    try (NatNetClient spy =
+        NatNetClient.open(settings, RealClock.ofDate(), (timeNs, level, tag, line) -> {})) {
+      return forgeFrames(
+          ms,
+          3,
+          () ->
+              spy.newest().entrySet().stream()
+                  .map(each -> scaled(each.getKey(), each.getValue().pose()))
+                  .toList());
+    }
+  }
+
+  private static PoseSource.Body scaled(String name, Pose pose) {
+    Pose half = new Pose(pose.xMm() / 2, pose.yMm() / 2, pose.headingRad());
+    return new PoseSource.Body(name, half, true, 0.1);
+  }
+
+  private NatNetServer imitate(String version, Supplier<List<PoseSource.Body>> bodies)
+      throws IOException {
+    RealClock now = RealClock.ofDate();
+    String[] numbers = version.split("\\.", -1);
     // The dates of two processes may differ by some microseconds, and no frame is of the future.
-    try (NatNetServer server =
-            NatNetServer.open(
-                settings,
-                () -> new PoseSource.Snapshot(now.nowNs() - 2 * NS_PER_MS, bodies),
-                () -> now.nowNs() - NS_PER_MS,
-                failure -> out.println("attacker: " + failure));
+    return NatNetServer.open(
+        new NatNetServerSettings(
+            local(0),
+            null,
+            new NatNetVersion(Integer.parseInt(numbers[0]), Integer.parseInt(numbers[1])),
+            Axes.DEFAULT,
+            300),
+        () -> new PoseSource.Snapshot(now.nowNs() - 2 * NS_PER_MS, bodies.get()),
+        () -> now.nowNs() - NS_PER_MS,
+        failure -> out.println("attacker: " + failure));
+  }
+
+  private String forgeFrames(int ms, int periodMs, Supplier<List<PoseSource.Body>> bodies)
+      throws IOException {
+    long sent = 0;
+    try (NatNetServer server = imitate("4.1", bodies);
         DatagramChannel client = DatagramChannel.open().bind(local(0))) {
       client.send(ByteBuffer.wrap(CONNECT), server.address());
       ByteBuffer frame = ByteBuffer.allocate(MAX_DATAGRAM);
@@ -451,19 +519,53 @@ final class Attacker implements AutoCloseable {
       while (RealClock.machineNs() < endNs) {
         client.receive(frame.clear());
         frame.flip();
-        boolean isFrame = frame.get(0) == 7;
-        if (isFrame && RealClock.machineNs() >= nextNs) {
+        if (frame.get(0) == FRAME && RealClock.machineNs() >= nextNs) {
           nextNs = RealClock.machineNs() + periodMs * NS_PER_MS;
-          for (int i = 0; i < ROBOTS; i++) {
-            if (clients[i] != null) {
-              send(toClient[i], frame.duplicate(), clients[i]);
-              sent++;
-            }
-          }
+          sent += sendAsCameras(frame);
         }
       }
     }
     return sent + " frames sent";
+  }
+
+  /**
+   * Answers of another server in the cameras' name: with bot0's and bot1's names swapped.
+   *
+   * @param ticks factor of its clock's rate; 0 for the true one
+   */
+  private String forgeAnswer(int times, String version, byte[] question, int ticks)
+      throws IOException {
+    List<PoseSource.Body> bodies = new ArrayList<>();
+    for (String name : List.of("bot1", "bot0", "bot2", "bot3")) {
+      bodies.add(new PoseSource.Body(name, new Pose(0, 0, 0), true, 0));
+    }
+    long sent = 0;
+    try (NatNetServer server = imitate(version, () -> bodies);
+        DatagramChannel client = DatagramChannel.open().bind(local(0))) {
+      client.send(ByteBuffer.wrap(question), server.address());
+      ByteBuffer answer = ByteBuffer.allocate(MAX_DATAGRAM).order(ByteOrder.LITTLE_ENDIAN);
+      client.receive(answer);
+      answer.flip();
+      if (ticks > 0) {
+        answer.putLong(TICKS_AT, answer.getLong(TICKS_AT) * ticks);
+      }
+      for (int i = 0; i < times; i++) {
+        sent += sendAsCameras(answer);
+        pause(100);
+      }
+    }
+    return sent + " messages sent";
+  }
+
+  private int sendAsCameras(ByteBuffer datagram) {
+    int sent = 0;
+    for (int i = 0; i < ROBOTS; i++) {
+      if (clients[i] != null) {
+        send(toClient[i], datagram.duplicate(), clients[i]);
+        sent++;
+      }
+    }
+    return sent;
   }
 
   private static void pause(long ms) {

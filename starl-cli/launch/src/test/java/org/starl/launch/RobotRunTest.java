@@ -78,7 +78,7 @@ class RobotRunTest {
         Map.of(),
         null,
         new Network(port, false, 1000, 3000, 0),
-        new Positions.NatNet(new HostPort("127.0.0.1", 9), 1511, null, "4.1", true, 5, 0.02),
+        new Positions.NatNet(new HostPort("127.0.0.1", 9), 1511, null, null, "4.1", true, 5, 0.02),
         new TreeMap<>(Map.of(BOT0, bot0)),
         null,
         LIMITS);

@@ -95,6 +95,12 @@ public final class DeploymentFormat {
           "multicast",
           "a group such as 239.255.42.99",
           "address of the group to which frames are sent; without it the server sends to each robot");
+  static final Field<String> INTERFACE =
+      Field.text(
+          "interface",
+          "the name or the address of a network interface, such as wlan0",
+          "the network interface, on each robot, to which the cameras' frames come; without it the one"
+              + " that reaches the server");
   static final Field<String> VERSION =
       Field.choice(
               "version",
@@ -139,7 +145,9 @@ public final class DeploymentFormat {
                   SOURCE,
                   kinds(
                       NATNET,
-                      List.of(SERVER, DATA_PORT, MULTICAST, VERSION, UP, ERROR_MM, ERROR_RAD),
+                      List.of(
+                          SERVER, DATA_PORT, MULTICAST, INTERFACE, VERSION, UP, ERROR_MM,
+                          ERROR_RAD),
                       JSON,
                       List.of(JSON_PORT, LISTEN, SENDER, LINES_KEY, ERROR_MM, ERROR_RAD))),
               "the system that measures the robots' positions")

@@ -120,6 +120,7 @@ public final class DeploymentReader {
                 given.get(DeploymentFormat.SERVER),
                 given.get(DeploymentFormat.DATA_PORT),
                 given.getOrNull(DeploymentFormat.MULTICAST),
+                given.getOrNull(DeploymentFormat.INTERFACE),
                 given.get(DeploymentFormat.VERSION),
                 given.get(DeploymentFormat.UP).equals("y"),
                 given.get(DeploymentFormat.ERROR_MM),

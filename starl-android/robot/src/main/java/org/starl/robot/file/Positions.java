@@ -17,6 +17,8 @@ public sealed interface Positions {
    * @param server address of its commands
    * @param dataPort UDP port of frames that come by multicast
    * @param multicast the group that frames are sent to; null: the server sends them to each robot
+   * @param networkInterface of each robot, to the cameras: its name or address; null for the one that
+   *     reaches the server
    * @param version of the protocol, as in {@code 4.1}
    * @param isYUp true if the y axis points up, false if z does
    */
@@ -24,6 +26,7 @@ public sealed interface Positions {
       HostPort server,
       int dataPort,
       @Nullable String multicast,
+      @Nullable String networkInterface,
       String version,
       boolean isYUp,
       double errorMm,

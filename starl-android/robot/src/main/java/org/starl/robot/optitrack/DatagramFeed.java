@@ -1,9 +1,13 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.robot.optitrack.NatNetProtocol.printable;
+import static org.starl.time.Time.NS_PER_S;
+
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentSkipListMap;
@@ -24,6 +28,9 @@ import org.starl.robot.realtime.Daemons;
  */
 abstract class DatagramFeed implements PoseFeed {
 
+  /** In place of the time of a fix: its absence has been told. */
+  private static final long TOLD = Long.MAX_VALUE;
+
   private record Follower(Predicate<TrackedBody> body, StrandPositioning positioning) {}
 
   final Clock clock;
@@ -31,6 +38,7 @@ abstract class DatagramFeed implements PoseFeed {
   private final List<DatagramSocket> sockets = new CopyOnWriteArrayList<>();
   private final List<Thread> threads = new CopyOnWriteArrayList<>();
   private final List<Follower> followers = new CopyOnWriteArrayList<>();
+  private final Map<String, Long> fixedNs = new TreeMap<>();
   private final SortedMap<String, Fix> newest = new ConcurrentSkipListMap<>();
   private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
 
@@ -46,6 +54,29 @@ abstract class DatagramFeed implements PoseFeed {
    * @return the bodies to publish
    */
   abstract List<TrackedBody> read(@Nullable DatagramPacket packet, long nowNs);
+
+  /** A followed body without a fix for this time is told, with what to look at. */
+  static final long SILENT_NS = 2 * NS_PER_S;
+
+  /** Why there may be no fixes, with the feed's lock held. */
+  String silence(long nowNs) {
+    return tally.statistics().received() + " messages have come, but not its place; " + dropped();
+  }
+
+  @Override
+  public final synchronized String silence(String name) {
+    return "no position of "
+        + printable(name)
+        + " for "
+        + SILENT_NS / NS_PER_S
+        + " s: "
+        + silence(clock.nowNs());
+  }
+
+  /** What was dropped, for messages. */
+  final String dropped() {
+    return "dropped " + tally.statistics().dropped();
+  }
 
   /** Starts a thread that reads from {@code socket} until it is closed. */
   final void receive(String threadName, DatagramSocket socket, int waitMs) {
@@ -68,6 +99,9 @@ abstract class DatagramFeed implements PoseFeed {
 
   @Override
   public Positioning positioning(Strand strand, String name) {
+    synchronized (this) {
+      fixedNs.put(name, clock.nowNs());
+    }
     return follow(strand, name, body -> body.name().equals(name));
   }
 
@@ -116,7 +150,20 @@ abstract class DatagramFeed implements PoseFeed {
     if (packet != null) {
       tally.received();
     }
-    return read(packet, clock.nowNs());
+    long nowNs = clock.nowNs();
+    List<TrackedBody> bodies = read(packet, nowNs);
+    for (TrackedBody body : bodies) {
+      if (body.fix() != null) {
+        fixedNs.replace(body.name(), nowNs);
+      }
+    }
+    for (Map.Entry<String, Long> each : fixedNs.entrySet()) {
+      if (each.getValue() != TOLD && nowNs - each.getValue() > SILENT_NS) {
+        tally.warn(silence(each.getKey()), nowNs);
+        each.setValue(TOLD);
+      }
+    }
+    return bodies;
   }
 
   private synchronized void fail(Exception e) {

@@ -27,7 +27,7 @@ import org.starl.robot.realtime.RealClock;
  */
 public final class JsonFeed extends DatagramFeed {
 
-  private static final int WAIT_MS = 1000;
+  private static final int WAIT_MS = 500;
 
   private final @Nullable InetAddress sender;
   private final DatagramSocket socket;
@@ -62,6 +62,15 @@ public final class JsonFeed extends DatagramFeed {
   /** The address at which it listens. */
   public InetSocketAddress address() {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
+  }
+
+  @Override
+  String silence(long nowNs) {
+    return tally.statistics().received() == 0
+        ? "no line has come to "
+            + address()
+            + "; look at the sender's address and port, and at this machine's firewall"
+        : super.silence(nowNs) + "; look at the names in the lines";
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.starl.robot.optitrack;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -52,7 +53,9 @@ public final class NatNetClient extends DatagramFeed {
    */
   public static NatNetClient open(NatNetSettings settings, Clock clock, LogSink log)
       throws IOException {
-    InetAddress local = settings.local();
+    InetAddress given = settings.local();
+    InetAddress local =
+        given == null && settings.group() != null ? towards(settings.server(), null) : given;
     InetSocketAddress group = settings.group();
     DatagramSocket command =
         new DatagramSocket(
@@ -94,6 +97,49 @@ public final class NatNetClient extends DatagramFeed {
       send(new LittleEndianWriter().begin(Message.DISCONNECT).end());
     }
     super.close();
+  }
+
+  @Override
+  String silence(long nowNs) {
+    if (!protocol.isConnected()) {
+      return settings.server()
+          + " does not answer; look at this address, at 'Local Interface' in Motive's streaming"
+          + " settings, and at the firewall there (UDP)";
+    }
+    if (protocol.hasFrames(nowNs)) {
+      return "frames come, but without its place; look at the rigid bodies in Motive; " + dropped();
+    }
+    return settings.server()
+        + " answers, but no usable frames come "
+        + (settings.group() == null
+            ? "to this machine; look at 'Transmission Type' in Motive's streaming settings (unicast)"
+            : "to the group "
+                + settings.group()
+                + " at "
+                + settings.local()
+                + "; look at 'Transmission Type' in Motive's streaming settings (multicast), and at"
+                + " positions.interface, the network of the cameras")
+        + ", and at the firewall; "
+        + dropped();
+  }
+
+  /**
+   * The address of this machine's interface that reaches {@code server}.
+   *
+   * @param own this robot's address, which is preferred if that interface has it; null for none
+   */
+  public static InetAddress towards(InetSocketAddress server, @Nullable InetAddress own)
+      throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      socket.connect(server);
+      InetAddress reaching = socket.getLocalAddress();
+      NetworkInterface at = NetworkInterface.getByInetAddress(reaching);
+      boolean isOwn =
+          own != null && at != null && at.equals(NetworkInterface.getByInetAddress(own));
+      return isOwn && own != null ? own : reaching;
+    } catch (UncheckedIOException e) {
+      throw new IOException(server + ": no network reaches it: " + e.getMessage(), e);
+    }
   }
 
   private static MulticastSocket join(InetSocketAddress group, @Nullable InetAddress local)

@@ -63,6 +63,7 @@ final class NatNetProtocol {
   private final TreeSet<Integer> doubted = new TreeSet<>();
   private long lastMessageNs;
   private long lastFrameNs;
+  private long connectedNs;
   private long connectAtNs = Long.MIN_VALUE;
   private long modelsAtNs;
   private long keepAliveAtNs;
@@ -100,6 +101,11 @@ final class NatNetProtocol {
 
   boolean isConnected() {
     return server != null;
+  }
+
+  /** Whether frames come that can be read and have a plausible time. */
+  boolean hasFrames(long nowNs) {
+    return server != null && nowNs - lastFrameNs < RETRY_NS && lastFrameNs > connectedNs;
   }
 
   /** Sends due messages; must be called every few tens of milliseconds. */
@@ -178,9 +184,11 @@ final class NatNetProtocol {
       return;
     }
     if (server != null && nowNs - lastFrameNs <= SILENCE_NS) {
+      boolean isOtherVersion = !info.version().equals(server.version());
       tally.warnOnce(
-          "other server",
-          "a description of another server came, and is not believed while frames come: "
+          isOtherVersion ? "other version" : "other server",
+          (isOtherVersion ? "a server of NatNet " + info.version() : "another server")
+              + " has described itself, and is not believed while frames come: "
               + printable(info.toString()),
           nowNs);
       return;
@@ -193,6 +201,7 @@ final class NatNetProtocol {
     doubted.clear();
     wantsModels = true;
     lastFrameNs = nowNs;
+    connectedNs = nowNs;
     modelsAtNs = nowNs;
     keepAliveAtNs = nowNs;
     echoAtNs = nowNs;

@@ -32,6 +32,9 @@ public interface PoseFeed extends AutoCloseable {
 
   FeedStatistics statistics();
 
+  /** What to look at if there is no fix of the body {@code name}: what comes instead, for people. */
+  String silence(String name);
+
   /** Receives nothing more. */
   @Override
   void close();

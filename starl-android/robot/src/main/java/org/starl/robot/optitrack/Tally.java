@@ -150,7 +150,7 @@ final class Tally {
     return PoseGate.text(fix.pose());
   }
 
-  private void warn(String what, long nowNs) {
+  void warn(String what, long nowNs) {
     log.log(nowNs, LogSink.Level.WARN, tag, what);
   }
 
