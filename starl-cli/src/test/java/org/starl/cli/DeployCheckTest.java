@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,8 +21,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demos;
 import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.geometry.Pose;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
+import org.starl.robot.optitrack.Axes;
+import org.starl.robot.optitrack.NatNetServer;
+import org.starl.robot.optitrack.NatNetServerSettings;
+import org.starl.robot.optitrack.NatNetVersion;
+import org.starl.robot.optitrack.PoseSource;
+import org.starl.robot.realtime.RealClock;
 import org.starl.sim.SimulationPlan;
 
 /**
@@ -227,8 +235,45 @@ class DeployCheckTest {
   }
 
   @Test
-  void aServerThatDoesNotAnswerIsAProblem() throws IOException {
-    assertRefused(check(GOOD.replace("4801", "1"), "--probe"), "bot0.chassis.port", "127.0.0.1:1");
+  void serversThatDoNotAnswerAreProblems() throws IOException {
+    Cli cli = check(GOOD.replace("4801", "1"), "--probe");
+
+    assertThat(cli.status()).isEqualTo(2);
+    assertThat(cli.err()).as("%s", cli).hasSize(2);
+    assertThat(cli.err().get(0)).contains("bot0.chassis.port", "127.0.0.1:1");
+    assertThat(cli.err().get(1))
+        .contains(
+            ":4: positions.server: '127.0.0.1:1510': no positions of [bot0, bot1, bot2, bot3]",
+            "does not answer; look at this address");
+  }
+
+  @Test
+  void camerasThatAnswerAreAskedForEachRobot() throws IOException {
+    RealClock clock = RealClock.ofDate();
+    List<PoseSource.Body> bodies =
+        Stream.of("bot0", "bot1", "bot3")
+            .map(name -> new PoseSource.Body(name, new Pose(0, 0, 0), false, 0))
+            .toList();
+    NatNetServerSettings settings =
+        new NatNetServerSettings(
+            new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+            null,
+            new NatNetVersion(4, 1),
+            Axes.DEFAULT,
+            100);
+    try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        NatNetServer cameras =
+            NatNetServer.open(
+                settings,
+                () -> new PoseSource.Snapshot(clock.nowNs(), bodies),
+                clock,
+                failure -> {})) {
+      String text =
+          GOOD.replace("4801", "" + create.getLocalPort())
+              .replace("server: 127.0.0.1", "server: 127.0.0.1:" + cameras.address().getPort());
+      assertRefused(
+          check(text, "--probe"), "no positions of [bot2]: frames come, but without its place");
+    }
   }
 
   @Test

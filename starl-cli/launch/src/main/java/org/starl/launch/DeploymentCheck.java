@@ -13,7 +13,6 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListSet;
@@ -222,9 +221,10 @@ public final class DeploymentCheck {
     }
     String where = at("positions", server == null ? "source" : "server");
     Object source = server == null ? "json" : server;
-    Collection<RobotEntry> robots = here == null ? deployment.robots().values() : List.of(here);
+    Set<String> missing = new ConcurrentSkipListSet<>();
+    (here == null ? deployment.robots().values() : List.of(here))
+        .forEach(robot -> missing.add(robot.rigidBody()));
     HostPort address = here == null ? null : here.address();
-    Set<String> seen = new ConcurrentSkipListSet<>();
     try (PoseFeed feed =
         PoseFeeds.open(
             deployment,
@@ -232,16 +232,13 @@ public final class DeploymentCheck {
             address == null ? null : address.resolve().getAddress(),
             RealClock.ofDate(),
             (timeNs, level, tag, line) -> {})) {
-      feed.onBodies(bodies -> bodies.forEach(body -> seen.add(body.name())));
+      feed.onBodies(bodies -> bodies.forEach(body -> missing.remove(body.name())));
       long endNs = RealClock.machineNs() + CAMERAS_NS;
-      while (RealClock.machineNs() < endNs
-          && robots.stream().anyMatch(robot -> !seen.contains(robot.rigidBody()))) {
+      while (RealClock.machineNs() < endNs && !missing.isEmpty()) {
         LockSupport.parkNanos(NS_PER_MS);
       }
-      for (RobotEntry robot : robots) {
-        if (!seen.contains(robot.rigidBody())) {
-          problem(where, source, feed.silence(robot.rigidBody()));
-        }
+      if (!missing.isEmpty()) {
+        problem(where, source, "no positions of " + missing + ": " + feed.silence());
       }
     } catch (IOException e) {
       problem(where, source, e.getMessage());

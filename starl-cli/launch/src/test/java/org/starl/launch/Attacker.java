@@ -294,10 +294,12 @@ final class Attacker implements AutoCloseable {
 
   private String replay(int ms) {
     long sent = 0;
+    long beacons = 0;
     long endNs = RealClock.machineNs() + ms * NS_PER_MS;
     while (RealClock.machineNs() < endNs && !former.isEmpty()) {
       for (Recorded datagram : former) {
         deliver(datagram);
+        beacons += datagram.isBeacon() ? 1 : 0;
         sent++;
         pause(sent % 20 == 0 ? 5 : 0);
         if (RealClock.machineNs() >= endNs) {
@@ -305,7 +307,7 @@ final class Attacker implements AutoCloseable {
         }
       }
     }
-    return sent + " datagrams sent";
+    return sent + " datagrams sent, " + beacons + " of them beacons";
   }
 
   private String garbage(int ms) {

@@ -6,6 +6,7 @@ import static org.starl.time.Time.NS_PER_S;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
@@ -64,13 +65,12 @@ abstract class DatagramFeed implements PoseFeed {
   }
 
   @Override
-  public final synchronized String silence(String name) {
-    return "no position of "
-        + printable(name)
-        + " for "
-        + SILENT_NS / NS_PER_S
-        + " s: "
-        + silence(clock.nowNs());
+  public final synchronized String silence() {
+    return silence(clock.nowNs());
+  }
+
+  static String text(InetSocketAddress address) {
+    return address.getAddress().getHostAddress() + ":" + address.getPort();
   }
 
   /** What was dropped, for messages. */
@@ -159,7 +159,14 @@ abstract class DatagramFeed implements PoseFeed {
     }
     for (Map.Entry<String, Long> each : fixedNs.entrySet()) {
       if (each.getValue() != TOLD && nowNs - each.getValue() > SILENT_NS) {
-        tally.warn(silence(each.getKey()), nowNs);
+        tally.warn(
+            "no position of "
+                + printable(each.getKey())
+                + " for "
+                + SILENT_NS / NS_PER_S
+                + " s: "
+                + silence(nowNs),
+            nowNs);
         each.setValue(TOLD);
       }
     }

@@ -68,7 +68,7 @@ public final class JsonFeed extends DatagramFeed {
   String silence(long nowNs) {
     return tally.statistics().received() == 0
         ? "no line has come to "
-            + address()
+            + text(address())
             + "; look at the sender's address and port, and at this machine's firewall"
         : super.silence(nowNs) + "; look at the names in the lines";
   }

@@ -102,21 +102,20 @@ public final class NatNetClient extends DatagramFeed {
   @Override
   String silence(long nowNs) {
     if (!protocol.isConnected()) {
-      return settings.server()
+      return text(settings.server())
           + " does not answer; look at this address, at 'Local Interface' in Motive's streaming"
           + " settings, and at the firewall there (UDP)";
     }
     if (protocol.hasFrames(nowNs)) {
       return "frames come, but without its place; look at the rigid bodies in Motive; " + dropped();
     }
-    return settings.server()
+    return text(settings.server())
         + " answers, but no usable frames come "
         + (settings.group() == null
             ? "to this machine; look at 'Transmission Type' in Motive's streaming settings (unicast)"
             : "to the group "
-                + settings.group()
-                + " at "
-                + settings.local()
+                + text(settings.group())
+                + (settings.local() == null ? "" : " at " + settings.local().getHostAddress())
                 + "; look at 'Transmission Type' in Motive's streaming settings (multicast), and at"
                 + " positions.interface, the network of the cameras")
         + ", and at the firewall; "

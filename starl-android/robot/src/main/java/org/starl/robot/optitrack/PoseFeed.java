@@ -32,8 +32,8 @@ public interface PoseFeed extends AutoCloseable {
 
   FeedStatistics statistics();
 
-  /** What to look at if there is no fix of the body {@code name}: what comes instead, for people. */
-  String silence(String name);
+  /** If a body has no fix: what comes instead, and what to look at, for people. */
+  String silence();
 
   /** Receives nothing more. */
   @Override

@@ -69,7 +69,8 @@ class SilenceTest {
       InetSocketAddress at = new InetSocketAddress(Loopback.HOST, mute.getLocalPort());
       NatNetSettings settings = new NatNetSettings(at, null, null, Axes.DEFAULT, FixBounds.DEFAULT);
       try (NatNetClient client = client(settings)) {
-        assertThat(told(client)).contains(at + " does not answer; look at this address");
+        assertThat(told(client))
+            .contains(DatagramFeed.text(at) + " does not answer; look at this address");
       }
     }
   }
@@ -102,7 +103,7 @@ class SilenceTest {
   @Test
   void noLine() throws Exception {
     try (JsonFeed feed = jsonFeed()) {
-      assertThat(told(feed)).contains("no line has come to " + feed.address());
+      assertThat(told(feed)).contains("no line has come to " + DatagramFeed.text(feed.address()));
     }
   }
 
