@@ -137,7 +137,10 @@ begin_attack poses 2000
 begin_attack models 1
 begin_attack info 7
 begin_attack ticks 7
+told_two() { count 'is measured at .* and at' "$run"/bot?.log; }
+two=$(told_two)
 begin_attack scaled 3000
+two=$(($(told_two) - two))
 
 # The next robot but bot0 whose round ends loses its storage below: it has just unregistered, so it holds
 # no zone.
@@ -179,7 +182,7 @@ crossing tcp && [ $many -lt 80 ] && [ "${answers[tcp]%% *}" -ge 800 ]
 status=$?
 row "TCP to world" "${answers[tcp]}, without a name" "fewer than 80 threads, crossings go on" \
   "$many threads more, $crossed" $status
-crossing pose && [ "$single" = 0 ] && all_noticed 'jumps from'
+crossing pose && [ "$single" = 0 ] && all_noticed 'jumps from .* to (7777 mm'
 status=$?
 row "single poses" "${answers[pose]} in the cameras' name, one to a robot each 0.3 s" \
   "none used, all tell it, crossings go on" "$single used, $seen tell it, $crossed" $status
@@ -196,7 +199,9 @@ forged() {
 forged models "swapped models" "two names swapped" 'rigid bodies differ'
 forged info "server info" "of NatNet 3.1" 'a server of NatNet 3.1 has described itself'
 forged ticks "tick rate" "twice the rate" 'another server has described itself'
-forged scaled "scaled poses" "positions by half, 3 times the cameras' rate" 'is measured at .* and at'
+crossing scaled && [ $two -ge 4 ]
+row "scaled poses" "${answers[scaled]}: positions by half, 3 times the cameras' rate" \
+  "all stop and tell both places, crossings go on" "told $two times, $crossed" $?
 attack hangup
 
 # Both at once: a robot without its storage may believe the second bot0, and must not stop the first one.

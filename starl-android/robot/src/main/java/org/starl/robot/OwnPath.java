@@ -5,6 +5,7 @@ import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.optitrack.WheelPath;
+import org.starl.time.Time;
 
 /** Joins the odometry of a robot's wheels to the feed that judges its fixes by them. */
 final class OwnPath {
@@ -21,12 +22,13 @@ final class OwnPath {
   static WheelPath of(Wheelbase wheels, Wheels kind, Limits limits) {
     boolean isRough = kind instanceof Wheels.Create create && create.model().equals("create1");
     double least = isRough ? CREATE_1_ERROR : LEAST_ERROR;
-    WheelPath path = new WheelPath(Math.max(least, limits.speedError()));
+    WheelPath path =
+        new WheelPath(Math.max(least, limits.speedError()), limits.reactionMs() * Time.NS_PER_MS);
     wheels.onTravel(
         new Wheelbase.TravelReceiver() {
           @Override
-          public void travelled(long atNs, CreateTravel travel, boolean isMoved) {
-            path.add(atNs, travel.forwardMm(), travel.turnedRad(), isMoved);
+          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved) {
+            path.add(atNs, travel.forwardMm(), travel.turnedRad(), mmPerS, isMoved);
           }
 
           @Override

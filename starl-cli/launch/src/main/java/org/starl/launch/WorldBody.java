@@ -18,6 +18,7 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
+import org.starl.time.Time;
 
 /**
  * A body in the {@link WorldServer}, moved by a simulated Create or a program and seen by the
@@ -41,6 +42,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
   // The world's strand only.
   private Pose lastPose;
   private CreateTravel travel = CreateTravel.NONE;
+  private long travelledNs;
 
   WorldBody(
       RobotSpec spec,
@@ -97,9 +99,12 @@ final class WorldBody extends SimulatedBody implements CreateBody {
             + StrictMath.sin(middleRad) * (to.yMm() - from.yMm());
     travel = new CreateTravel(travel.forwardMm() + wayMm, travel.turnedRad() + turn);
     Wheelbase.TravelReceiver receiver = odometer;
-    if (receiver != null) {
-      receiver.travelled(nowNs, travel, bumps.any());
+    if (receiver != null && nowNs > travelledNs) {
+      double mmPerS =
+          (Math.abs(wayMm) + Math.abs(turn) * axleMm / 2) / Time.seconds(nowNs - travelledNs);
+      receiver.travelled(nowNs, travel, mmPerS, bumps.any());
     }
+    travelledNs = nowNs;
   }
 
   @Override

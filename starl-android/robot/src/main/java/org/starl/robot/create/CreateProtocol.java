@@ -280,7 +280,8 @@ final class CreateProtocol {
     sensors = CreateSensors.of(frame, meter.add(frame));
     Bumps now = sensors.bumps();
     if (odometer != null) {
-      odometer.travelled(nowNs, sensors.travel(), now.any() || sensors.wheelDrop());
+      int mmPerS = Math.max(Math.abs(sentLeft), Math.abs(sentRight));
+      odometer.travelled(nowNs, sensors.travel(), mmPerS, now.any() || sensors.wheelDrop());
     }
     if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
       clearSinceNs = nowNs;

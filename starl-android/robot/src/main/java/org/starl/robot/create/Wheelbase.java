@@ -60,8 +60,11 @@ public interface Wheelbase extends Chassis, Light, AutoCloseable {
   /** Receives the odometry. */
   interface TravelReceiver {
 
-    /** @param isMoved whether a contact or a person may also move the body */
-    void travelled(long atNs, CreateTravel travel, boolean isMoved);
+    /**
+     * @param mmPerS the commanded speed of the faster wheel
+     * @param isMoved whether a contact or a person may also move the body
+     */
+    void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved);
 
     /** Some way is missing before the next state. */
     void lost();

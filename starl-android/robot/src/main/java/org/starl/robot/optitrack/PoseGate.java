@@ -47,8 +47,8 @@ final class PoseGate {
     OUTDATED
   }
 
-  /** A fix, and what the wheels said then. */
-  private record Anchor(Fix fix, WheelPath.State wheels) {}
+  /** A fix, what the wheels said then, and the way that they may not have told yet. */
+  private record Anchor(Fix fix, WheelPath.State wheels, double lateMm) {}
 
   /** Poses at a new place, and jumps that make a stream, at least. */
   static final int LEAST_POSES = 3;
@@ -66,9 +66,6 @@ final class PoseGate {
 
   /** No new place counts for this time after a pose at the old place came among those at a new one. */
   static final long DOUBT_NS = 10 * NS_PER_S;
-
-  /** Sensor frames of the wheels come this much after what they tell, at most. */
-  private static final long WHEELS_LATE_NS = 50 * NS_PER_MS;
 
   /** Fixes are compared with these many on the way before them, at these distances. */
   private static final int MOST_ANCHORS = 32;
@@ -109,25 +106,22 @@ final class PoseGate {
       return isOld ? Verdict.OUTDATED : Verdict.PASSED;
     }
     WheelPath.State wheels = path == null ? null : path.at(fix.timeNs());
-    double wheelError = path == null ? 0 : path.error();
-    if (isAtKnownPlace(fix, wheels, wheelError)) {
+    if (isAtKnownPlace(fix, wheels, path)) {
       if (isOld) {
         return Verdict.OUTDATED;
       }
       boolean isDoubted = isDoubted(fix);
-      keep(fix, isDoubted ? null : wheels);
+      keep(fix, isDoubted ? null : wheels, path);
       return isDoubted ? Verdict.DOUBTED : Verdict.PASSED;
     }
+    boolean isSamePlace =
+        first != null && last != null && isReachable(first, fix) && isReachable(last, fix);
     boolean isNear =
-        first != null
-            && last != null
-            && Math.abs(fix.timeNs() - last.timeNs()) <= bounds.stillNs()
-            && isReachable(first, fix)
-            && isReachable(last, fix);
+        isSamePlace && last != null && Math.abs(fix.timeNs() - last.timeNs()) <= bounds.stillNs();
     if (isNear && last != null && fix.timeNs() <= last.timeNs()) {
       return Verdict.OUTDATED;
     }
-    boolean isSecondPlace = origin != null || (first != null && !isNear);
+    boolean isSecondPlace = origin != null || (first != null && !isSamePlace);
     Verdict verdict = isSecondPlace ? jump(fix) : Verdict.EARLY;
     if (first == null || !isNear) {
       first = fix;
@@ -135,7 +129,7 @@ final class PoseGate {
     }
     last = fix;
     poses++;
-    return isNewPlace(fix, wheels, wheelError) ? place(fix, wheels) : verdict;
+    return isNewPlace(fix, wheels, path) ? place(fix, wheels, path) : verdict;
   }
 
   /** The last possible fix, for a message; else the last of a first place; null if there was none. */
@@ -162,7 +156,7 @@ final class PoseGate {
     return jumps == LEAST_POSES ? Verdict.CONTRADICTED : Verdict.JUMPED;
   }
 
-  private void keep(Fix fix, WheelPath.@Nullable State wheels) {
+  private void keep(Fix fix, WheelPath.@Nullable State wheels, @Nullable WheelPath path) {
     newest = fix;
     if (first != null) {
       newPlaceFromNs = fix.timeNs() + DOUBT_NS;
@@ -172,8 +166,8 @@ final class PoseGate {
     if (origin == null || fix.timeNs() - origin.timeNs() >= ORIGIN_NS) {
       origin = fix;
     }
-    if (wheels != null && isFarFromAnchor(wheels)) {
-      anchors.add(new Anchor(fix, wheels));
+    if (wheels != null && path != null && isFarFromAnchor(wheels)) {
+      anchors.add(new Anchor(fix, wheels, lateMm(fix, wheels, path)));
       if (anchors.size() > MOST_ANCHORS) {
         anchors.removeFirst();
       }
@@ -188,59 +182,68 @@ final class PoseGate {
         || wheels.turnedRad() - anchor.wheels.turnedRad() >= ANCHORS_RAD;
   }
 
-  private boolean isNewPlace(Fix fix, WheelPath.@Nullable State wheels, double wheelError) {
+  private boolean isNewPlace(Fix fix, WheelPath.@Nullable State wheels, @Nullable WheelPath path) {
     return first != null
         && poses >= LEAST_POSES
         && fix.timeNs() - first.timeNs() >= bounds.stillNs()
         && fix.timeNs() >= newPlaceFromNs
         && (wheels == null
+            || path == null
             || wheels.pathMm() - placedAtMm < STANDS_MM
-            || areWheelsThere(fix, wheels, wheelError));
+            || areWheelsThere(fix, wheels, path));
   }
 
-  private Verdict place(Fix fix, WheelPath.@Nullable State wheels) {
+  private Verdict place(Fix fix, WheelPath.@Nullable State wheels, @Nullable WheelPath path) {
     boolean isMoved = origin != null;
     first = null;
     jumps = 0;
     anchors.clear();
     placedAtMm = wheels == null ? placedAtMm : wheels.pathMm();
     origin = fix;
-    keep(fix, wheels);
+    keep(fix, wheels, path);
     return isMoved ? Verdict.MOVED : Verdict.PASSED;
   }
 
-  private boolean isAtKnownPlace(Fix fix, WheelPath.@Nullable State wheels, double wheelError) {
+  private boolean isAtKnownPlace(
+      Fix fix, WheelPath.@Nullable State wheels, @Nullable WheelPath path) {
     return origin != null
         && newest != null
         && isReachable(origin, fix)
         && isReachable(newest, fix)
-        && (wheels == null || areWheelsThere(fix, wheels, wheelError));
+        && (wheels == null || path == null || areWheelsThere(fix, wheels, path));
   }
 
-  private boolean areWheelsThere(Fix fix, WheelPath.State wheels, double wheelError) {
+  private boolean areWheelsThere(Fix fix, WheelPath.State wheels, WheelPath path) {
     for (Anchor anchor : anchors) {
-      if (anchor.wheels.stretch() == wheels.stretch()
-          && !isThere(fix, anchor, wheels, wheelError)) {
+      if (anchor.wheels.stretch() == wheels.stretch() && !isThere(fix, anchor, wheels, path)) {
         return false;
       }
     }
     return true;
   }
 
-  private boolean isThere(Fix fix, Anchor anchor, WheelPath.State wheels, double wheelError) {
-    double lateS =
-        Time.seconds(
-            Math.min(bounds.stillNs(), Math.max(WHEELS_LATE_NS, fix.timeNs() - wheels.atNs())));
+  private boolean isThere(Fix fix, Anchor anchor, WheelPath.State wheels, WheelPath path) {
+    // Both may be late: the way between lacks one, or has the other too much.
+    double lateMm = Math.max(anchor.lateMm, lateMm(fix, wheels, path));
+    double lateRad = lateMm * bounds.maxTurnRadPerS() / bounds.maxSpeedMmPerS();
     double pathMm = Math.abs(wheels.pathMm() - anchor.wheels.pathMm());
-    double turnsRad = wheelError * Math.abs(wheels.turnedRad() - anchor.wheels.turnedRad());
+    double turnsRad = path.error() * Math.abs(wheels.turnedRad() - anchor.wheels.turnedRad());
     double asideRad = Math.min(anchor.fix.errorRad(), MOST_ERROR_RAD) + turnsRad;
     return isWithin(
         moved(anchor, wheels),
         fix.pose(),
-        errorMm(anchor.fix, fix)
-            + bounds.maxSpeedMmPerS() * lateS
-            + pathMm * (wheelError + asideRad),
-        errorRad(anchor.fix, fix) + bounds.maxTurnRadPerS() * lateS + turnsRad);
+        errorMm(anchor.fix, fix) + lateMm + pathMm * (path.error() + asideRad),
+        errorRad(anchor.fix, fix) + lateRad + turnsRad);
+  }
+
+  /**
+   * The wheels may have turned, as commanded, for the time that their sensors are late, and at any
+   * speed for the time that these are later.
+   */
+  private double lateMm(Fix fix, WheelPath.State wheels, WheelPath path) {
+    long unknownNs = Math.min(bounds.stillNs(), fix.timeNs() - wheels.atNs() - path.lateNs());
+    return (1 + path.error()) * path.fastestMmPerS() * Time.seconds(path.lateNs())
+        + bounds.maxSpeedMmPerS() * Time.seconds(Math.max(0, unknownNs));
   }
 
   /** The pose of the anchor, moved as the wheels have turned since. */

@@ -90,24 +90,24 @@ final class Tally {
       case DOUBTED -> drops.add(FeedDrop.DOUBTED);
       case JUMPED, CONTRADICTED -> {
         drops.add(FeedDrop.JUMPED);
-        if (verdict == PoseGate.Verdict.CONTRADICTED && robot != null) {
+        boolean isDoubt = verdict == PoseGate.Verdict.CONTRADICTED && robot != null;
+        if (isDoubt && robot != null) {
           robot.onDoubt().run();
         }
         Pose byWheels = path == null ? null : gate.byWheels(fix, path);
-        jumped(verdict, name, before, fix, byWheels, nowNs);
+        jumped(isDoubt, name, before, fix, byWheels, nowNs);
       }
     }
     return false;
   }
 
   private void jumped(
-      PoseGate.Verdict verdict,
+      boolean isDoubt,
       String name,
       @Nullable Fix before,
       Fix fix,
       @Nullable Pose byWheels,
       long nowNs) {
-    boolean isDoubt = verdict == PoseGate.Verdict.CONTRADICTED;
     if (!isNewEpisode(isDoubt ? doubtedNs : jumpedNs, name, nowNs)) {
       return;
     }

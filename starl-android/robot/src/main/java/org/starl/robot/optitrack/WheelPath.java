@@ -34,7 +34,8 @@ public final class WheelPath {
       double yMm,
       double headingRad,
       double pathMm,
-      double turnedRad) {
+      double turnedRad,
+      double mmPerS) {
 
     private State between(State next, long timeNs) {
       double part = (double) (timeNs - atNs) / (next.atNs - atNs);
@@ -45,11 +46,13 @@ public final class WheelPath {
           yMm + part * (next.yMm - yMm),
           headingRad + part * (next.headingRad - headingRad),
           pathMm + part * (next.pathMm - pathMm),
-          turnedRad + part * (next.turnedRad - turnedRad));
+          turnedRad + part * (next.turnedRad - turnedRad),
+          mmPerS);
     }
   }
 
   private final double error;
+  private final long lateNs;
   private final ArrayDeque<State> states = new ArrayDeque<>();
   private double forwardMm;
   private double turnRad;
@@ -57,9 +60,17 @@ public final class WheelPath {
   private long touchedNs;
   private boolean hasTouched;
 
-  /** @param error largest error of a way and of a turn, as a fraction of their lengths */
-  public WheelPath(double error) {
+  /**
+   * @param error largest error of a way and of a turn, as a fraction of their lengths
+   * @param lateNs sensor frames come so much after what they tell, at most
+   */
+  public WheelPath(double error, long lateNs) {
     this.error = error;
+    this.lateNs = lateNs;
+  }
+
+  long lateNs() {
+    return lateNs;
   }
 
   double error() {
@@ -76,9 +87,11 @@ public final class WheelPath {
    *
    * @param newForwardMm way since any beginning; backward is negative
    * @param newTurnRad turn since then, counter-clockwise
+   * @param mmPerS the commanded speed of the faster wheel
    * @param isMoved whether something else may move the body: a contact, or a person
    */
-  public synchronized void add(long atNs, double newForwardMm, double newTurnRad, boolean isMoved) {
+  public synchronized void add(
+      long atNs, double newForwardMm, double newTurnRad, double mmPerS, boolean isMoved) {
     State last = states.peekLast();
     if (isMoved) {
       hasTouched = true;
@@ -91,7 +104,7 @@ public final class WheelPath {
     turnRad = newTurnRad;
     isBroken = false;
     if (last == null) {
-      states.add(new State(atNs, 0, 0, 0, 0, 0, 0));
+      states.add(new State(atNs, 0, 0, 0, 0, 0, 0, mmPerS));
       return;
     }
     double middleRad = last.headingRad + turn / 2;
@@ -103,10 +116,16 @@ public final class WheelPath {
             last.yMm + wayMm * StrictMath.sin(middleRad),
             last.headingRad + turn,
             last.pathMm + Math.abs(wayMm),
-            last.turnedRad + Math.abs(turn)));
+            last.turnedRad + Math.abs(turn),
+            mmPerS));
     while (atNs - states.getFirst().atNs > KEPT_NS) {
       states.removeFirst();
     }
+  }
+
+  /** The greatest commanded speed of the last second. */
+  synchronized double fastestMmPerS() {
+    return states.stream().mapToDouble(State::mmPerS).max().orElse(0);
   }
 
   /** The state at a time, the newest one if that is not known yet; null before the first frame. */

@@ -308,7 +308,7 @@ class CreateDriverTest {
     bench.driver.onTravel(
         new Wheelbase.TravelReceiver() {
           @Override
-          public void travelled(long atNs, CreateTravel travel, boolean isMoved) {
+          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved) {
             travels.add(travel);
             moved.add(isMoved);
           }

@@ -189,7 +189,7 @@ class JsonFeedTest {
     FixBounds bounds = FixBounds.DEFAULT.withMotion(550, 700);
     JsonProtocol open = new JsonProtocol(bounds, null, tally);
     List<String> stops = new ArrayList<>();
-    tally.own("bot0", new WheelPath(0.1), () -> stops.add("stop"));
+    tally.own("bot0", new WheelPath(0.1, 200 * MS), () -> stops.add("stop"));
     int fixes = 0;
     for (int ms = 0; ms < 5000; ms++) {
       boolean isForged = ms >= 2000 && ms % 3 == 0;

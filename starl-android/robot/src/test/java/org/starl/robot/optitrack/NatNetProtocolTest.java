@@ -387,7 +387,7 @@ class NatNetProtocolTest {
       assertThat(heard).hasSize(30);
       assertTrueFixes();
     }
-    assertThat(lines).filteredOn(line -> line.contains("is not believed")).hasSize(1);
+    assertThat(lines).filteredOn(line -> line.contains("is not believed")).hasSize(2);
   }
 
   @Test
