@@ -138,6 +138,8 @@ begin_attack models 1
 begin_attack info 7
 begin_attack ticks 7
 told_two() { count 'is measured at .* and at' "$run"/bot?.log; }
+# Robots tell jumps once in 10 s.
+sleep 11
 two=$(told_two)
 begin_attack scaled 3000
 two=$(($(told_two) - two))

@@ -183,6 +183,7 @@ class DeploymentSchemaTest {
                 "server", "192.168.1.2",
                 "dataPort", "1511",
                 "multicast", "239.255.42.99",
+                "interface", "wlan0",
                 "version", "4.1",
                 "up", "z",
                 "errorMm", "5",

@@ -104,7 +104,8 @@ public final class NatNetClient extends DatagramFeed {
     if (!protocol.isConnected()) {
       return text(settings.server())
           + " does not answer; look at this address, at 'Local Interface' in Motive's streaming"
-          + " settings, and at the firewall there (UDP)";
+          + " settings, at the firewall there (UDP), and at positions.interface"
+          + (settings.local() == null ? "" : ", here " + settings.local().getHostAddress());
     }
     if (protocol.hasFrames(nowNs)) {
       return "frames come, but without its place; look at the rigid bodies in Motive; " + dropped();
