@@ -38,7 +38,6 @@ import org.starl.robot.file.Network;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.optitrack.FeedStatistics;
 import org.starl.robot.optitrack.PoseFeed;
-import org.starl.robot.optitrack.TrackedBody;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
@@ -180,11 +179,7 @@ public final class DeployedRobot implements AutoCloseable {
     stable = opened.add(FileStable.open(surroundings.storage(), strand, this::fail));
     background = opened.add(new RealBackground(id.name(), strand));
     poses = opened.add(PoseFeeds.open(deployment, surroundings.linesKey(), local, clock, log));
-    poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
-    poses.own(
-        entry.rigidBody(),
-        OwnPath.of(wheels, entry.wheels(), deployment.limits()),
-        wheels::doubted);
+    OwnFixes.join(poses, entry, wheels, deployment.limits());
     long startNs = clock.nowNs();
     Participants participants = deployment.participants();
     isProven = keys != null;
@@ -370,7 +365,6 @@ public final class DeployedRobot implements AutoCloseable {
     return gvh == null ? new Location.Unknown() : gvh.gps.location();
   }
 
-  // Below the strand: the wheels' watchdog must not wait for it.
   /** The robots' fixes, of those of bodies by their names in the measuring system. */
   static SortedMap<RobotId, Fix> positions(
       Map<String, Fix> bodies, Collection<RobotEntry> entries) {
@@ -382,14 +376,6 @@ public final class DeployedRobot implements AutoCloseable {
       }
     }
     return robots;
-  }
-
-  private void watch(List<TrackedBody> bodies, String rigidBody) {
-    for (TrackedBody body : bodies) {
-      if (body.name().equals(rigidBody) && body.fix() != null) {
-        wheels.fixed(body.fix());
-      }
-    }
   }
 
   /** Warnings of the wheels are actions of the trace, too: they explain violations. */

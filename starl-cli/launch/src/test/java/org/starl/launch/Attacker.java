@@ -1,3 +1,4 @@
+// Longer than 500 lines because each attack of attack.sh is one method here, over one network.
 package org.starl.launch;
 
 import static org.starl.time.Time.NS_PER_MS;

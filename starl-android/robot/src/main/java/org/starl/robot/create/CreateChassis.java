@@ -144,7 +144,7 @@ public final class CreateChassis implements Wheelbase {
 
   @Override
   public void doubted() {
-    update(protocol::doubted);
+    update(() -> protocol.doubted(clock.nowNs()));
   }
 
   @Override

@@ -71,6 +71,7 @@ final class CreateProtocol {
   private long lastFrameNs = Long.MIN_VALUE;
   private long heardNs = Long.MIN_VALUE;
   private long lastFixNs = Long.MIN_VALUE;
+  private long doubtedNs = Long.MIN_VALUE;
   private CreateSensors sensors = CreateSensors.NONE;
   private Wheelbase.@Nullable TravelReceiver odometer;
   private long clearSinceNs;
@@ -157,12 +158,15 @@ final class CreateProtocol {
   /** A fix that was measured at {@code fixNs}. */
   void fixed(long fixNs, long atNs) {
     nowNs = atNs;
-    lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
+    if (fixNs > doubtedNs) {
+      lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
+    }
   }
 
-  /** As if no fix had come yet. */
-  void doubted() {
+  /** Only a fix that is measured from now on counts: another thread may still pass an older one. */
+  void doubted(long atNs) {
     lastFixNs = Long.MIN_VALUE;
+    doubtedNs = atNs;
   }
 
   void onTravel(Wheelbase.TravelReceiver receiver) {

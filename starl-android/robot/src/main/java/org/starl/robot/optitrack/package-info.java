@@ -9,8 +9,8 @@
  * that the feed was given. The time of a fix is that of its measurement, not of its arrival, and its
  * error bound includes the uncertainty of that time. A body that the cameras have lost gives no fix. Faulty datagrams are counted, dropped and logged once for each kind of fault; no bytes make a
  * feed fail or allocate more than a multiple of their length. NatNet is not
- * authenticated: any host that can send from the server's address can send false positions, as fast
- * as robots drive. JSON lines are authenticated if the feed has a key.
+ * authenticated: any host that can send from the server's address can send false positions. Those that
+ * contradict the true ones, or a robot's odometry, stop it. JSON lines are authenticated if the feed has a key.
  *
  * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl} ids, {@code
  * org.starl.geometry}, {@code org.starl.platform}.

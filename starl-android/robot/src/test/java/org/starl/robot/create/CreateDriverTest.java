@@ -293,7 +293,8 @@ class CreateDriverTest {
   void doubtedFixesStopTheWheelsUntilTheNextFix(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.hasFixes = false;
-    bench.driver.doubted();
+    bench.driver.doubted(bench.nowNs);
+    bench.driver.fixed(bench.nowNs - 1, bench.nowNs);
     assertThat(bench.msUntilItStands(300)).isBetween(0.0, 30.0);
     bench.hasFixes = true;
     bench.runMs(300);

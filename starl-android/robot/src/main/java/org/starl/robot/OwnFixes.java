@@ -3,12 +3,15 @@ package org.starl.robot;
 import org.starl.robot.create.CreateTravel;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Limits;
+import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
+import org.starl.robot.optitrack.PoseFeed;
+import org.starl.robot.optitrack.TrackedBody;
 import org.starl.robot.optitrack.WheelPath;
 import org.starl.time.Time;
 
-/** Joins the odometry of a robot's wheels to the feed that judges its fixes by them. */
-final class OwnPath {
+/** Joins a robot's wheels and the feed of its positions, below its strand: neither waits for it. */
+final class OwnFixes {
 
   /** Slip, and the wear of the wheels; encoders. */
   private static final double LEAST_ERROR = 0.1;
@@ -16,11 +19,12 @@ final class OwnPath {
   /** A Create 1's own sums of ways and angles. */
   private static final double CREATE_1_ERROR = 0.3;
 
-  private OwnPath() {}
+  private OwnFixes() {}
 
-  /** The path of these wheels from now on; without odometry it has no states. */
-  static WheelPath of(Wheelbase wheels, Wheels kind, Limits limits) {
-    boolean isRough = kind instanceof Wheels.Create create && create.model().equals("create1");
+  /** The wheels get the robot's fixes, which the feed judges by the wheels' odometry, if they have any. */
+  static void join(PoseFeed poses, RobotEntry entry, Wheelbase wheels, Limits limits) {
+    boolean isRough =
+        entry.wheels() instanceof Wheels.Create create && create.model().equals("create1");
     double least = isRough ? CREATE_1_ERROR : LEAST_ERROR;
     WheelPath path =
         new WheelPath(Math.max(least, limits.speedError()), limits.reactionMs() * Time.NS_PER_MS);
@@ -36,6 +40,13 @@ final class OwnPath {
             path.lose();
           }
         });
-    return path;
+    poses.own(entry.rigidBody(), path, wheels::doubted);
+    poses.onBodies(bodies -> {
+      for (TrackedBody body : bodies) {
+        if (body.name().equals(entry.rigidBody()) && body.fix() != null) {
+          wheels.fixed(body.fix());
+        }
+      }
+    });
   }
 }
