@@ -170,7 +170,12 @@ public final class SimSettings {
   }
 
   MotionParameters motionParameters(RobotType type) {
+    MotionParameters usual = MotionParameters.DEFAULT;
+    double most = get(Setting.MAX_SPEED);
     return MotionParameters.builder()
+        .linSpeedMaxMmPerS(Math.min(usual.linSpeedMaxMmPerS(), most))
+        .linSpeedMinMmPerS(Math.min(usual.linSpeedMinMmPerS(), most))
+        .arcSpeedMaxMmPerS(Math.min(usual.arcSpeedMaxMmPerS(), most))
         .style(get(Setting.IDEAL_MOTION) ? MotionStyle.IDEAL : MotionStyle.UNICYCLE)
         .robotRadiusMm(robotRadiusMm())
         .contactMarkMm(get(Setting.CONTACT_MARK))

@@ -10,7 +10,8 @@ import org.starl.platform.StartNeeds;
 
 /**
  * Compares what the programs need at their starts with the settings and the start positions of a
- * run. Starts that were drawn too near to each other are drawn again, farther apart; programs are
+ * run. Starts that were drawn too near to each other are drawn again, farther apart, unless the user
+ * gave {@code startSpacing}; programs are
  * created at the start of the run, before their first fix.
  */
 final class StartNeedsCheck {
@@ -35,7 +36,9 @@ final class StartNeedsCheck {
       return;
     }
     checkSettings(needs);
-    double spacingMm = Math.max(needs.spacingMm(), met.spacingMm());
+    // Robots compare measured positions, which may be nearer to each other than the true ones.
+    double noiseMm = 2 * plan.settings().positionNoise().boundMm();
+    double spacingMm = Math.max(needs.spacingMm(), met.spacingMm()) + noiseMm;
     double clearanceMm = Math.max(needs.clearanceMm(), met.clearanceMm());
     StartPair nearest = StartPair.nearest(starts);
     boolean isNear = nearest != null && nearest.mm() < spacingMm;
@@ -43,13 +46,14 @@ final class StartNeedsCheck {
     double spacing = plan.settings().get(Setting.START_SPACING);
     boolean mayDraw =
         placement != null
-            && spacing == Setting.START_SPACING.defaultValue()
+            && !plan.settings().has(Setting.START_SPACING)
             && robots.stream().noneMatch(SimRobot::hasFix);
     if (isNear && !mayDraw) {
       throw new UnmetNeeds(
           nearest
-              + ": expected at least %.0f mm for %s".formatted(spacingMm, needs.of())
-              + (placement == null ? "" : remedy(needs, spacing)));
+              + ": expected at least %.0f mm for %s".formatted(spacingMm - noiseMm, needs.of())
+              + (noiseMm == 0 ? "" : " and %.0f mm for positionNoise".formatted(noiseMm))
+              + (placement == null ? "" : remedy(spacingMm, spacing)));
     }
     if (placement != null && mayDraw && (isNear || !areClear(clearanceMm))) {
       starts = drawn(placement, spacingMm, clearanceMm);
@@ -78,8 +82,8 @@ final class StartNeedsCheck {
                 && plan.obstacles().distanceMm(at) > clearanceMm);
   }
 
-  private String remedy(StartNeeds needs, double spacing) {
-    double radii = needs.spacingMm() / plan.settings().robotRadiusMm();
+  private String remedy(double spacingMm, double spacing) {
+    double radii = spacingMm / plan.settings().robotRadiusMm();
     return ": startSpacing=%s, expected at least %.2f"
         .formatted(Quantities.numberText(spacing), StrictMath.ceil(100 * radii) / 100);
   }

@@ -97,6 +97,23 @@ class TubeStartsTest {
   }
 
   @Test
+  void positionErrorsNeedRoomOfTheirOwn() {
+    SimSettings noisy = with("positionNoise", "10mm");
+    Simulation.Builder near = timed().settings(noisy).robot(at(0, 1000)).robot(at(1, 1717));
+    assertThatThrownBy(() -> near.build().run())
+        .isInstanceOf(BadInput.class)
+        .hasMessage(
+            "bot0 and bot1 start 717 mm apart: expected at least 698 mm for reach tubes"
+                + " and 20 mm for positionNoise");
+    for (long seed = 1; seed <= 20; seed++) {
+      Simulation.Builder far = timed().settings(noisy).robot(at(0, 1000)).robot(at(1, 1718));
+      assertThat(far.seed(seed).build().run().isFinished()).as("seed %s", seed).isTrue();
+      SimResult drawn = drawn(seed, Commuter::new).settings(noisy).build().run();
+      assertThat(drawn.isFinished()).as("seed %s: %s", seed, drawn.diagnosis()).isTrue();
+    }
+  }
+
+  @Test
   void aGivenSpacingThatIsTooSmallIsRefusedWithBothNumbers() {
     Simulation.Builder near = drawn(1, Commuter::new).settings(with("startSpacing", "3"));
     assertThatThrownBy(() -> near.build().run())
