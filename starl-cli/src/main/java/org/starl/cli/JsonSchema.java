@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.Field;
 import org.starl.input.Form;
 import org.starl.input.Quantity;
+import org.starl.robot.file.Wheels;
 import org.starl.sim.fault.FaultGrammar;
 
 /** Builds JSON schemas (draft 7) from {@link Form}s. A schema is a map, ready to print as JSON. */
@@ -27,6 +28,9 @@ final class JsonSchema {
   private static final String NAME = "[^\\s:\\[\\]]+";
   private static final String BRACKETS = "\\[[^\\s\\[\\]]+\\]";
   private static final String HOST_PORT = "(" + NAME + "|" + BRACKETS + "):" + PORT_NUMBER;
+
+  /** As the reader has it: an address whose {@code tcp:} is missing. */
+  private static final String NO_DEVICE = Wheels.Port.HOST_AND_PORT.pattern();
 
   /** An IPv6 address needs no brackets where no port follows. */
   private static final String HOST =
@@ -90,7 +94,7 @@ final class JsonSchema {
       case Form.Faults faults -> faults();
       case Form.Address address ->
           text(address, address.needsPort() ? HOST_PORT : "(" + HOST_PORT + "|" + HOST + ")");
-      case Form.Port port -> text(port, "(tcp:" + HOST_PORT + "|(?!tcp:)\\S.*)");
+      case Form.Port port -> text(port, "(tcp:" + HOST_PORT + "|(?!tcp:|" + NO_DEVICE + "$)\\S.*)");
       case Form.Lines lines -> mapping(lines.fields());
       case Form.Kinds kinds -> kinds(kinds);
       case Form.Named named -> named(named);

@@ -1,5 +1,6 @@
 package org.starl.robot.file;
 
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /** A robot's drive. */
@@ -21,10 +22,16 @@ public sealed interface Wheels {
   /** A link that carries the Create's bytes. */
   sealed interface Port {
 
-    /** Reads a device's path or {@code tcp:HOST:PORT}; null if the address has no port. */
+    /** A phone's {@code bluetooth:1234} is none. */
+    Pattern HOST_AND_PORT = Pattern.compile("((?!bluetooth:)[^\\s/:]+|\\[[^\\s/]+\\]):[0-9]+");
+
+    /**
+     * Reads a device's path or {@code tcp:HOST:PORT}; null if the address has no port, or {@code tcp:}
+     * is missing: no device has the name {@code 127.0.0.1:4000}.
+     */
     static @Nullable Port parse(String text) {
       if (!text.startsWith("tcp:")) {
-        return new Device(text);
+        return HOST_AND_PORT.matcher(text).matches() ? null : new Device(text);
       }
       HostPort address = HostPort.parse(text.substring("tcp:".length()), 0);
       return address == null ? null : new Tcp(address);
