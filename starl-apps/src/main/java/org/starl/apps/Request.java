@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Function;
+import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.random.Rng;
@@ -16,13 +17,25 @@ import org.starl.random.Rng;
  * @param robots their number, if the user gave it
  * @param parameters all parameters of the app: the user's values, else the defaults
  * @param given the keys of the parameters that the user gave, even if with the default value
+ * @param motion the robots' motion, which decides how much room maps leave them; a demo takes that of
+ *     its settings instead
  */
 public record Request(
-    long seed, OptionalInt robots, SortedMap<String, String> parameters, Set<String> given) {
+    long seed,
+    OptionalInt robots,
+    SortedMap<String, String> parameters,
+    Set<String> given,
+    MotionParameters motion) {
 
   /** A request in which all parameters are given. */
   public Request(long seed, OptionalInt robots, SortedMap<String, String> parameters) {
     this(seed, robots, parameters, parameters.keySet());
+  }
+
+  /** A request for robots that react at once, with exact wheels. */
+  public Request(
+      long seed, OptionalInt robots, SortedMap<String, String> parameters, Set<String> given) {
+    this(seed, robots, parameters, given, MotionParameters.DEFAULT);
   }
 
   /** The value of a parameter that the app has declared. */
@@ -37,7 +50,9 @@ public record Request(
   /** This request with a number of robots drawn from the seed, unless the user gave one. */
   public Request drawRobots(int least, int most) {
     int drawn = least + new Rng(seed).fork("chaos/robots").nextInt(most - least + 1);
-    return robots.isPresent() ? this : new Request(seed, OptionalInt.of(drawn), parameters, given);
+    return robots.isPresent()
+        ? this
+        : new Request(seed, OptionalInt.of(drawn), parameters, given, motion);
   }
 
   /** In half of the seeds this request, given another value, unless the user gave one. */
@@ -50,7 +65,7 @@ public record Request(
     changed.put(parameter.key(), other);
     Set<String> more = new TreeSet<>(given);
     more.add(parameter.key());
-    return new Request(seed, robots, changed, more);
+    return new Request(seed, robots, changed, more, motion);
   }
 
   /**

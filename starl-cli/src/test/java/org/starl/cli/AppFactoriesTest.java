@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -15,8 +16,12 @@ import org.starl.apps.AppFactory;
 import org.starl.apps.Demo;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
+import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
 import org.starl.robot.LocalSpecs;
+import org.starl.robot.RealMotion;
+import org.starl.robot.file.Limits;
+import org.starl.sim.SimSettings;
 import org.starl.sim.SimulationPlan;
 import org.starl.spec.Monitor;
 
@@ -58,6 +63,24 @@ class AppFactoriesTest {
         demo.plan(request, demo.defaultSettings(request).build()).simulation().build().plan();
     assertThat(program.knownObstacles()).isEqualTo(plan.obstacles().known());
     assertThat(ownLemmas(program.monitors())).isEqualTo(ownLemmas(plan.monitors()));
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void theMapsAllowForTheDeploymentsLimits(String name) {
+    AppFactory factory = AppFactory.installed().get(name);
+    Demo demo = Main.APPS.byName(name).orElseThrow();
+    SimSettings errors =
+        SimSettings.builder().set("reaction", "200ms").set("speedError", "0.1").build();
+    MotionParameters motion =
+        RealMotion.of(MotionParameters.DEFAULT, new Limits(500, 300, 500, 0.1, 200));
+    Request usual = request(factory, 4);
+    Request request = new Request(7, usual.robots(), usual.parameters(), Set.of(), motion);
+
+    SimSettings settings = errors.over(demo.defaultSettings(request).build());
+    SimulationPlan plan = demo.plan(request, settings).simulation().build().plan();
+
+    assertThat(factory.program(request).knownObstacles()).isEqualTo(plan.obstacles().known());
   }
 
   @ParameterizedTest

@@ -8,7 +8,9 @@ import java.util.SortedMap;
 import org.starl.apps.AppFactory;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
+import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
+import org.starl.robot.RealMotion;
 import org.starl.robot.file.Deployment;
 
 /** The apps of this APK, by name: the same classes as on a board and in the simulator. */
@@ -41,7 +43,12 @@ final class PhoneApps {
       }
     }
     Request request =
-        new Request(deployment.seed(), OptionalInt.of(deployment.robots().size()), parameters);
+        new Request(
+            deployment.seed(),
+            OptionalInt.of(deployment.robots().size()),
+            parameters,
+            parameters.keySet(),
+            RealMotion.of(MotionParameters.DEFAULT, deployment.limits()));
     try {
       return factory.program(request);
     } catch (BadInput e) {

@@ -11,7 +11,6 @@ import org.starl.apps.lightpaint.logic.PaintFact;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
-import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
@@ -60,7 +59,7 @@ public final class LightPaintFactory implements AppFactory {
     int painters = request.robots().orElse(1);
     checkPainters(painters);
     List<Stroke> strokes = strokes(request, house(request));
-    double radiusMm = Painting.radiusMm(MotionParameters.DEFAULT);
+    double radiusMm = Painting.radiusMm(request.motion());
     return program(Painting.of(strokes, List.of(), painters, radiusMm));
   }
 

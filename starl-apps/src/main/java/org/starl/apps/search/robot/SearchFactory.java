@@ -73,7 +73,7 @@ public final class SearchFactory implements AppFactory {
   public RobotProgram program(Request request) {
     request.refuseOnRobots(SCENARIO);
     request.refuseOnRobots(FILES);
-    House house = house(request, request.robots().orElse(1), MotionParameters.DEFAULT);
+    House house = house(request, request.robots().orElse(1), request.motion());
     return RobotProgram.of(app(house))
         .withMap(house.plan().walls())
         .withMonitor(AgreementSpec::new)
