@@ -26,7 +26,7 @@ trap 'exit 1' INT TERM
 file() {
   local machine=$1 self=bot$(($1 % 4)) number address
   echo "app: intersection"
-  echo "parameters: {scenario: figure7, debris: 0, speedError: 0.05}"
+  echo "parameters: {scenario: figure7, debris: 0}"
   echo "seed: 7"
   echo "key: crossing.key"
   settings 0.05 "127.0.0.1:$((base + 20 + machine))" "127.0.0.1:$((base + 5))" no

@@ -65,8 +65,7 @@ objects=$(sed -n 's/^ *\(objects: [a-z]*\)$/, \1/p' "$file" | sort -u)
 host=127.0.0.1
 [ -z "$spaces" ] || host=10.47.0.1
 {
-  # Wheels that are not exact, so that positions differ from the odometry.
-  sed -n '/^app:/,/^seed:/p' "$file" | sed 's/^parameters:$/&\n  speedError: 0.05/'
+  sed -n '/^app:/,/^seed:/p' "$file"
   settings 0.1 "$host" "$host:4745" "$([ -n "$spaces" ] && echo yes || echo no)"
   number=4748
   for each in $robots; do

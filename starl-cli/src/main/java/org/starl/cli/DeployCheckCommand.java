@@ -4,14 +4,21 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
 import org.starl.launch.DeploymentCheck;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Moved;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -21,10 +28,12 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "check",
     description =
-        "Checks a deployment without running it: file, app, parameters, key and hosts. With"
-            + " --robot, also the device, address and port of that robot's machine.",
+        "Checks a deployment without running it: file, app, parameters, starts, key and hosts;"
+            + " simulates its first seconds. With --robot, also the device, address and port of that robot's machine.",
     footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
 final class DeployCheckCommand extends BaseCommand implements Callable<Integer> {
+
+  private static final int SIMULATED_S = 20;
 
   @Parameters(index = "0", paramLabel = "FILE", description = "A deployment file.")
   private String file = "";
@@ -48,7 +57,8 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
   public Integer call() {
     Deployment deployment = DeploymentFile.read(file);
     RobotEntry here = robot == null ? null : deployment.robot(robot);
-    SimulationPlan plan = DeployedApp.of(deployment, demos()).plan();
+    DeployedApp app = DeployedApp.of(deployment, demos());
+    SimulationPlan plan = app.plan();
     if (here != null) {
       DeploymentFile.keys(deployment, here);
     } else if (deployment.key() != null) {
@@ -58,25 +68,42 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
     problems.addAll(DeploymentCheck.ofPorts(deployment, plan.objects()));
     problems.addAll(DeploymentCheck.ofMotion(deployment, plan.settings().motionParameters(0)));
+    Set<RobotId> moved = new TreeSet<>();
+    problems.addAll(app.rehearse(SIMULATED_S * Time.NS_PER_S, watch(moved)));
     Map<String, Object> result = new LinkedHashMap<>();
     result.put("file", file);
     result.put("app", deployment.app());
     result.put("robots", deployment.robots().keySet().stream().map(String::valueOf).toList());
     result.put("problems", problems);
-    json.print(out(), result, problems.isEmpty() ? summary(deployment) : List.of());
+    json.print(out(), result, problems.isEmpty() ? summary(deployment, moved.size()) : List.of());
     if (!json.isOn()) {
       problems.forEach(problem -> err().println("starl: " + problem));
     }
     return problems.isEmpty() ? ExitStatus.GOOD : ExitStatus.BAD_INPUT;
   }
 
-  private static List<String> summary(Deployment deployment) {
+  private static SimObserver watch(Set<RobotId> moved) {
+    return new SimObserver() {
+      @Override
+      public void observed(TraceEvent event) {
+        if (event instanceof Moved move
+            && (move.linearMmPerS() != 0 || move.angularRadPerS() != 0)) {
+          moved.add(move.robot());
+        }
+      }
+    };
+  }
+
+  private static List<String> summary(Deployment deployment, int moved) {
     List<String> lines = new ArrayList<>();
     for (RobotEntry entry : deployment.robots().values()) {
       Object address = entry.address() == null ? "found by beacons" : entry.address();
       lines.add(entry.id() + ": radio " + address + ", " + wheels(entry));
     }
     int robots = deployment.robots().size();
+    lines.add(
+        "simulated for %s s with these limits and errors: %s of %s moved"
+            .formatted(SIMULATED_S, moved, robots));
     lines.add(
         "%s: no problem found: %s with %s %s, %s"
             .formatted(

@@ -39,7 +39,7 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     Deployment deployment = options.deployment();
     RobotEntry entry = deployment.robot(robot);
     DeployedApp app = DeployedApp.of(deployment, demos());
-    app.requirePorts();
+    app.require();
     if (options.rounds() > 1 && !deployment.simulated().contains(entry)) {
       throw new BadInput(
           "--rounds: %s: expected 1, because only simulated robots can start again; %s is real"

@@ -43,7 +43,7 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
           deployment.file()
               + ": no robot is simulated; expected one with 'kind: simulated' or 'simulatedAt:'");
     }
-    app.requirePorts();
+    app.require();
     options.rounds();
     Console console = new Console(out()::println);
     UntilStopped stop = new UntilStopped(() -> ends.add(""));

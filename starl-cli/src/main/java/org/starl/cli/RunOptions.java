@@ -8,6 +8,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
+import org.starl.launch.DeploymentFile;
 import org.starl.sim.Setting;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -38,6 +39,14 @@ final class RunOptions {
           "Any other setting or parameter; 'starl list' shows them with their defaults. May be"
               + " repeated.")
   private Map<String, String> sets = new LinkedHashMap<>();
+
+  @Option(
+      names = "--as-deployed",
+      paramLabel = "FILE",
+      description =
+          "Simulate with the limits and errors of a deployment file; if it is for this app, also with"
+              + " its parameters and number of robots. Other options replace them.")
+  private @Nullable String asDeployed;
 
   private final Map<Setting<?>, String> given = new LinkedHashMap<>();
 
@@ -129,6 +138,9 @@ final class RunOptions {
     given.keySet().forEach(setting -> options.add(option(setting)));
     faults.forEach(fault -> options.add("--fault"));
     sets.forEach((key, value) -> options.add("--set"));
+    if (asDeployed != null) {
+      options.add("--as-deployed");
+    }
     if (!options.isEmpty()) {
       throw new BadInput(options.get(0) + " cannot be used with a trace: " + trace);
     }
@@ -136,7 +148,7 @@ final class RunOptions {
 
   /**
    * The request of the scenario file, if any, and these options, for an app of {@code demos}.
-   * Options replace the file's values, {@code --set} replaces other options; {@code --fault} adds
+   * A deployment replaces the file's values, options replace both, {@code --set} replaces other options; {@code --fault} adds
    * to the file's faults.
    *
    * @throws BadInput naming the option or the file's line, the value and the expected form
@@ -145,6 +157,9 @@ final class RunOptions {
     boolean isFile = ScenarioFile.isScenario(name);
     ScenarioFile file = isFile ? ScenarioFile.read(name) : ScenarioFile.ofApp(name);
     RunRequest.Builder request = file.request(demos);
+    if (asDeployed != null) {
+      DeployedApp.simulated(DeploymentFile.read(asDeployed), file.app(), request);
+    }
     faults.forEach(request::fault);
     given.forEach((setting, text) -> request.set(option(setting) + ": ", setting.key(), text));
     sets.forEach((key, text) -> request.set("--set: ", key, text));

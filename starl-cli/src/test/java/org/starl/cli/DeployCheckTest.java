@@ -73,6 +73,9 @@ class DeployCheckTest {
       kind: create, port: "tcp | kind: tank, port: "tcp | :8: robots.bot0.chassis.kind | create
       kind: create, port: "tcp | kind: create, baud: 9, port: "tcp | chassis.baud: '9' | 300
       tcp:127.0.0.1:4801 | tcp:127.0.0.1 | :8: robots.bot0.chassis.port | HOST:PORT
+      "tcp:127.0.0.1:4801" | "127.0.0.1:4801" | :8: robots.bot0.chassis.port: '127.0.0.1:4801' | a device or tcp:HOST:PORT
+      tcp:127.0.0.1:4801" | tcp:127.0.0.1:4801", simulatedAt: "host:4801" | chassis.simulatedAt: 'host:4801' | tcp:HOST:PORT
+      tcp:127.0.0.1:4801" | [::1]:4801" | chassis.port: '[::1]:4801' | tcp:HOST:PORT
       bot1: | 2bot: | :9: | '2bot' | a letter
       bot1: | bot7: | :9: robots.bot7 | expected the app's robots
       bot3: {chassis: {kind: create, port: /dev/ttyUSB1}} | bot3: wheels | :11: | 'wheels' | lines

@@ -88,7 +88,7 @@ public final class IntersectionLayer implements Layer {
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (look.shows(ZONES)) {
-      regions().forEach((name, area) -> paintZone(floor, name, area, scene, look));
+      areas().forEach((name, area) -> paintZone(floor, name, area, scene, look));
     }
     for (RobotId robot : scene.robots()) {
       Point at = scene.pose(robot).map(Pose::at).orElse(null);
@@ -102,7 +102,8 @@ public final class IntersectionLayer implements Layer {
     }
   }
 
-  private SortedMap<String, Rectangle> regions() {
+  @Override
+  public SortedMap<String, Rectangle> areas() {
     return Crossing.regions(isOpen() ? Crossing.PLACES : 1);
   }
 
@@ -111,7 +112,7 @@ public final class IntersectionLayer implements Layer {
     List<Point> corners = new ArrayList<>();
     trips.values().forEach(trip -> corners.add(trip.exit().at()));
     if (isOpen()) {
-      for (Rectangle region : regions().values()) {
+      for (Rectangle region : areas().values()) {
         corners.add(new Point(region.xMinMm(), region.yMinMm()));
         corners.add(new Point(region.xMaxMm(), region.yMaxMm()));
       }

@@ -5,6 +5,9 @@ import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
 import org.starl.apps.lightpaint.logic.Location;
@@ -61,6 +64,11 @@ public final class LightPaintLayer implements Layer {
   @Override
   public boolean showsTrails() {
     return false;
+  }
+
+  @Override
+  public SortedMap<String, Rectangle> areas() {
+    return new TreeMap<>(Map.of("floor", painting.floor()));
   }
 
   @Override

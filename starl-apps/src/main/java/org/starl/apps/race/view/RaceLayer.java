@@ -19,6 +19,7 @@ import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
@@ -120,6 +121,16 @@ public final class RaceLayer implements Layer {
   }
 
   /** Around the targets, with room for the names of their winners to the right. */
+  @Override
+  public SortedMap<String, Rectangle> areas() {
+    SortedMap<String, Rectangle> areas = new TreeMap<>();
+    for (RacePoint point : points) {
+      double sideMm = 2 * point.radiusMm();
+      areas.put(point.name(), Rectangle.around(point.at(), sideMm, sideMm));
+    }
+    return areas;
+  }
+
   @Override
   public List<Point> corners() {
     return points.stream()

@@ -1,8 +1,11 @@
 package org.starl.sim.record;
 
 import java.awt.Graphics2D;
+import java.util.Collections;
 import java.util.List;
+import java.util.SortedMap;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
@@ -61,6 +64,11 @@ public interface Layer {
   /** Points that every picture contains, even if no robot goes there. */
   default List<Point> corners() {
     return List.of();
+  }
+
+  /** Areas of the floor by name, to mark on the floor of real robots: {@code starl deploy plan}. */
+  default SortedMap<String, Rectangle> areas() {
+    return Collections.emptySortedMap();
   }
 
   /**
