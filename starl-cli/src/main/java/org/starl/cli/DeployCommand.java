@@ -11,6 +11,7 @@ import picocli.CommandLine.ParameterException;
     subcommands = {
       DeployCheckCommand.class,
       DeployMergeCommand.class,
+      DeployPlanCommand.class,
       DeployRunCommand.class,
       DeployWorldCommand.class
     },
