@@ -107,6 +107,8 @@ final class ProjectTemplate {
       put(files, "phone/" + file, "phone/" + file);
     }
     put(files, "phone/src/main/AndroidManifest.xml", "phone/AndroidManifest.xml");
+    String rules = "data_extraction_rules.xml";
+    put(files, "phone/src/main/res/xml/" + rules, "phone/" + rules);
     put(files, SERVICES + "Demo", "demo-service");
     put(files, SERVICES + "AppFactory", "factory-service");
     for (String part : List.of("Factory", "Demo", "Main")) {

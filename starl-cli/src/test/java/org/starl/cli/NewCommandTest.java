@@ -269,6 +269,12 @@ class NewCommandTest {
                 .replace("android:name=\".", "android:name=\"org.starl.android.app.")
                 .replace("@string/app_name", NAME)
                 .replace("      android:icon=\"@drawable/icon\"\n", ""));
+    String rules = "res/xml/data_extraction_rules.xml";
+    assertThat(project.text("phone/src/main/" + rules))
+        .isEqualTo(
+            Files.readString(
+                Path.of(
+                    "../starl-android/app/src/main/resources/org/starl/android/app/apk/" + rules)));
   }
 
   @Test

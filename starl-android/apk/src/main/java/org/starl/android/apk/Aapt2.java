@@ -27,7 +27,7 @@ final class Aapt2 {
    */
   static Aapt2 find(@Nullable Path given) throws ApkException {
     if (given != null) {
-      if (!Files.isExecutable(given)) {
+      if (!Files.isExecutable(given) || Files.isDirectory(given)) {
         throw ApkException.badInput("--aapt2 " + given + ": expected a program");
       }
       return new Aapt2(given);
@@ -94,6 +94,10 @@ final class Aapt2 {
         Integer.toString(levels.minSdk()),
         "--target-sdk-version",
         Integer.toString(levels.targetSdk()),
+        "--compile-sdk-version-code",
+        Integer.toString(Levels.COMPILE_SDK),
+        "--compile-sdk-version-name",
+        Levels.COMPILE_VERSION,
         "--version-code",
         Integer.toString(levels.versionCode()),
         "--version-name",

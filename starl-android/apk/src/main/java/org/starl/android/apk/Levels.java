@@ -10,4 +10,9 @@ record Levels(int minSdk, int targetSdk, int versionCode, String versionName) {
 
   static final int MIN_SDK = 26;
   static final int TARGET_SDK = 36;
+
+  /** The app's classes are compiled against Android 17's; its resources are older than that. */
+  static final int COMPILE_SDK = 37;
+
+  static final String COMPILE_VERSION = "17";
 }

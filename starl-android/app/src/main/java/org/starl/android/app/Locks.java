@@ -31,11 +31,13 @@ final class Locks {
     multicast.setReferenceCounted(false);
   }
 
-  /** Low latency where there is that mode; Android deprecates the older one. */
-  // The older mode is all that Android 8 and 9 have.
+  /**
+   * High performance holds with the screen off. From Android 14 on that mode is low latency under its
+   * old name, which holds only while the screen is on and the app in front: nothing else is left.
+   */
   @SuppressWarnings("deprecation")
   static int wifiMode(int sdk) {
-    return sdk >= Build.VERSION_CODES.Q
+    return sdk >= Build.VERSION_CODES.UPSIDE_DOWN_CAKE
         ? WifiManager.WIFI_MODE_FULL_LOW_LATENCY
         : WifiManager.WIFI_MODE_FULL_HIGH_PERF;
   }
