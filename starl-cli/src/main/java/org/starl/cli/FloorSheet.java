@@ -14,29 +14,24 @@ final class FloorSheet {
   /** The colour of a line or a text. */
   enum Ink {
     /** What is taped. */
-    TAPE(0.75, 0.1, 0.1),
+    TAPE(0xc01a1a),
     /** What stands there. */
-    BODY(0.1, 0.1, 0.1),
+    BODY(0x1a1a1a),
     /** Measures, and what helps to read them. */
-    HELP(0.45, 0.45, 0.5);
+    HELP(0x737380);
 
-    private final double red;
-    private final double green;
-    private final double blue;
+    private final int rgb;
 
-    Ink(double red, double green, double blue) {
-      this.red = red;
-      this.green = green;
-      this.blue = blue;
+    Ink(int rgb) {
+      this.rgb = rgb;
     }
 
     private String hex() {
-      return "#%02x%02x%02x"
-          .formatted(Math.round(255 * red), Math.round(255 * green), Math.round(255 * blue));
+      return "#%06x".formatted(rgb);
     }
 
     private String pdf() {
-      return numbers(red, green, blue);
+      return numbers((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,6 +42,7 @@ class DeployPlanTest {
         .contains("[bot0, bot2] end at one place: lift each off the floor when it has ended");
   }
 
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(strings = {"crossing", "lightpaint", "search"})
   void theFloorHasRoomForEveryBodyAndBothDrawings(String name) throws Exception {
