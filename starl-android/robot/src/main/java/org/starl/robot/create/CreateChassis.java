@@ -188,6 +188,7 @@ public final class CreateChassis implements Wheelbase {
     WriteQueue.closeQuietly(guard.get(() -> link));
     Daemons.join(watchdog, CLOSE_MS);
     Daemons.join(reader, CLOSE_MS);
+    log.log(clock.nowNs(), Level.INFO, TAG, guard.get(protocol::reaction));
   }
 
   @Override

@@ -2,12 +2,12 @@ package org.starl.robot.create;
 
 import static org.starl.time.Time.NS_PER_MS;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.time.Time;
 
 /**
  * The driver as a state machine without threads: received bytes, commands and times in, bytes out.
@@ -33,6 +33,9 @@ final class CreateProtocol {
 
   /** Period of the repeated light: a robot that enters a mode forgets it. */
   static final long LIGHT_NS = 500 * NS_PER_MS;
+
+  /** Two frames: odometry of less is too coarse for a speed. */
+  private static final long SPEED_NS = 2 * Packets.STREAM_PERIOD_MS * NS_PER_MS;
 
   /** The robot's lights are its own until the program sets one. */
   private static final int LIGHT_UNSET = -1;
@@ -62,6 +65,8 @@ final class CreateProtocol {
   private final StreamDecoder decoder;
   private final TravelMeter meter;
   private final int[] packets;
+  private final DriveGate gate;
+  private final ReactionMeter reaction;
 
   private Step step = Step.NO_LINK;
   private long dueNs;
@@ -70,18 +75,9 @@ final class CreateProtocol {
   private long startedNs;
   private long lastFrameNs = Long.MIN_VALUE;
   private long heardNs = Long.MIN_VALUE;
-  private long lastFixNs = Long.MIN_VALUE;
-  private long doubtedNs = Long.MIN_VALUE;
   private CreateSensors sensors = CreateSensors.NONE;
   private Wheelbase.@Nullable TravelReceiver odometer;
   private long clearSinceNs;
-
-  private WheelCommand wanted = WheelCommand.STOP;
-  private long wantedNs = Long.MIN_VALUE;
-  private boolean isEmergency;
-  private Bumps reportedBumps = Bumps.NONE;
-  private Bumps pendingBumps = Bumps.NONE;
-  private boolean isBumpPending;
 
   private int sentRight;
   private int sentLeft;
@@ -90,6 +86,9 @@ final class CreateProtocol {
   private int lightRgb = LIGHT_UNSET;
   private long lightSentNs = Long.MIN_VALUE;
   private long nowNs;
+
+  private double travelMm;
+  private long travelNs;
 
   private long starts;
   private long recoveries;
@@ -101,6 +100,8 @@ final class CreateProtocol {
     packets = CreateSensors.packets(settings.model());
     decoder = new StreamDecoder(settings.model(), packets);
     meter = new TravelMeter(settings.model());
+    reaction = new ReactionMeter(settings.tellAfterMs());
+    gate = new DriveGate(settings.commandTimeoutMs(), settings.positionTimeoutMs());
   }
 
   void linkOpened(long atNs) {
@@ -149,24 +150,18 @@ final class CreateProtocol {
   /** The program's command; ignored if the program has not been informed of a bump yet. */
   void drive(WheelCommand command, long atNs) {
     nowNs = atNs;
-    if (!isBumpPending) {
-      wanted = command;
-      wantedNs = atNs;
-    }
+    gate.drive(command, atNs);
   }
 
   /** A fix that was measured at {@code fixNs}. */
   void fixed(long fixNs, long atNs) {
     nowNs = atNs;
-    if (fixNs > doubtedNs) {
-      lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
-    }
+    gate.fixed(fixNs, atNs);
   }
 
   /** Only a fix that is measured from now on counts: another thread may still pass an older one. */
   void doubted(long atNs) {
-    lastFixNs = Long.MIN_VALUE;
-    doubtedNs = atNs;
+    gate.doubted(atNs);
   }
 
   void onTravel(Wheelbase.TravelReceiver receiver) {
@@ -174,10 +169,7 @@ final class CreateProtocol {
   }
 
   void emergencyStop(boolean isOn) {
-    isEmergency = isOn;
-    if (isOn) {
-      wanted = WheelCommand.STOP;
-    }
+    gate.emergencyStop(isOn);
   }
 
   /** The program's light; see {@link Commands#powerLight}. */
@@ -188,15 +180,12 @@ final class CreateProtocol {
 
   /** Whether the strand must be informed about bumps. */
   boolean mustInform() {
-    return isBumpPending || pendingBumps != reportedBumps;
+    return gate.mustInform();
   }
 
   /** Informs the strand; returns the bumps that it sees until the next call. */
   Bumps inform() {
-    reportedBumps = pendingBumps;
-    isBumpPending = false;
-    pendingBumps = sensors.bumps();
-    return reportedBumps;
+    return gate.inform();
   }
 
   void advance(long atNs) {
@@ -238,6 +227,11 @@ final class CreateProtocol {
         || (step == Step.ENDING && lastFrameNs > endingNs && sensors.mode() == OiMode.PASSIVE);
   }
 
+  /** A line about the reaction of the wheels. */
+  String reaction() {
+    return reaction.summary();
+  }
+
   CreateStatus status() {
     return new CreateStatus(
         List.copyOf(holds()),
@@ -252,35 +246,22 @@ final class CreateProtocol {
 
   Set<CreateHold> holds() {
     boolean hasFrames = step == Step.RUNNING && isWithin(lastFrameNs, settings.sensorTimeoutMs());
-    // A program need not repeat the command to stop.
-    boolean isDriving = !wanted.isStop();
-    boolean needsFixes = settings.positionTimeoutMs() > 0;
-    Set<CreateHold> holds = EnumSet.allOf(CreateHold.class);
-    holds.removeIf(hold ->
-        !switch (hold) {
-          case EMERGENCY_STOP -> isEmergency;
-          case NO_LINK -> step == Step.NO_LINK;
-          case NO_SENSORS -> step != Step.NO_LINK && !hasFrames;
-          case NOT_IN_MODE -> hasFrames && sensors.mode() != settings.mode();
-          case WHEEL_DROP -> sensors.wheelDrop();
-          case BUMP_UNTOLD -> isBumpPending;
-          case STALE_COMMAND -> isDriving && !isWithin(wantedNs, settings.commandTimeoutMs());
-          case STALE_POSITION ->
-              isDriving && needsFixes && !isWithin(lastFixNs, settings.positionTimeoutMs());
-          case CLIFF -> sensors.cliff();
-          case BUMP -> sensors.bumps().any();
-        });
+    Set<CreateHold> holds = gate.holds(nowNs);
+    DriveGate.add(holds, step == Step.NO_LINK, CreateHold.NO_LINK);
+    DriveGate.add(holds, step != Step.NO_LINK && !hasFrames, CreateHold.NO_SENSORS);
+    DriveGate.add(holds, hasFrames && sensors.mode() != settings.mode(), CreateHold.NOT_IN_MODE);
+    DriveGate.add(holds, sensors.wheelDrop(), CreateHold.WHEEL_DROP);
+    DriveGate.add(holds, sensors.cliff(), CreateHold.CLIFF);
     return holds;
   }
 
   private boolean isWithin(long sinceNs, long ms) {
-    return sinceNs != Long.MIN_VALUE && nowNs - sinceNs <= ms * NS_PER_MS;
+    return DriveGate.isWithin(nowNs, sinceNs, ms);
   }
 
   private void frame(StreamDecoder frame) {
     lastFrameNs = nowNs;
     heardNs = nowNs;
-    Bumps before = sensors.bumps();
     sensors = CreateSensors.of(frame, meter.add(frame));
     Bumps now = sensors.bumps();
     if (odometer != null) {
@@ -290,22 +271,17 @@ final class CreateProtocol {
     if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
       clearSinceNs = nowNs;
     }
-    if (hasNew(before, now)) {
-      // The program gave its last command without knowing of this bump.
-      isBumpPending = true;
-      wanted = WheelCommand.STOP;
-      pendingBumps = union(pendingBumps, now);
-    } else if (!isBumpPending) {
-      pendingBumps = now;
+    gate.bumped(sensors.bumps());
+    measureReaction();
+  }
+
+  private void measureReaction() {
+    double forwardMm = sensors.travel().forwardMm();
+    if (nowNs - travelNs >= SPEED_NS) {
+      reaction.odometry((forwardMm - travelMm) / Time.seconds(nowNs - travelNs), nowNs);
+      travelMm = forwardMm;
+      travelNs = nowNs;
     }
-  }
-
-  private static boolean hasNew(Bumps before, Bumps now) {
-    return !union(before, now).equals(before);
-  }
-
-  private static Bumps union(Bumps one, Bumps other) {
-    return one == other || other == Bumps.NONE ? one : one == Bumps.NONE ? other : Bumps.BOTH;
   }
 
   private void nextStep() {
@@ -344,7 +320,7 @@ final class CreateProtocol {
   private void keepMode() {
     if (!isWithin(lastFrameNs, settings.sensorTimeoutMs())
         || sensors.mode() == settings.mode()
-        || isEmergency
+        || holds().contains(CreateHold.EMERGENCY_STOP)
         || isWithin(clearSinceNs, settings.recoverAfterMs())
         || isWithin(modeSentNs, 2 * MODE_GAP_NS / NS_PER_MS)) {
       return;
@@ -366,10 +342,9 @@ final class CreateProtocol {
 
   private void turnWheels() {
     double axleMm = settings.model().axleMm();
-    WheelCommand left = WheelLimit.under(holds(), wanted);
-    double factor = WheelLimit.factor(left, axleMm, settings.maxWheelMmPerS());
-    int rightMmPerS = (int) Math.rint(left.rightMmPerS(axleMm) * factor);
-    int leftMmPerS = (int) Math.rint(left.leftMmPerS(axleMm) * factor);
+    WheelCommand allowed = gate.allowed(holds(), axleMm, settings.maxWheelMmPerS());
+    int rightMmPerS = (int) Math.rint(allowed.rightMmPerS(axleMm));
+    int leftMmPerS = (int) Math.rint(allowed.leftMmPerS(axleMm));
     if (rightMmPerS != sentRight
         || leftMmPerS != sentLeft
         || sentNs == Long.MIN_VALUE
@@ -390,6 +365,7 @@ final class CreateProtocol {
       sentRight = rightMmPerS;
       sentLeft = leftMmPerS;
       sentNs = nowNs;
+      reaction.sent((rightMmPerS + leftMmPerS) / 2.0, nowNs);
     }
   }
 }
