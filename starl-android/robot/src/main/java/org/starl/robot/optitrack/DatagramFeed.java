@@ -177,7 +177,8 @@ abstract class DatagramFeed implements PoseFeed {
     tally.warnOnce("failed", "no more fixes: " + e, clock.nowNs());
   }
 
-  private void publish(List<TrackedBody> bodies) {
+  /** Gives bodies to those that follow them. */
+  final void publish(List<TrackedBody> bodies) {
     if (bodies.isEmpty()) {
       return;
     }

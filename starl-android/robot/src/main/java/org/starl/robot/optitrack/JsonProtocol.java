@@ -10,8 +10,8 @@ import org.starl.platform.DeploymentKey;
 import org.starl.robot.realtime.RealClock;
 
 /**
- * Converts JSON lines to fixes. Each robot's lines have a clock of their own, because each robot may
- * have its own sender. Pure and driven by the clock; one caller at a time.
+ * Converts JSON lines, or poses with a sender's stamp, to fixes. Each robot's have a clock of their own,
+ * because each robot may have its own sender. Pure and driven by the clock; one caller at a time.
  */
 final class JsonProtocol {
 
@@ -55,6 +55,11 @@ final class JsonProtocol {
     if (line == null) {
       return drop(FeedDrop.MALFORMED, "not a line of the feed: " + result.problem(), nowNs);
     }
+    return judged(line, nowNs);
+  }
+
+  /** The body of a pose, with its fix; null if it is dropped. */
+  @Nullable TrackedBody judged(JsonPose line, long nowNs) {
     Track track = tracks.get(line.robot());
     if (seal != null && !isNew(track, line, nowNs)) {
       return drop(
