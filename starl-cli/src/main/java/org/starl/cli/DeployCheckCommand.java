@@ -14,6 +14,7 @@ import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.file.Wheels.Ros2;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
 import org.starl.time.Time;
@@ -120,6 +121,10 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
   }
 
   private static String wheels(RobotEntry entry) {
+    if (entry.wheels() instanceof Ros2 ros2) {
+      return "ROS 2: %s %s, %s"
+          .formatted(ros2.command().type(), ros2.command().name(), ros2.odometry().name());
+    }
     if (!(entry.wheels() instanceof Create create)) {
       return "simulated";
     }

@@ -7,11 +7,12 @@ import org.starl.launch.Console;
 import org.starl.launch.GuardProcess;
 import org.starl.launch.RobotRun;
 import org.starl.robot.CreateWheelbase;
+import org.starl.robot.Ros2;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.RobotEntry;
-import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.file.Wheels;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -34,6 +35,20 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
       description = "The robot to run.")
   private String robot = "";
 
+  private Wheelbase.Source wheels(Deployment deployment, RobotEntry entry) {
+    Limits limits = deployment.limits();
+    return switch (entry.wheels()) {
+      case Wheels.Create create ->
+          CreateWheelbase.of(
+              robot, create, limits, GuardProcess.links(create.port(), create.baud(), limits));
+      case Wheels.Ros2 base -> Ros2.of(deployment).wheels(entry, base, limits, GuardProcess::start);
+      case Wheels.Simulated simulated -> {
+        String text = ": this robot is simulated; run it with 'starl deploy world'";
+        throw BadInput.at(deployment.file(), entry.line(), "robots." + robot + text);
+      }
+    };
+  }
+
   @Override
   public Integer call() throws IOException {
     Deployment deployment = options.deployment();
@@ -45,14 +60,10 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
           "--rounds: %s: expected 1, because only simulated robots can start again; %s is real"
               .formatted(options.rounds(), robot));
     }
-    if (!(entry.wheels() instanceof Create create)) {
-      String text = ": this robot is simulated; run it with 'starl deploy world'";
-      throw BadInput.at(deployment.file(), entry.line(), "robots." + robot + text);
+    if (Ros2.isNeeded(deployment)) {
+      Ros2.of(deployment);
     }
-    Limits limits = deployment.limits();
-    Wheelbase.Source wheels =
-        CreateWheelbase.of(
-            robot, create, limits, GuardProcess.links(create.port(), create.baud(), limits));
+    Wheelbase.Source wheels = wheels(deployment, entry);
     Console console = new Console(out()::println);
     RobotRun run = options.robot(deployment, entry, app, wheels, console);
     UntilStopped stop = new UntilStopped(run::stop);

@@ -153,10 +153,15 @@ final class JsonSchema {
         .forEach((kind, fields) -> {
           List<Field<?>> all = new ArrayList<>(List.of(kinds.by()));
           all.addAll(fields);
-          Object isKind = Map.of(PROPERTIES, Map.of(kinds.by().key(), Map.of("const", kind)));
+          String by = kinds.by().key();
+          Map<String, Object> isKind = Json.object(PROPERTIES, Map.of(by, Map.of("const", kind)));
+          if (!kind.equals(kinds.by().defaultText())) {
+            isKind.put(REQUIRED, List.of(by));
+          }
           rules.add(Json.object("if", isKind, "then", mapping(all)));
         });
-    Map<String, Object> json = Json.object(TYPE, "object", REQUIRED, List.of(kinds.by().key()));
+    List<String> needed = kinds.by().isNeeded() ? List.of(kinds.by().key()) : List.of();
+    Map<String, Object> json = Json.object(TYPE, "object", REQUIRED, needed);
     json.putAll(Json.object(PROPERTIES, properties(List.of(kinds.by())), "allOf", rules));
     return json;
   }
@@ -164,7 +169,7 @@ final class JsonSchema {
   private static Map<String, Object> named(Form.Named named) {
     Map<String, Object> json = Json.object(TYPE, "object", "minProperties", 1);
     json.put("propertyNames", Map.of(PATTERN, "^(?!.*\\.[0-9]+$)[A-Za-z][A-Za-z0-9_.-]{0,31}$"));
-    json.put("additionalProperties", mapping(named.each().fields()));
+    json.put("additionalProperties", value(named.each()));
     return json;
   }
 

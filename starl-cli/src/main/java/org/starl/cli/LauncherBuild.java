@@ -40,7 +40,8 @@ final class LauncherBuild {
   private static final int BAD_INPUT = 2;
   private static final int NOT_BUILT = 3;
 
-  private static final Set<String> PARTS_OF_THE_COMMAND_LINE = Set.of("compile", "jar", "spark");
+  private static final Set<String> PARTS_OF_THE_COMMAND_LINE =
+      Set.of("compile", "jar", "spark", "ros2");
   private static final String LAST_MODULE = "starl-apps/kotlin";
   private static final List<String> ANDROID = List.of("starl-android/app", "starl-android/apk");
   private static final List<String> APK_OPTIONS =
@@ -65,7 +66,7 @@ final class LauncherBuild {
   }
 
   /**
-   * @param args the project's folder; what to build: compile, jar, spark, test, install or apk; and
+   * @param args the project's folder; what to build: compile, jar, spark, ros2, test, install or apk; and
    *     its own words
    */
   public static void main(String[] args) throws IOException {
@@ -167,7 +168,8 @@ final class LauncherBuild {
     return switch (part) {
       case "compile" -> compile();
       case "jar" -> makeJar();
-      case "spark" -> addSpark();
+      case "spark" -> add("spark", "starl-cli/spark", "Spark", 290);
+      case "ros2" -> add("ros2", "starl-android/ros2", "ROS 2", 20);
       case "test" -> test(words);
       case "install" -> install(words);
       case "apk" ->
@@ -230,24 +232,27 @@ final class LauncherBuild {
     return 0;
   }
 
-  private int addSpark() throws IOException {
-    say("adding Spark (the first time some minutes; 290 MB of libraries are fetched once)");
-    Path begun = Files.createTempFile(state, "spark", ".begun");
+  /** Builds a module that is not in every build. */
+  private int add(String part, String module, String what, int megabytes) throws IOException {
+    say(
+        "adding %s (the first time some minutes; %d MB of libraries are fetched once)"
+            .formatted(what, megabytes));
+    Path begun = Files.createTempFile(state, part, ".begun");
     FileTime time = Files.getLastModifiedTime(begun);
     List<String> goals =
         List.of(
             "package",
-            "-Pspark",
+            "-P" + part,
             "-pl",
-            "starl-cli/spark",
+            module,
             "-am",
             "-Dmaven.test.skip=true",
             "-Dmaven.source.skip=true",
             "-Dmaven.javadoc.skip=true");
     int status = ended(maven(System.err, true, goals));
     if (status == 0) {
-      Files.move(begun, state.resolve("spark"), StandardCopyOption.REPLACE_EXISTING);
-      Files.setLastModifiedTime(state.resolve("spark"), time);
+      Files.move(begun, state.resolve(part), StandardCopyOption.REPLACE_EXISTING);
+      Files.setLastModifiedTime(state.resolve(part), time);
     } else {
       Files.delete(begun);
     }

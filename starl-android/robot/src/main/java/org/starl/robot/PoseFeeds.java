@@ -55,7 +55,15 @@ public final class PoseFeeds {
                 bounds);
         yield JsonFeed.open(settings, clock, log);
       }
+      case Positions.Ros2 ros2 ->
+          Ros2.of(deployment).poses(ros2, bodies(deployment), bounds, clock, log);
     };
+  }
+
+  private static List<String> bodies(Deployment deployment) {
+    List<String> bodies = new ArrayList<>();
+    deployment.robots().values().forEach(robot -> bodies.add(robot.rigidBody()));
+    return bodies;
   }
 
   /** The axes of this deployment's NatNet stream. */

@@ -53,6 +53,13 @@ public final class GuardProcess {
     };
   }
 
+  /** Starts a guard of another kind of drive. */
+  public static Process start(String main, List<String> args) throws IOException {
+    return new ProcessBuilder(JavaProcess.command(HEAP_MB, main, args))
+        .redirectError(ProcessBuilder.Redirect.INHERIT)
+        .start();
+  }
+
   private static ByteLink.Source direct(String port, int baud) {
     return Port.parse(port) instanceof Tcp tcp
         ? SocketLink.to(tcp.address().host(), tcp.address().port())

@@ -17,10 +17,12 @@ import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
 import org.starl.robot.DisownedException;
 import org.starl.robot.LocalSpecs;
+import org.starl.robot.Ros2;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.RobotEntry;
+import org.starl.robot.file.Wheels;
 import org.starl.robot.optitrack.FeedStatistics;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
@@ -36,6 +38,7 @@ import org.starl.sim.SimulationPlan;
 import org.starl.sim.UnfinishedRobot;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
 
 /** One robot of a deployment in this process, in real time, until it is stopped. */
 public final class RobotRun extends RobotMain implements AutoCloseable {
@@ -73,6 +76,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
 
   // The loop's thread only.
   private @Nullable WorldClient world;
+  private Ros2.@Nullable Display display;
 
   /**
    * Opens nothing yet.
@@ -165,6 +169,12 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             plan.obstacles().known(),
             plan.waypoints(),
             plan.settings().motionParameters(plan.robots().indexOf(spec), plan.robots().size()));
+    RobotEntry entry = settings.entry();
+    if (entry.wheels() instanceof Wheels.Ros2 base) {
+      Deployment deployment = settings.deployment();
+      display = Ros2.of(deployment).display(entry, base, deployment.positions());
+    }
+    Consumer<TraceEvent> shown = display == null ? event -> {} : display;
     List<SimObserver> observers = plan.observers();
     observers.forEach(observer -> observer.started(plan.header()));
     LocalSpecs specs = new LocalSpecs(plan.monitors(), startNs, this::violated);
@@ -174,6 +184,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
             startNs,
             event -> {
               observers.forEach(observer -> observer.observed(event));
+              shown.accept(event);
               specs.observed(event);
             });
     DeployedRobot opened =
@@ -219,6 +230,10 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
       explain(running);
       running.close();
       report(running.strandUse(), running.network(), running.positions());
+    }
+    if (display != null) {
+      display.close();
+      display = null;
     }
     if (world != null) {
       if (isLifted) {

@@ -216,6 +216,8 @@ public final class WorldServer implements AutoCloseable {
     switch (deployment.positions()) {
       case Positions.NatNet natNet -> serveNatNet(natNet);
       case Positions.JsonFeed json -> serveLines(json);
+      case Positions.Ros2 ros2 ->
+          throw new IllegalStateException("a reader lets no simulated robot have " + ros2);
     }
   }
 

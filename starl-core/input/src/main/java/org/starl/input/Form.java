@@ -86,14 +86,14 @@ public sealed interface Form {
   /**
    * A mapping with one field, {@code by}, that decides which other fields it has.
    *
-   * @param by takes a {@link Choice} of the kinds
+   * @param by takes a {@link Choice} of the kinds; if it is missing, its default decides
    * @param kinds the other fields of each kind, in the order of the choice
    */
   record Kinds(String expected, Field<String> by, Map<String, List<Field<?>>> kinds)
       implements Form {}
 
   /** A mapping of robots' names to mappings of the form {@code each}. */
-  record Named(String expected, Lines each) implements Form {}
+  record Named(String expected, Form each) implements Form {}
 
   /** A mapping of the app's parameters and settings to one value each. */
   record Parameters(String expected) implements Form {}

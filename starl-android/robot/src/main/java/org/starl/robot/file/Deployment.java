@@ -116,8 +116,9 @@ public record Deployment(
   /** The robots whose bodies are in the deployment's world. */
   public List<RobotEntry> simulated() {
     List<RobotEntry> simulated = new ArrayList<>(robots.values());
-    simulated.removeIf(
-        robot -> robot.wheels() instanceof Wheels.Create create && create.simulatedAt() == null);
+    simulated.removeIf(robot ->
+        robot.wheels() instanceof Wheels.Ros2
+            || (robot.wheels() instanceof Wheels.Create create && create.simulatedAt() == null));
     return simulated;
   }
 

@@ -18,7 +18,34 @@ public final class DeploymentFormat {
   static final String CREATE = "create";
   static final String SIMULATED = "simulated";
 
+  static final String ROS2 = "ros2";
+  static final String DIRECT = "direct";
+  static final String RELIABLE = "reliable";
+  static final String TRANSIENT_LOCAL = "transient_local";
+
   private static final int HOUR_MS = 3_600_000;
+
+  static final Field<String> RELIABILITY =
+      Field.choice(
+              "reliability",
+              "the subscription's; best_effort receives from every publisher",
+              RELIABLE,
+              "best_effort")
+          .defaultsTo("best_effort");
+  static final Field<String> COMMAND_RELIABILITY =
+      Field.choice(
+              "reliability",
+              "the publisher's; bases subscribe with reliable, and receive nothing from best_effort",
+              RELIABLE,
+              "best_effort")
+          .defaultsTo(RELIABLE);
+  static final Field<String> DURABILITY =
+      Field.choice(
+              "durability",
+              "volatile, unless the base asks for transient_local",
+              "volatile",
+              TRANSIENT_LOCAL)
+          .defaultsTo("volatile");
 
   static final Field<String> APP =
       Field.text(
@@ -78,7 +105,12 @@ public final class DeploymentFormat {
           "how the robots find and hear each other");
 
   static final Field<String> SOURCE =
-      Field.choice("source", "natnet for OptiTrack, json for lines of JSON over UDP", NATNET, JSON)
+      Field.choice(
+              "source",
+              "natnet for OptiTrack, json for lines of JSON over UDP, ros2 for topics of ROS 2",
+              NATNET,
+              JSON,
+              ROS2)
           .needed();
   static final Field<HostPort> SERVER =
       Field.of(
@@ -137,6 +169,38 @@ public final class DeploymentFormat {
           "sender",
           "a host whose lines are taken",
           "the only host whose lines are taken; without it, every host's are");
+  static final Field<String> POSE_TOPIC =
+      Field.of(
+              "topic",
+              new Form.Words("a topic such as /{robot}/pose, with {robot} in it", "\\{robot\\}"),
+              "the topic of each robot's pose; {robot} stands for the robot's rigidBody",
+              text -> text.contains(RosTopic.ROBOT) && text.startsWith("/") ? text : null)
+          .defaultsTo("/{robot}/pose");
+  static final Field<String> POSE_TYPE =
+      Field.choice(
+              "type",
+              "the messages' type: of geometry_msgs, or nav_msgs/Odometry in a frame that does not"
+                  + " drift",
+              "PoseStamped",
+              "PoseWithCovarianceStamped",
+              "Odometry")
+          .defaultsTo("PoseStamped");
+  static final Field<String> FRAME =
+      Field.of(
+              "frame",
+              new Form.Words("a frame that does not drift, such as map"),
+              "the frame of the poses; messages of other frames are dropped, and frames that drift"
+                  + " (odom, base_link) are refused",
+              text -> text.matches("(.*/)?(odom|base_link|base_footprint)") ? null : text)
+          .defaultsTo("map");
+  static final Field<Double> SIGMAS =
+      Field.decimal(
+              "sigmas",
+              1,
+              10,
+              "standard deviations of a message's covariance that bound its error; errorMm and"
+                  + " errorRad are the least bounds")
+          .defaultsTo("3");
   static final Field<Void> POSITIONS =
       Field.mapping(
               "positions",
@@ -149,7 +213,17 @@ public final class DeploymentFormat {
                           SERVER, DATA_PORT, MULTICAST, INTERFACE, VERSION, UP, ERROR_MM,
                           ERROR_RAD),
                       JSON,
-                      List.of(JSON_PORT, LISTEN, SENDER, LINES_KEY, ERROR_MM, ERROR_RAD))),
+                      List.of(JSON_PORT, LISTEN, SENDER, LINES_KEY, ERROR_MM, ERROR_RAD),
+                      ROS2,
+                      List.of(
+                          POSE_TOPIC,
+                          POSE_TYPE,
+                          FRAME,
+                          SIGMAS,
+                          RELIABILITY,
+                          DURABILITY,
+                          ERROR_MM,
+                          ERROR_RAD))),
               "the system that measures the robots' positions")
           .needed();
 
@@ -226,6 +300,71 @@ public final class DeploymentFormat {
                   kinds(CREATE, List.of(MODEL, PORT, BAUD, SIMULATED_AT), SIMULATED, List.of())),
               "the robot's drive")
           .needed();
+  static final Field<String> PLATFORM =
+      Field.choice(
+              "platform",
+              "direct if StarL drives the wheels itself, ros2 if the base is a ROS 2 node",
+              DIRECT,
+              ROS2)
+          .defaultsTo(DIRECT);
+  static final Field<String> NAMESPACE =
+      Field.of(
+          "namespace",
+          new Form.Words("a namespace such as /bot0", "^/"),
+          "of the base's topics; without it a slash and the robot's name",
+          text -> text.matches("/|(/[A-Za-z_][A-Za-z0-9_]*)+") ? text : null);
+  static final Field<Double> AXLE_MM =
+      Field.decimal(
+              "axleMm",
+              10,
+              2000,
+              "distance between the wheels, in mm, for the limit of their speeds; 233 is a Create 3's")
+          .defaultsTo("233");
+  static final Field<String> COMMAND_NAME = topic("cmd_vel");
+  static final Field<String> COMMAND_TYPE =
+      Field.choice("type", "the messages' type, of geometry_msgs", "Twist", "TwistStamped")
+          .defaultsTo("Twist");
+  static final Field<String> ODOMETRY_NAME = topic("odom");
+  static final Field<String> CONTACTS_NAME = topic("hazard_detection");
+  static final Field<String> CONTACTS_TYPE =
+      Field.choice(
+              "type",
+              "HazardDetectionVector of a Create 3, Bool (true: touches something), or LaserScan",
+              "HazardDetectionVector",
+              "Bool",
+              "LaserScan")
+          .defaultsTo("HazardDetectionVector");
+  static final Field<Double> NEAR_MM =
+      Field.decimal(
+              "nearMm",
+              1,
+              10_000,
+              "a LaserScan with a range below this, in mm, is a contact on that side of the front")
+          .defaultsTo("200");
+  static final Field<Void> COMMAND =
+      Field.mapping(
+          "command",
+          new Lines(
+              "lines such as 'name: cmd_vel'",
+              List.of(COMMAND_NAME, COMMAND_TYPE, COMMAND_RELIABILITY, DURABILITY)),
+          "the topic of the base's speeds");
+  static final Field<Void> ODOMETRY =
+      Field.mapping(
+          "odometry",
+          new Lines("lines such as 'name: odom'", List.of(ODOMETRY_NAME, RELIABILITY, DURABILITY)),
+          "the topic of the base's nav_msgs/Odometry; it is no position, because its frame drifts");
+  static final Field<Void> CONTACTS =
+      Field.mapping(
+          "contacts",
+          new Lines(
+              "lines such as 'type: Bool'",
+              List.of(CONTACTS_NAME, CONTACTS_TYPE, NEAR_MM, RELIABILITY, DURABILITY)),
+          "the topic of the base's contacts; without it none are known");
+  static final Field<Void> TOPICS =
+      Field.mapping(
+          "topics",
+          new Lines("lines such as 'command:'", List.of(COMMAND, ODOMETRY, CONTACTS)),
+          "the base's topics, where they differ from the usual ones");
   static final Field<String> OBJECTS =
       Field.choice(
           "objects",
@@ -234,10 +373,15 @@ public final class DeploymentFormat {
               + " without it, apps that need one are refused",
           "positions",
           "bumper");
-  static final Lines ROBOT =
-      new Lines(
+  static final Kinds ROBOT =
+      new Kinds(
           "lines such as 'address: 192.168.1.10'",
-          List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, CHASSIS, OBJECTS));
+          PLATFORM,
+          kinds(
+              DIRECT,
+              List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, CHASSIS, OBJECTS),
+              ROS2,
+              List.of(ADDRESS, RIGID_BODY, PUBLIC_KEY, NAMESPACE, AXLE_MM, TOPICS, OBJECTS)));
   static final Field<Void> ROBOTS =
       Field.mapping(
               "robots",
@@ -291,6 +435,28 @@ public final class DeploymentFormat {
 
   private static Field<Integer> port(String meaning) {
     return Field.whole("port", 1, HostPort.MAX_PORT, meaning);
+  }
+
+  private static Field<String> topic(String usual) {
+    return Field.of(
+            "name",
+            new Form.Words("a topic such as " + usual),
+            "the topic, in the robot's namespace unless it begins with a slash",
+            text ->
+                text.matches("/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*") ? text : null)
+        .defaultsTo(usual);
+  }
+
+  private static Map<String, List<Field<?>>> kinds(
+      String first,
+      List<Field<?>> ofFirst,
+      String second,
+      List<Field<?>> ofSecond,
+      String third,
+      List<Field<?>> ofThird) {
+    Map<String, List<Field<?>>> kinds = kinds(first, ofFirst, second, ofSecond);
+    kinds.put(third, ofThird);
+    return kinds;
   }
 
   private static Map<String, List<Field<?>>> kinds(

@@ -114,26 +114,46 @@ public final class DeploymentReader {
 
   private Positions positions() {
     Section given = top.section(DeploymentFormat.POSITIONS);
+    String source = given.get(DeploymentFormat.SOURCE);
     Positions positions =
-        given.get(DeploymentFormat.SOURCE).equals(DeploymentFormat.NATNET)
-            ? new Positions.NatNet(
-                given.get(DeploymentFormat.SERVER),
-                given.get(DeploymentFormat.DATA_PORT),
-                given.getOrNull(DeploymentFormat.MULTICAST),
-                given.getOrNull(DeploymentFormat.INTERFACE),
-                given.get(DeploymentFormat.VERSION),
-                given.get(DeploymentFormat.UP).equals("y"),
-                given.get(DeploymentFormat.ERROR_MM),
-                given.get(DeploymentFormat.ERROR_RAD))
-            : new Positions.JsonFeed(
-                given.get(DeploymentFormat.JSON_PORT),
-                given.getOrNull(DeploymentFormat.LISTEN),
-                given.getOrNull(DeploymentFormat.SENDER),
-                given.getOrNull(DeploymentFormat.LINES_KEY),
-                given.get(DeploymentFormat.ERROR_MM),
-                given.get(DeploymentFormat.ERROR_RAD));
+        source.equals(DeploymentFormat.ROS2)
+            ? rosPositions(given)
+            : source.equals(DeploymentFormat.NATNET)
+                ? new Positions.NatNet(
+                    given.get(DeploymentFormat.SERVER),
+                    given.get(DeploymentFormat.DATA_PORT),
+                    given.getOrNull(DeploymentFormat.MULTICAST),
+                    given.getOrNull(DeploymentFormat.INTERFACE),
+                    given.get(DeploymentFormat.VERSION),
+                    given.get(DeploymentFormat.UP).equals("y"),
+                    given.get(DeploymentFormat.ERROR_MM),
+                    given.get(DeploymentFormat.ERROR_RAD))
+                : new Positions.JsonFeed(
+                    given.get(DeploymentFormat.JSON_PORT),
+                    given.getOrNull(DeploymentFormat.LISTEN),
+                    given.getOrNull(DeploymentFormat.SENDER),
+                    given.getOrNull(DeploymentFormat.LINES_KEY),
+                    given.get(DeploymentFormat.ERROR_MM),
+                    given.get(DeploymentFormat.ERROR_RAD));
     given.end();
     return positions;
+  }
+
+  private static Positions rosPositions(Section given) {
+    RosTopic topic =
+        topic(
+            "positions",
+            given,
+            "/",
+            given.get(DeploymentFormat.POSE_TOPIC),
+            given.get(DeploymentFormat.POSE_TYPE),
+            DeploymentFormat.RELIABILITY);
+    return new Positions.Ros2(
+        topic,
+        given.get(DeploymentFormat.FRAME),
+        given.get(DeploymentFormat.SIGMAS),
+        given.get(DeploymentFormat.ERROR_MM),
+        given.get(DeploymentFormat.ERROR_RAD));
   }
 
   private Limits limits() {
@@ -167,7 +187,9 @@ public final class DeploymentReader {
               id,
               given.line(name),
               address == null ? null : HostPort.parse(address, network.port()),
-              wheels(robot),
+              robot.get(DeploymentFormat.PLATFORM).equals(DeploymentFormat.ROS2)
+                  ? ros2(robot, name)
+                  : wheels(robot),
               rigidBody == null ? name : rigidBody,
               publicKeys == null ? List.of() : publicKeys,
               objects(robot)));
@@ -190,6 +212,68 @@ public final class DeploymentReader {
     Wheels wheels = isSimulated ? new Wheels.Simulated() : create(given);
     given.end();
     return wheels;
+  }
+
+  private static Wheels ros2(Section robot, String name) {
+    String given = robot.getOrNull(DeploymentFormat.NAMESPACE);
+    String namespace = given == null ? "/" + name : given;
+    String path = "robots." + name + ".topics.";
+    double axleMm = robot.get(DeploymentFormat.AXLE_MM);
+    Section topics = robot.section(DeploymentFormat.TOPICS);
+    boolean hasContacts = topics.keys().contains(DeploymentFormat.CONTACTS.key());
+    Section command = topics.section(DeploymentFormat.COMMAND);
+    Section odometry = topics.section(DeploymentFormat.ODOMETRY);
+    Section contacts = topics.section(DeploymentFormat.CONTACTS);
+    topics.end();
+    Wheels.Ros2 wheels =
+        new Wheels.Ros2(
+            namespace,
+            axleMm,
+            topic(
+                path + DeploymentFormat.COMMAND.key(),
+                command,
+                namespace,
+                command.get(DeploymentFormat.COMMAND_NAME),
+                command.get(DeploymentFormat.COMMAND_TYPE),
+                DeploymentFormat.COMMAND_RELIABILITY),
+            topic(
+                path + DeploymentFormat.ODOMETRY.key(),
+                odometry,
+                namespace,
+                odometry.get(DeploymentFormat.ODOMETRY_NAME),
+                "Odometry",
+                DeploymentFormat.RELIABILITY),
+            hasContacts
+                ? topic(
+                    path + DeploymentFormat.CONTACTS.key(),
+                    contacts,
+                    namespace,
+                    contacts.get(DeploymentFormat.CONTACTS_NAME),
+                    contacts.get(DeploymentFormat.CONTACTS_TYPE),
+                    DeploymentFormat.RELIABILITY)
+                : null,
+            contacts.get(DeploymentFormat.NEAR_MM));
+    command.end();
+    odometry.end();
+    contacts.end();
+    return wheels;
+  }
+
+  private static RosTopic topic(
+      String key,
+      Section given,
+      String namespace,
+      String name,
+      String type,
+      Field<String> reliability) {
+    String absolute =
+        name.startsWith("/") ? name : namespace + (namespace.endsWith("/") ? "" : "/") + name;
+    return new RosTopic(
+        key,
+        absolute,
+        type,
+        given.get(reliability).equals(DeploymentFormat.RELIABLE),
+        given.get(DeploymentFormat.DURABILITY).equals(DeploymentFormat.TRANSIENT_LOCAL));
   }
 
   private static Wheels create(Section given) {
@@ -220,6 +304,9 @@ public final class DeploymentReader {
                 ? ""
                 : robot.address() == null ? " of " + robot.id() : " of " + robot.address().host();
         refuseShared(ports, "chassis.port", create.port() + machine, robot);
+      }
+      if (robot.wheels() instanceof Wheels.Ros2 ros2) {
+        refuseShared(ports, "topics.command", ros2.command().name(), robot);
       }
       refuseShared(bodies, "rigidBody", robot.rigidBody(), robot);
       refuseSimulation(deployment, robot);
@@ -252,6 +339,9 @@ public final class DeploymentReader {
     boolean isSimulated = deployment.simulated().contains(robot);
     if (isSimulated && deployment.world() == null) {
       throw at(robot, "is simulated; expected 'world: HOST:PORT', where its body is");
+    }
+    if (isSimulated && deployment.positions() instanceof Positions.Ros2) {
+      throw at(robot, "is simulated; expected positions.source natnet or json: no world has ROS 2");
     }
     if (isSimulated
         && robot.address() == null

@@ -49,4 +49,14 @@ public sealed interface Positions {
       double errorMm,
       double errorRad)
       implements Positions {}
+
+  /**
+   * Topics of ROS 2, one for each robot.
+   *
+   * @param topic has {@link RosTopic#ROBOT} in its name
+   * @param frame the fixed frame in which poses are taken
+   * @param sigmas standard deviations of a message's covariance that make an error bound
+   */
+  record Ros2(RosTopic topic, String frame, double sigmas, double errorMm, double errorRad)
+      implements Positions {}
 }

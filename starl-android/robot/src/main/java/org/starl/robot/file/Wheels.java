@@ -19,6 +19,25 @@ public sealed interface Wheels {
   /** A body in the deployment's world, whose process also runs the robot's program. */
   record Simulated() implements Wheels {}
 
+  /**
+   * A base that is a ROS 2 node.
+   *
+   * @param namespace of its topics, such as {@code /bot0}
+   * @param axleMm distance between its wheels, for the limit of their speeds
+   * @param command receives the speeds, a {@code Twist} or a {@code TwistStamped}
+   * @param odometry a {@code nav_msgs/Odometry}
+   * @param contacts its contacts; null: none are known
+   * @param nearMm a laser's range below which something touches the body
+   */
+  record Ros2(
+      String namespace,
+      double axleMm,
+      RosTopic command,
+      RosTopic odometry,
+      @Nullable RosTopic contacts,
+      double nearMm)
+      implements Wheels {}
+
   /** A link that carries the Create's bytes. */
   sealed interface Port {
 
