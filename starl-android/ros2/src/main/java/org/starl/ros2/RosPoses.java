@@ -1,0 +1,73 @@
+package org.starl.ros2;
+
+import java.io.IOException;
+import java.util.Collection;
+import org.starl.platform.Clock;
+import org.starl.platform.LogSink;
+import org.starl.robot.file.Positions;
+import org.starl.robot.file.RosTopic;
+import org.starl.robot.optitrack.FeedDrop;
+import org.starl.robot.optitrack.FixBounds;
+import org.starl.robot.optitrack.StampedFeed;
+
+/** Positions from topics, one for each robot. */
+final class RosPoses extends StampedFeed {
+
+  private final Positions.Ros2 positions;
+  private final RosType type;
+  private final RosNode node;
+
+  private RosPoses(
+      Positions.Ros2 positions, RosNode node, FixBounds bounds, Clock clock, LogSink log) {
+    super(bounds, clock, log, "ros2 poses");
+    this.positions = positions;
+    this.node = node;
+    type = RosType.of(positions.topic().type());
+  }
+
+  static RosPoses open(
+      Positions.Ros2 positions,
+      Collection<String> bodies,
+      FixBounds bounds,
+      Clock clock,
+      LogSink log)
+      throws IOException {
+    RosPoses poses =
+        new RosPoses(positions, RosNode.open("starl_poses", clock, log), bounds, clock, log);
+    for (String body : bodies) {
+      RosTopic topic = positions.topic().of(body);
+      poses.node.subscribe(topic, true, message -> poses.take(body, topic.name(), message));
+    }
+    return poses;
+  }
+
+  private void take(String body, String topic, Cdr message) {
+    Messages.Measured measured = Messages.measured(message, type);
+    if (!measured.frame().equals(positions.frame())) {
+      drop(
+          FeedDrop.FOREIGN,
+          topic
+              + ": its frame is '"
+              + measured.frame()
+              + "', not positions.frame '"
+              + positions.frame()
+              + "': no position");
+    } else if (measured.pose() == null || measured.stampNs() == 0) {
+      drop(FeedDrop.IMPLAUSIBLE, topic + ": no possible pose, or no stamp");
+    } else {
+      double sigmas = positions.sigmas();
+      offer(
+          body,
+          measured.pose(),
+          sigmas * measured.sigmaMm(),
+          sigmas * measured.sigmaRad(),
+          measured.stampNs());
+    }
+  }
+
+  @Override
+  public void close() {
+    node.close();
+    super.close();
+  }
+}
