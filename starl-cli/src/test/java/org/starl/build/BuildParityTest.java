@@ -25,13 +25,18 @@ class BuildParityTest {
   }
 
   @Test
-  void sparkIsAMatterOfItsModuleAlone() {
+  void sparkAndRosAreMattersOfTheirModulesAlone() {
     assertThat(MAVEN.dependencies())
         .filteredOn(needed -> needed.needed().matches("org\\.apache\\.spark:.*|.*:starl-cli-spark"))
         .extracting(Dependency::module, Dependency::scope)
         .containsExactly(tuple("starl-cli/spark", "provided"));
+    assertThat(MAVEN.dependencies())
+        .filteredOn(needed -> needed.needed().matches("us\\.ihmc:.*|.*:starl-android-ros2"))
+        .extracting(Dependency::module)
+        .containsExactly("starl-android/ros2");
     String always = REPOSITORY.text("pom.xml").split("<profiles>")[0];
-    assertThat(always).doesNotContain("<module>starl-cli/spark</module>");
+    assertThat(always)
+        .doesNotContain("<module>starl-cli/spark</module>", "<module>starl-android/ros2</module>");
   }
 
   @Test

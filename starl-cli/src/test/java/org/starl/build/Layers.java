@@ -237,6 +237,15 @@ final class Layers {
                   .resideInAPackage("org.starl.spark.."),
               org.starl.cli.fixture.CommandLineImportsSpark.class),
           new Law(
+              "no module imports the one for ROS 2, which alone imports its library",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.ros2..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAnyPackage("org.starl.ros2..", "us.ihmc.."),
+              org.starl.cli.fixture.CommandLineImportsRos2.class),
+          new Law(
               "Android is the leaf's",
               noClasses()
                   .that()

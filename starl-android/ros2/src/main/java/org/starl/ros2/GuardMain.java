@@ -94,7 +94,7 @@ public final class GuardMain {
     } catch (EOFException end) {
       return; // the program has ended
     } catch (IOException e) {
-      System.err.println("ros2 guard: " + e.getMessage());
+      return; // the program is gone
     }
   }
 }

@@ -3,7 +3,6 @@ package org.starl.ros2;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.io.IOException;
-import java.time.Instant;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -21,7 +20,7 @@ import org.starl.robot.create.ReactionMeter;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Limits;
 import org.starl.robot.realtime.Daemons;
-import org.starl.time.Time;
+import org.starl.robot.realtime.RealClock;
 
 /**
  * The wheels of a base that is a ROS 2 node. The safety stops of the package's contract run here and in
@@ -98,8 +97,7 @@ final class RosBase implements Wheelbase {
 
   /** The date in ns since 1970, for stamps. */
   static long unixNs() {
-    Instant now = Instant.now();
-    return now.getEpochSecond() * Time.NS_PER_S + now.getNano();
+    return RealClock.ofDate().nowNs() + RealClock.DATE_ORIGIN_UNIX_NS;
   }
 
   /** From a thread of the library. */
