@@ -94,15 +94,15 @@ class DeploymentSchemaTest {
 
   static List<Place> places() {
     List<Place> places = new ArrayList<>();
-    add(places, List.of(), DeploymentFormat.FILE);
+    add(places, List.of(), "", DeploymentFormat.FILE);
     return places;
   }
 
-  private static void add(List<Place> places, List<String> path, Form form) {
+  private static void add(List<Place> places, List<String> path, String of, Form form) {
     switch (form) {
       case Form.Lines lines -> {
-        places.add(new Place(path, "", lines.fields()));
-        lines.fields().forEach(field -> add(places, under(path, field.key()), field.form()));
+        places.add(new Place(path, of, lines.fields()));
+        lines.fields().forEach(field -> add(places, under(path, field.key()), of, field.form()));
       }
       case Form.Kinds kinds ->
           kinds
@@ -111,8 +111,9 @@ class DeploymentSchemaTest {
                 List<Field<?>> all = new ArrayList<>(List.of(kinds.by()));
                 all.addAll(fields);
                 places.add(new Place(path, kind, all));
+                fields.forEach(field -> add(places, under(path, field.key()), kind, field.form()));
               });
-      case Form.Named named -> add(places, under(path, "bot0"), named.each());
+      case Form.Named named -> add(places, under(path, "bot0"), of, named.each());
       default -> {
         // One value.
       }
@@ -162,48 +163,63 @@ class DeploymentSchemaTest {
             "suspectAfterMs", "3600000",
             "loss", "0.1"),
         "positions",
-        kind.equals("json")
+        kind.equals("ros2")
             ? map(
-                "source",
-                "json",
-                "port",
-                "1520",
-                "listen",
-                "h",
-                "sender",
-                "h",
-                "key",
-                "lines.key",
-                "errorMm",
-                "5",
-                "errorRad",
-                "1")
-            : map(
-                "source", "natnet",
-                "server", "192.168.1.2",
-                "dataPort", "1511",
-                "multicast", "239.255.42.99",
-                "interface", "wlan0",
-                "version", "4.1",
-                "up", "z",
+                "source", "ros2",
+                "topic", "'/{robot}/pose'",
+                "type", "Odometry",
+                "frame", "map",
+                "sigmas", "3",
+                "reliability", "reliable",
+                "durability", "volatile",
                 "errorMm", "5",
-                "errorRad", "0.02"),
+                "errorRad", "1")
+            : kind.equals("json")
+                ? map(
+                    "source",
+                    "json",
+                    "port",
+                    "1520",
+                    "listen",
+                    "h",
+                    "sender",
+                    "h",
+                    "key",
+                    "lines.key",
+                    "errorMm",
+                    "5",
+                    "errorRad",
+                    "1")
+                : map(
+                    "source", "natnet",
+                    "server", "192.168.1.2",
+                    "dataPort", "1511",
+                    "multicast", "239.255.42.99",
+                    "interface", "wlan0",
+                    "version", "4.1",
+                    "up", "z",
+                    "errorMm", "5",
+                    "errorRad", "0.02"),
         "world",
         "h:4000",
         "robots",
         map(
             "bot0",
-            map(
-                "address",
-                "192.168.1.10",
-                "rigidBody",
-                "car",
-                "publicKey",
-                PUBLIC_KEY,
-                "chassis",
-                chassis(kind),
-                "objects",
-                "positions")),
+            kind.equals("ros2")
+                ? rosRobot()
+                : map(
+                    "address",
+                    "192.168.1.10",
+                    "platform",
+                    "direct",
+                    "rigidBody",
+                    "car",
+                    "publicKey",
+                    PUBLIC_KEY,
+                    "chassis",
+                    chassis(kind),
+                    "objects",
+                    "positions")),
         "limits",
         map(
             "speedMmPerS",
@@ -216,6 +232,50 @@ class DeploymentSchemaTest {
             "0.05",
             "reactionMs",
             "100"));
+  }
+
+  private static Map<String, Object> rosRobot() {
+    return map(
+        "address",
+        "192.168.1.10",
+        "platform",
+        "ros2",
+        "rigidBody",
+        "car",
+        "publicKey",
+        PUBLIC_KEY,
+        "namespace",
+        "/car",
+        "axleMm",
+        "160",
+        "topics",
+        map(
+            "command",
+            map(
+                "name",
+                "cmd_vel",
+                "type",
+                "Twist",
+                "reliability",
+                "reliable",
+                "durability",
+                "volatile"),
+            "odometry",
+            map("name", "odom", "reliability", "reliable", "durability", "volatile"),
+            "contacts",
+            map(
+                "name",
+                "hit",
+                "type",
+                "Bool",
+                "nearMm",
+                "200",
+                "reliability",
+                "reliable",
+                "durability",
+                "volatile")),
+        "objects",
+        "positions");
   }
 
   private static Map<String, Object> chassis(String kind) {
@@ -384,7 +444,8 @@ class DeploymentSchemaTest {
     }
     if (field.defaultText() != null) {
       Map<String, Object> file = full(spot.place());
-      at(file, spot.place().path()).put(field.key(), field.defaultText());
+      String text = field.defaultText();
+      at(file, spot.place().path()).put(field.key(), text.contains("{") ? "'" + text + "'" : text);
       assertThat(errorOrNone(yaml(file))).isEmpty();
     }
   }

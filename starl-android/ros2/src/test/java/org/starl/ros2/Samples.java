@@ -3,9 +3,9 @@ package org.starl.ros2;
 import java.util.HexFormat;
 
 /**
- * Messages as rclpy of ROS 2 Jazzy serializes them, of stamp 7 s and 5 ns: a pose at (1.5 m, -0.25 m) with
- * heading 1 rad in the frame map (odom for odometry), speeds of 0.2 m/s and -0.5 rad/s, variances 0.0004 and
- * 0.0001 m^2 and 0.01 rad^2, and a laser whose second beam from the left is 0.15 m long.
+ * Messages as rclpy of ROS 2 Jazzy serializes them (padding, which it leaves undefined, is zero here). Stamp: 7 s
+ * and 5 ns. Pose: (1.5 m, -0.25 m), 1 rad, in the frame map, for odometry odom. Speeds: 0.2 m/s, -0.5 rad/s.
+ * Variances: 0.0004 and 0.0001 m^2, 0.01 rad^2. Laser: the second beam from the left is 0.15 m long.
  */
 final class Samples {
 
@@ -48,7 +48,7 @@ final class Samples {
 
   static final byte[] TWIST_STAMPED =
       bytes(
-          "0001000007000000050000000a000000626173655f6c696e6b0075729a9999999999c93f"
+          "0001000007000000050000000a000000626173655f6c696e6b0000009a9999999999c93f"
               + "00".repeat(38)
               + "e0bf");
 
