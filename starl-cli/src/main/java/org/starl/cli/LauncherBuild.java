@@ -1,3 +1,4 @@
+// Longer than 500 lines because the launcher runs it from its source, as one file.
 package org.starl.cli;
 
 import java.io.BufferedReader;
