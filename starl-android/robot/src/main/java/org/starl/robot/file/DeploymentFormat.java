@@ -23,6 +23,18 @@ public final class DeploymentFormat {
   static final String RELIABLE = "reliable";
   static final String TRANSIENT_LOCAL = "transient_local";
 
+  private static final String NAME = "[A-Za-z_][A-Za-z0-9_]*";
+  private static final String NAMESPACE_PATTERN = "^(/|(/" + NAME + ")+)$";
+
+  /** Words that YAML takes for no text. */
+  private static final String NO_TEXT = "true|false|yes|no|on|off|y|n";
+
+  private static final String TOPIC_PATTERN =
+      "^(?!(" + NO_TEXT + ")$)/?" + NAME + "(/" + NAME + ")*$";
+
+  private static final String FRAME_PATTERN =
+      "^(?!(" + NO_TEXT + "|(.*/)?(odom|base_link|base_footprint))$)[A-Za-z_/][A-Za-z0-9_/.-]*$";
+
   private static final int HOUR_MS = 3_600_000;
 
   static final Field<String> RELIABILITY =
@@ -188,10 +200,10 @@ public final class DeploymentFormat {
   static final Field<String> FRAME =
       Field.of(
               "frame",
-              new Form.Words("a frame that does not drift, such as map"),
+              new Form.Words("a frame that does not drift, such as map", FRAME_PATTERN),
               "the frame of the poses; messages of other frames are dropped, and frames that drift"
                   + " (odom, base_link) are refused",
-              text -> text.matches("(.*/)?(odom|base_link|base_footprint)") ? null : text)
+              text -> text.matches(FRAME_PATTERN) ? text : null)
           .defaultsTo("map");
   static final Field<Double> SIGMAS =
       Field.decimal(
@@ -310,9 +322,9 @@ public final class DeploymentFormat {
   static final Field<String> NAMESPACE =
       Field.of(
           "namespace",
-          new Form.Words("a namespace such as /bot0", "^/"),
+          new Form.Words("a namespace such as /bot0", NAMESPACE_PATTERN),
           "of the base's topics; without it a slash and the robot's name",
-          text -> text.matches("/|(/[A-Za-z_][A-Za-z0-9_]*)+") ? text : null);
+          text -> text.matches(NAMESPACE_PATTERN) ? text : null);
   static final Field<Double> AXLE_MM =
       Field.decimal(
               "axleMm",
@@ -440,10 +452,9 @@ public final class DeploymentFormat {
   private static Field<String> topic(String usual) {
     return Field.of(
             "name",
-            new Form.Words("a topic such as " + usual),
+            new Form.Words("a topic such as " + usual, TOPIC_PATTERN),
             "the topic, in the robot's namespace unless it begins with a slash",
-            text ->
-                text.matches("/?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*") ? text : null)
+            text -> text.matches(TOPIC_PATTERN) ? text : null)
         .defaultsTo(usual);
   }
 
