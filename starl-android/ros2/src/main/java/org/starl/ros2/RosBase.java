@@ -141,6 +141,11 @@ final class RosBase implements Wheelbase {
   }
 
   @Override
+  public void doubted() {
+    update(() -> state.gate().doubted(clock.nowNs()));
+  }
+
+  @Override
   public void emergencyStop() {
     update(() -> state.gate().emergencyStop(true));
   }
