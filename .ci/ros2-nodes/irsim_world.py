@@ -1,5 +1,6 @@
 """The simulator ir-sim with a differential drive for each robot, each behind topics of its own: NAME/cmd_vel (TwistStamped) in;
-NAME/odom, NAME/amcl_pose (frame map, with a covariance) and NAME/contact (Bool) out, 20 times a second.
+NAME/odom, NAME/amcl_pose (frame map, with a covariance) and NAME/contact (Bool) out, 20 times a second. A robot that
+stands at the end of its way is taken off the road: another one may come to the same place.
    usage: irsim_world.py [NAME X_M Y_M HEADING_RAD]..."""
 import math
 import sys
@@ -16,6 +17,8 @@ from std_msgs.msg import Bool
 PERIOD_S = 0.05
 ALONE_S = 0.5
 SIGMA_M, SIGMA_RAD = 0.003, 0.005
+# The end of a way is so far from the middle of the crossing; starts are nearer.
+MIDDLE_M, END_M, STANDS_S = 2.5, 1.5, 1
 
 names = sys.argv[1::4]
 states = [[float(number) for number in sys.argv[i:i + 3]] for i in range(2, len(sys.argv), 4)]
@@ -38,6 +41,8 @@ node = rclpy.create_node("irsim")
 speeds = [numpy.zeros((2, 1)) for _ in names]
 commanded = [0.0] * len(names)
 hit = [False] * len(names)
+gone = [False] * len(names)
+still = [0] * len(names)
 
 
 def commands(i):
@@ -73,6 +78,10 @@ def tick():
         odometry_out.publish(odometry)
         pose_out.publish(pose)
         contact_out.publish(Bool(data=bool(robot.collision)))
+        still[i] = still[i] + 1 if abs(robot.velocity[0, 0]) < 0.001 else 0
+        if still[i] * PERIOD_S > STANDS_S and math.hypot(x - MIDDLE_M, y - MIDDLE_M) > END_M and not gone[i]:
+            gone[i] = True
+            robot.set_state([5.7, 0.5 + i, 0])
         if robot.collision and not hit[i]:
             hit[i] = True
             print("collision of", names[i], "at", x, y, flush=True)
