@@ -42,7 +42,7 @@ class SparkEngineTest {
   /** Without the progress and the speed, which depend on the machine. */
   private static List<String> messages(Result result) {
     return result.err().stream()
-        .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second"))
+        .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second|bad so far: .*"))
         .toList();
   }
 
