@@ -151,7 +151,8 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
     spec.monitors(XID, settings.strayRobots(cars)).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
-    return simulation.monitor(() -> new MotionSpec(motion));
+    return simulation.monitor(() ->
+        program == CarProgram.FLOW ? new MotionSpec(motion).inLanes() : new MotionSpec(motion));
   }
 
   /** A message that is repeated until it is answered arrives within this time. */

@@ -115,6 +115,12 @@ public final class MotionSpec extends LemmaMonitor {
     return this;
   }
 
+  /** Of robots in a lane that get a new target as they drive: {@code arrives} is not owed. */
+  public MotionSpec inLanes() {
+    never(ARRIVES, "cars get new targets as they drive, in lanes without room around a move");
+    return this;
+  }
+
   /**
    * Of robots that nothing keeps from backing off but other bodies, these walls, and the region to
    * avoid: with the policy to do so, each does.
