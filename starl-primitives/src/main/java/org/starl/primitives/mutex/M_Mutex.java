@@ -60,6 +60,10 @@ public final class M_Mutex implements PipelinePrim {
   private MutexProtocol current;
   private @Nullable MutexProtocol lingering;
   private Resume resume = Resume.NOTHING;
+  // What the earlier processes keep of it: also the way ahead, since who got this, and waits for
+  // the
+  // body, would be in the body's way.
+  private SortedSet<String> kept = Sections.NONE;
   // Older ids, permanently idle, each with the participants that it has fenced.
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
   // Calls to the membership, which may call back: they run after the protocol's step.
@@ -174,12 +178,13 @@ public final class M_Mutex implements PipelinePrim {
       throw new IllegalArgumentException(
           source + ": resume in " + stands + " with " + sections + ": expected all of the first");
     }
-    standsIn(stands);
     resume =
         stands.isEmpty()
             ? Resume.NOTHING
             : new Resume(Sections.copyOf(stands), Sections.copyOf(sections));
     current.takeOver(resume);
+    kept = resume.claims();
+    standsIn(kept);
   }
 
   @Override
@@ -255,7 +260,6 @@ public final class M_Mutex implements PipelinePrim {
     }
     if (!resume.isOver() && holder == current) {
       resume = current.resume();
-      standsIn(resume.stands());
     }
   }
 
@@ -400,8 +404,12 @@ public final class M_Mutex implements PipelinePrim {
     settle();
   }
 
-  /** Runs the queued calls to the membership after a step of the protocol. */
+  /** Calls the membership, as a step of the protocol requires. */
   private void settle() {
+    if (!kept.isEmpty() && !current.kept().containsAll(kept)) {
+      kept = Sections.common(kept, current.kept());
+      standsIn(kept);
+    }
     while (!membershipCalls.isEmpty()) {
       membershipCalls.remove().run();
     }

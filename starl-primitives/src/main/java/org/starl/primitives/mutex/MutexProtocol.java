@@ -221,6 +221,11 @@ class MutexProtocol {
     return resume;
   }
 
+  /** What earlier processes may still hold: where the body stands, and no consent of this process. */
+  SortedSet<String> kept() {
+    return Sections.union(resume.stands, Sections.without(resume.claims, peers.open()));
+  }
+
   /** What a later process of this robot takes over from this one. */
   Resume rest() {
     return inOrder && !held.isEmpty()

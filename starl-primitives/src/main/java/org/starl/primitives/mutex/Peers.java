@@ -133,6 +133,15 @@ final class Peers {
     return peer == null ? Sections.NONE : peer.open;
   }
 
+  /** The granted parts of all newest requests that these may still hold. */
+  SortedSet<String> open() {
+    SortedSet<String> all = Sections.NONE;
+    for (Peer peer : peers.values()) {
+      all = Sections.union(all, peer.open);
+    }
+    return all;
+  }
+
   void forget(Predicate<ProcessId> gone) {
     peers.keySet().removeIf(gone);
     pending.keySet().removeIf(gone);

@@ -36,8 +36,10 @@ public interface PipelinePrim extends MutexPrim {
 
   /**
    * Declares, after a restart of the robot's program in the middle of its sequence, that its body is only
-   * in {@code stands}, like {@link #standsIn}, and that it will request {@code sections}. Then it comes
-   * before all robots that have to wait for its body anyway. Call it before {@code do_register}.
+   * in {@code stands}, and that it will request {@code sections}. Then it comes before all robots that have
+   * to wait for its body anyway. What its earlier program held of {@code sections} stays its own until it
+   * has released it, or has consented to the request of another robot for it; other sections are free at
+   * once. Call it before {@code do_register}.
    *
    * @param stands among {@code sections}
    * @param sections the rest of the sequence
