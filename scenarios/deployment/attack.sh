@@ -116,11 +116,7 @@ crossing() {
   crossed="$(($(rounds_done "$run") - rounds_before[$1])) crossings"
   return $status
 }
-# A robot that the cameras do not see, since it is off the floor between two rounds, has no place yet, and a false one that comes
-# first is one: it stands as soon as the true ones come (docs/security.md). So only robots count whose present place is a true one.
-false_poses() {
-  awk '/"kind":"joined"/ { isTrue = !/"xMm":7777/ } isTrue && /"xMm":7777/ { n++ } END { print n + 0 }' "$run"/bot?.trace
-}
+false_poses() { count '"xMm":7777' "$run"/bot?.trace; }
 
 kb=$(folder_kb "$run")
 begin_attack garbage 3000
@@ -191,11 +187,11 @@ row "TCP to world" "${answers[tcp]}, without a name" "fewer than 80 threads, cro
 crossing pose && [ "$single" = 0 ] && all_noticed 'jumps from .* to (7777 mm'
 status=$?
 row "single poses" "${answers[pose]} in the cameras' name, one to a robot each 0.3 s" \
-  "none used by a robot with a place, all tell it, crossings go on" "$single used, $seen tell it, $crossed" $status
+  "none used, all tell it, crossings go on" "$single used, $seen tell it, $crossed" $status
 crossing poses && [ "$(false_poses)" = "$single" ] && all_noticed 'is measured at .* and at (7777 mm'
 status=$?
 row "many poses" "${answers[poses]}, 200 a second to each robot" \
-  "none used by a robot with a place, all stop and tell both places, crossings go on" \
+  "none used, all stop and tell both places, crossings go on" \
   "$(($(false_poses) - single)) used, $seen tell it, $crossed" $status
 # forged COMMAND NAME WHAT LINE: a row about forged messages of the cameras.
 forged() {

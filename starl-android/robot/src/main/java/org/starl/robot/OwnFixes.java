@@ -31,8 +31,13 @@ final class OwnFixes {
     wheels.onTravel(
         new Wheelbase.TravelReceiver() {
           @Override
-          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved) {
-            path.add(atNs, travel.forwardMm(), travel.turnedRad(), mmPerS, isMoved);
+          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isTouched) {
+            path.add(atNs, travel.forwardMm(), travel.turnedRad(), mmPerS, isTouched);
+          }
+
+          @Override
+          public void lifted(boolean isLifted) {
+            path.lift(isLifted);
           }
 
           @Override

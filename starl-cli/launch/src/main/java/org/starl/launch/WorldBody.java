@@ -34,6 +34,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
   // Written on the world's strand, read by Creates and programs.
   private volatile Bumps bumps = Bumps.NONE;
   private volatile Senses near = Senses.NOTHING;
+  private volatile boolean isUp = true;
 
   // Set by the program's thread, called on the world's strand.
   private volatile Runnable onBump = () -> {};
@@ -88,6 +89,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   /** {@code receiver} is called on the world's strand, with a way that does not slip. */
   void onTravel(Wheelbase.TravelReceiver receiver) {
+    receiver.lifted(isUp);
     odometer = receiver;
   }
 
@@ -100,6 +102,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
     travel = new CreateTravel(travel.forwardMm() + wayMm, travel.turnedRad() + turn);
     Wheelbase.TravelReceiver receiver = odometer;
     if (receiver != null && nowNs > travelledNs) {
+      receiver.lifted(false);
       double mmPerS =
           (Math.abs(wayMm) + Math.abs(turn) * axleMm / 2) / Time.seconds(nowNs - travelledNs);
       receiver.travelled(nowNs, travel, mmPerS, bumps.any());
@@ -109,6 +112,9 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   @Override
   public Senses senses(long atNs) {
+    if (isUp) {
+      return Senses.lifted();
+    }
     Bumps now = bumps;
     return Senses.bumps(
             now == Bumps.LEFT || now == Bumps.BOTH, now == Bumps.RIGHT || now == Bumps.BOTH)
@@ -121,9 +127,10 @@ final class WorldBody extends SimulatedBody implements CreateBody {
       lastPose = onFloor().pose();
     }
     super.lift();
+    isUp = true;
     Wheelbase.TravelReceiver to = odometer;
     if (to != null) {
-      to.lost();
+      to.lifted(true);
     }
     bumps = Bumps.NONE;
     near = Senses.NOTHING;
@@ -153,6 +160,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
 
   /** The body as cameras see it: tracked only on the floor. */
   PoseSource.Body seen(long nowNs) {
+    isUp = !isOnFloor();
     if (isOnFloor()) {
       Pose before = lastPose;
       lastPose = onFloor().pose();

@@ -266,7 +266,8 @@ final class CreateProtocol {
     Bumps now = sensors.bumps();
     if (odometer != null) {
       int mmPerS = Math.max(Math.abs(sentLeft), Math.abs(sentRight));
-      odometer.travelled(nowNs, sensors.travel(), mmPerS, now.any() || sensors.wheelDrop());
+      odometer.lifted(sensors.wheelDrop());
+      odometer.travelled(nowNs, sensors.travel(), mmPerS, now.any());
     }
     if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
       clearSinceNs = nowNs;

@@ -62,9 +62,12 @@ public interface Wheelbase extends Chassis, Light, AutoCloseable {
 
     /**
      * @param mmPerS the commanded speed of the faster wheel
-     * @param isMoved whether a contact or a person may also move the body
+     * @param isTouched whether a contact may also move the body
      */
-    void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved);
+    void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isTouched);
+
+    /** From now on the body is off the floor, or on it again. */
+    void lifted(boolean isLifted);
 
     /** Some way is missing before the next state. */
     void lost();

@@ -29,6 +29,9 @@ public enum FeedDrop {
   /** The cameras have lost the body. */
   LOST,
 
+  /** The robot's wheels hang: it is off the floor, and has no place. */
+  LIFTED,
+
   /** No robot drives so fast from its last fix to this one, or its wheels turned otherwise. */
   JUMPED,
 

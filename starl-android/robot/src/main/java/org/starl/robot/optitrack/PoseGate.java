@@ -17,7 +17,8 @@ import org.starl.time.Time;
  * that is a jump, whatever its time. Jumps are dropped, until poses at a new place were consistent with
  * each other, and none was at the old place, for {@link FixBounds#stillMs}: then the body was moved by
  * hand. The first place counts in the same way. A robot that has driven must also have been lifted or
- * touched; otherwise the new place contradicts its wheels, and it stands.
+ * touched; otherwise the new place contradicts its wheels, and it stands. A robot off the floor has no
+ * place, so false poses that come then are no place after it was put down.
  *
  * <p>A body is not at two places at once. After {@link #LEAST_POSES} jumps, each within {@code stillMs} of
  * the one before it, no fix passes until there were no jumps for {@code stillMs}: the gate cannot know
@@ -43,6 +44,8 @@ final class PoseGate {
     DOUBTED,
     /** At the first place, not for long enough yet. */
     EARLY,
+    /** Of a robot off the floor. */
+    LIFTED,
     /** Not newer than the fix before it. */
     OUTDATED
   }
@@ -104,6 +107,13 @@ final class PoseGate {
     if (bounds.stillMs() == 0) {
       newest = isOld ? newest : fix;
       return isOld ? Verdict.OUTDATED : Verdict.PASSED;
+    }
+    if (path != null && path.isLifted()) {
+      origin = null;
+      first = null;
+      last = null;
+      anchors.clear();
+      return Verdict.LIFTED;
     }
     WheelPath.State wheels = path == null ? null : path.at(fix.timeNs());
     if (isAtKnownPlace(fix, wheels, path)) {
@@ -194,7 +204,7 @@ final class PoseGate {
   }
 
   private Verdict place(Fix fix, WheelPath.@Nullable State wheels, @Nullable WheelPath path) {
-    boolean isMoved = origin != null;
+    boolean isMoved = newest != null;
     first = null;
     jumps = 0;
     anchors.clear();

@@ -86,6 +86,7 @@ final class Tally {
       }
       case OUTDATED ->
           drop(FeedDrop.OUTDATED, "a newer fix of " + printable(name) + " came before", nowNs);
+      case LIFTED -> drops.add(FeedDrop.LIFTED);
       case EARLY -> drops.add(FeedDrop.EARLY);
       case DOUBTED -> drops.add(FeedDrop.DOUBTED);
       case JUMPED, CONTRADICTED -> {

@@ -59,6 +59,7 @@ public final class WheelPath {
   private boolean isBroken = true;
   private long touchedNs;
   private boolean hasTouched;
+  private boolean isLifted;
 
   /**
    * @param error largest error of a way and of a turn, as a fraction of their lengths
@@ -82,18 +83,28 @@ public final class WheelPath {
     isBroken = true;
   }
 
+  /** From now on a person may carry the body, or it is on the floor again. */
+  public synchronized void lift(boolean isUp) {
+    isBroken |= isUp;
+    isLifted = isUp;
+  }
+
+  synchronized boolean isLifted() {
+    return isLifted;
+  }
+
   /**
    * A sensor frame; times do not decrease.
    *
    * @param newForwardMm way since any beginning; backward is negative
    * @param newTurnRad turn since then, counter-clockwise
    * @param mmPerS the commanded speed of the faster wheel
-   * @param isMoved whether something else may move the body: a contact, or a person
+   * @param isTouched whether a contact may move the body, too
    */
   public synchronized void add(
-      long atNs, double newForwardMm, double newTurnRad, double mmPerS, boolean isMoved) {
+      long atNs, double newForwardMm, double newTurnRad, double mmPerS, boolean isTouched) {
     State last = states.peekLast();
-    if (isMoved) {
+    if (isTouched || isLifted) {
       hasTouched = true;
       touchedNs = atNs;
     }

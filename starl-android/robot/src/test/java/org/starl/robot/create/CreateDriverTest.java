@@ -305,13 +305,19 @@ class CreateDriverTest {
   void odometryIsGivenWithEachFrameAndMarksContacts() {
     Bench bench = Bench.ready(CreateModel.CREATE_2);
     List<CreateTravel> travels = new ArrayList<>();
-    List<Boolean> moved = new ArrayList<>();
+    List<Boolean> touched = new ArrayList<>();
+    List<Boolean> lifted = new ArrayList<>();
     bench.driver.onTravel(
         new Wheelbase.TravelReceiver() {
           @Override
-          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isMoved) {
+          public void travelled(long atNs, CreateTravel travel, double mmPerS, boolean isTouched) {
             travels.add(travel);
-            moved.add(isMoved);
+            touched.add(isTouched);
+          }
+
+          @Override
+          public void lifted(boolean isLifted) {
+            lifted.add(isLifted);
           }
 
           @Override
@@ -323,10 +329,20 @@ class CreateDriverTest {
     bench.runMs(2000);
     assertThat(travels.getLast().forwardMm() - travels.getFirst().forwardMm())
         .isCloseTo(490, within(20.0));
-    assertThat(moved).doesNotContain(true);
+    assertThat(touched).doesNotContain(true);
+    assertThat(lifted).doesNotContain(true);
     bench.body.senses = Senses.bumps(true, false);
     bench.runMs(100);
-    assertThat(moved).contains(true);
+    assertThat(touched).contains(true);
+    assertThat(lifted).doesNotContain(true);
+    touched.clear();
+    bench.body.senses = Senses.lifted();
+    bench.runMs(100);
+    assertThat(lifted).endsWith(true);
+    assertThat(touched).endsWith(false);
+    bench.body.senses = Senses.NOTHING;
+    bench.runMs(100);
+    assertThat(lifted).endsWith(false);
     bench.driver.linkLost(bench.nowNs);
     bench.driver.linkOpened(bench.nowNs);
     assertThat(travels).isEmpty();

@@ -205,13 +205,28 @@ class ForgedPosesTest {
     assertThat(xMm).isBetween(GOAL_MM - 20, GOAL_MM + 20);
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void aRobotOffTheFloorBelievesNoPlace(Attack attack) {
+    path.lift(true);
+    run(attack, 1, 3000, false);
+    assertThat(newest).isNull();
+    path.lift(false);
+    run(attack, 1, 20_000, true);
+    assertThat(longestMm).isLessThanOrEqualTo(SPEED * REACTION_MS / 1000);
+    assertThat(offMm).isLessThan(60);
+    run(null, 0, 50_000, true);
+    assertThat(xMm).isBetween(GOAL_MM - 20, GOAL_MM + 20);
+  }
+
   @Test
   void aRobotThatIsLiftedAndCarriedDrivesOnFromItsNewPlace() {
     run(null, 0, 3000, true);
     double fromMm = xMm;
     xMm += 400;
-    path.add(nowMs * MS, 1.04 * fromMm, 0, 0, true);
-    path.lose();
+    path.lift(true);
+    path.add(nowMs * MS, 1.04 * fromMm, 0, 0, false);
+    path.lift(false);
     run(null, 0, 15_000, true);
     assertThat(xMm).isBetween(GOAL_MM - 20, GOAL_MM + 20);
     assertThat(lines).anyMatch(line -> line.contains("was moved by hand"));
