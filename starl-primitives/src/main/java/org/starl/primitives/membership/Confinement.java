@@ -20,7 +20,7 @@ import org.starl.shape.Shapes;
  * after it: without a fencer in the view, {@code who} may do without its consent.
  *
  * @param fencers the participants that made the promise. Empty: the robot of {@code who} itself
- *     declares, after a restart of its program, that {@code who} is dead and its body in no other section
+ *     declares that {@code who}, an older process of it, holds and will hold no other section
  */
 public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<ProcessId> fencers) {
 

@@ -258,6 +258,7 @@ public final class M_Mutex implements PipelinePrim {
       retire(lingering);
       lingering = null;
     }
+    tellHeld();
     if (!resume.isOver() && holder == current) {
       resume = current.resume();
     }
@@ -351,7 +352,20 @@ public final class M_Mutex implements PipelinePrim {
       current = participant(membership.me());
     }
     follow();
+    tellHeld();
     settle();
+  }
+
+  /**
+   * Its robot knows best what an older id holds: the others may have been told too little of it to fence
+   * it in less than it asked for.
+   */
+  private void tellHeld() {
+    View.Ghost ghost = lingering == null ? null : membership.view().ghost(lingering.me());
+    if (ghost != null && lingering != null && !lingering.held().containsAll(ghost.sections())) {
+      membership.propose(
+          new Confinement(lingering.me(), lingering.held(), Collections.emptySortedSet()));
+    }
   }
 
   /** Updates the current participant from the membership. */

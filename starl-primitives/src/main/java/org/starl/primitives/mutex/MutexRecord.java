@@ -146,8 +146,7 @@ final class MutexRecord {
     String lemma = wasListed ? MutexSpec.KEPT : MutexSpec.COMPLETE;
     report.checked(MutexSpec.KEPT);
     report.checked(MutexSpec.COMPLETE);
-    View.Ghost ghost = last.ghost(holder.who);
-    SortedSet<String> atMost = ghost == null ? Sections.NONE : ghost.sections();
+    SortedSet<String> atMost = asGhost(holder.who);
     if (!last.contains(holder.who) && !atMost.containsAll(holder.held)) {
       report.violated(
           lemma,
@@ -161,6 +160,17 @@ final class MutexRecord {
               + " it may hold at most "
               + atMost);
     }
+  }
+
+  private SortedSet<String> asGhost(ProcessId who) {
+    View.Ghost ghost = last.ghost(who);
+    return ghost == null ? Sections.NONE : ghost.sections();
+  }
+
+  /** The sections that it may still enter: who was removed never enters, but as a ghost. */
+  private SortedSet<String> mayGet(Requests.Request request) {
+    boolean isRemoved = listed.contains(request.who) && !last.contains(request.who);
+    return isRemoved ? Sections.common(request.want, asGhost(request.who)) : request.want;
   }
 
   private void withdrew(Requests.Request request, MutexFailure why, long nowNs, Report report) {
@@ -241,11 +251,10 @@ final class MutexRecord {
     }
   }
 
-  private static void checkPromise(
-      Requests.Request to, Requests.Request by, long nowNs, Report report) {
+  private void checkPromise(Requests.Request to, Requests.Request by, long nowNs, Report report) {
     report.checked(MutexSpec.PROMISE);
     SortedSet<String> promised =
-        Sections.common(to.want, by.consentedTo.getOrDefault(to, Sections.NONE));
+        Sections.common(mayGet(to), by.consentedTo.getOrDefault(to, Sections.NONE));
     boolean isOutOfOrder =
         Sections.meet(promised, by.want) && !to.resumes && !by.resumes && !to.isBefore(by);
     if (isOutOfOrder || Sections.meet(promised, by.held)) {

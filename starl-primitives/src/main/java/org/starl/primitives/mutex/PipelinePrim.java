@@ -39,7 +39,8 @@ public interface PipelinePrim extends MutexPrim {
    * in {@code stands}, and that it will request {@code sections}. Then it comes before all robots that have
    * to wait for its body anyway. What its earlier program held of {@code sections} stays its own until it
    * has released it, or has consented to the request of another robot for it; other sections are free at
-   * once. Call it before {@code do_register}.
+   * once. Call it before {@code do_register}; and again, while it holds nothing and waits for nothing, if
+   * the body is in fewer sections than it seemed.
    *
    * @param stands among {@code sections}
    * @param sections the rest of the sequence

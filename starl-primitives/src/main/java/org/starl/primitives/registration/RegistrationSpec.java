@@ -193,7 +193,6 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       progress.stop(key);
       removal.stop(key);
       leaving.remove(key);
-      programs.remove(key);
     }
   }
 

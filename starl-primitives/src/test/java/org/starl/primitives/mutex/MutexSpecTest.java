@@ -199,6 +199,26 @@ class MutexSpecTest {
   }
 
   @Test
+  void aPromiseToARemovedProcessIsVoidButForItsGhost() {
+    ask(1, I, 4, "A");
+    event(2, new MutexFact.Grant(J, I, 1));
+    event(3, new MutexFact.Learned(J, View.closed(List.of(I, J, K)).next().confined(I, set(""))));
+    ask(4, J, 5, "A");
+    enter(5, J, "A");
+    event(6, new MutexFact.Grant(J, I, 1));
+    assertThat(finish(7).violations(MutexSpec.PROMISE)).isZero();
+  }
+
+  @Test
+  void aPromiseToAGhostBinds() {
+    ask(1, I, 4, "A");
+    event(2, new MutexFact.Grant(J, I, 1));
+    event(3, new MutexFact.Learned(J, View.closed(List.of(I, J, K)).next().confined(I, set("A"))));
+    ask(4, J, 3, "A");
+    assertThat(finish(7).violations(MutexSpec.PROMISE)).isEqualTo(1);
+  }
+
+  @Test
   void aPromiseBindsOneRequestAndOverlappingSections() {
     ask(0, I, 5, "A");
     event(1, new MutexFact.Grant(J, I, 1));

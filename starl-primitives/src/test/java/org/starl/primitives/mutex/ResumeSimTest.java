@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -12,6 +13,7 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.registration.Registration;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.world.Unsynced;
@@ -31,7 +33,7 @@ class ResumeSimTest {
     finishes(
         new Plan(0, List.of("A", "B"), Set.of("A", "B"), "A"),
         new Plan(3_000, List.of("C", "B", "A"), Set.of("C", "B", "A"), "C"),
-        List.of(FIRST));
+        control -> control.crash(FIRST, S, Unsynced.KEPT));
   }
 
   @Test
@@ -39,10 +41,13 @@ class ResumeSimTest {
     finishes(
         new Plan(3_000, List.of("A", "C"), Set.of("A"), "A"),
         new Plan(0, List.of("C", "D"), Set.of("C", "D"), "C"),
-        List.of(FIRST, SECOND));
+        control -> {
+          control.crash(FIRST, S, Unsynced.KEPT);
+          control.crash(SECOND, S, Unsynced.KEPT);
+        });
   }
 
-  private static void finishes(Plan first, Plan second, List<RobotId> crashing) {
+  private static void finishes(Plan first, Plan second, Consumer<SimControl> fault) {
     Simulation.Builder builder = Simulation.builder().seed(1);
     for (RobotId post : ROADSIDE) {
       builder.robot(new RobotSpec(post, new Pose(0, 0, 0), false, Post::new));
@@ -52,9 +57,7 @@ class ResumeSimTest {
             .robot(new RobotSpec(FIRST, new Pose(0, 0, 0), false, gvh -> new Car(gvh, first)))
             .robot(new RobotSpec(SECOND, new Pose(0, 0, 0), false, gvh -> new Car(gvh, second)))
             .monitor(() -> new MutexSpec(null).withSequences())
-            .director(control ->
-                control.at(
-                    5 * S, () -> crashing.forEach(robot -> control.crash(robot, S, Unsynced.KEPT))))
+            .director(control -> control.at(5 * S, () -> fault.accept(control)))
             .build()
             .run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();

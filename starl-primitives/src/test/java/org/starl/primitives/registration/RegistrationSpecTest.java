@@ -10,6 +10,7 @@ import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
 
 class RegistrationSpecTest {
@@ -70,6 +71,17 @@ class RegistrationSpecTest {
         .extracting(SpecReport.Violation::toString)
         .containsExactly(
             "registration.rList violated at 0.000 s by a: registration/here: rList is 2:[a, b] after view");
+  }
+
+  @Test
+  void aRobotOffTheFloorIsStillOnTheList() {
+    acts(0, "a", "do_register", "a");
+    sees(10, "a", "1:a@1");
+    shows(10, "a", "1:[a]");
+    monitors.observe(new Left(15, new RobotId("a")));
+    sees(20, "a", "2:a@1");
+    shows(20, "a", "2:[a]");
+    assertThat(report(50).holds()).isTrue();
   }
 
   @Test

@@ -1,10 +1,10 @@
 package org.starl.apps.intersection.logic;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -39,6 +39,8 @@ final class Claim {
   private final BooleanSupplier isGoodTime;
   private final boolean restarted;
   private List<String> rest = List.of();
+  // Where the body may have been when the program restarted, as far as it may still be there.
+  private List<String> stands = List.of();
   private State state = State.OUT;
   private boolean isInside;
   private long askFromNs;
@@ -65,13 +67,57 @@ final class Claim {
   /**
    * After a restart of the program.
    *
-   * @param stands the sections that the body may be in
+   * @param occupied the sections that the body may be in
    * @param sections these and those ahead; none if the sequence is over
    */
-  void resume(Collection<String> stands, List<String> sections) {
-    mutex.resume(stands, sections);
-    rest = List.copyOf(sections);
-    isInside = !stands.isEmpty();
+  void resume(Collection<String> occupied, List<String> sections) {
+    isInside = !occupied.isEmpty();
+    declare(List.copyOf(occupied), List.copyOf(sections));
+  }
+
+  private void declare(List<String> occupied, List<String> sections) {
+    stands = occupied;
+    rest = sections;
+    mutex.resume(stands, rest);
+  }
+
+  /** Declares again what it claims without access to any of it: others wait for what it claims. */
+  private void correct(List<String> occupied, List<String> sections) {
+    if (state == State.ASKING) {
+      mutex.withdraw();
+      state = State.REGISTERED;
+    }
+    declare(occupied, sections);
+  }
+
+  /** The first place after a restart may have been rough: the body is not in these sections. */
+  void knows(Predicate<String> isClear) {
+    List<String> still = stands.stream().filter(isClear.negate()).toList();
+    if (held().isEmpty() && still.size() < stands.size()) {
+      correct(still, rest);
+    }
+  }
+
+  /**
+   * The body has left a section on its way: it held this, or stood there when the program restarted,
+   * and got no access since then.
+   *
+   * @return whether it had no access
+   */
+  boolean leave(String section) {
+    if (held().contains(section)) {
+      release(section);
+      return false;
+    }
+    boolean isCorrected = held().isEmpty() && stands.contains(section);
+    if (isCorrected) {
+      correct(without(stands, section), without(rest, section));
+    }
+    return isCorrected;
+  }
+
+  private static List<String> without(List<String> sections, String section) {
+    return sections.stream().filter(each -> !each.equals(section)).toList();
   }
 
   /** The sections that are wanted or held, in order. */
@@ -110,13 +156,16 @@ final class Claim {
   /** Releases a section, which must be held; after the last one it unregisters. */
   void release(String section) {
     mutex.release(section);
-    List<String> left = new ArrayList<>(rest);
-    left.remove(section);
-    rest = List.copyOf(left);
+    rest = without(rest, section);
+    stands = without(stands, section);
     if (rest.isEmpty()) {
-      reg.unregister();
-      state = State.LEAVING;
+      end();
     }
+  }
+
+  private void end() {
+    reg.unregister();
+    state = State.LEAVING;
   }
 
   /** Takes the next step; call it once a period. */
@@ -137,6 +186,10 @@ final class Claim {
         }
       }
       case REGISTERED -> {
+        if (rest.isEmpty()) {
+          end();
+          return;
+        }
         boolean isAgain = askFromNs > 0 || isInside || !held().isEmpty();
         if (gvh.plat.clock.nowNs() >= askFromNs && (isAgain || isGoodTime.getAsBoolean())) {
           mutex.doSequence(rest);

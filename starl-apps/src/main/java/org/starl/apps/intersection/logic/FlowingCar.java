@@ -291,10 +291,16 @@ public final class FlowingCar extends LogicThread {
     boolean isBehind = isIn(sections.size());
     for (int i = sections.size() - 1; i >= 0; i--) {
       if (isBehind && Crossing.isClearOf(gvh, sections.get(i))) {
-        release(sections.get(i));
+        from = isTurning ? from : Math.max(from, i + 1);
+        lane.leave(sections.get(i));
+        if (claim.leave(sections.get(i))) {
+          gvh.trace.action(Way.SHAPE, Way.of(trip, claim.rest()));
+        }
       }
       isBehind |= isIn(i);
     }
+    claim.knows(zone -> Crossing.isClearOf(gvh, zone));
+    lane.knowsPlace();
   }
 
   /** Whether its middle is in this section; after the last one, whether it is beyond all. */
@@ -303,14 +309,6 @@ public final class FlowingCar extends LogicThread {
     return index == track.sections().size()
         ? track.isBeyond(at, bodyMm())
         : Crossing.region(track.sections().get(index)).contains(at);
-  }
-
-  private void release(String section) {
-    if (claim.held().contains(section)) {
-      claim.release(section);
-    } else if (lane.held().contains(section)) {
-      lane.release(section);
-    }
   }
 
   private double bodyMm() {

@@ -127,20 +127,29 @@ public final class Lane {
     return ahead.size();
   }
 
-  void release(String place) {
+  /** The body has left a place on its way. */
+  void leave(String place) {
     if (claim != null) {
-      claim.release(place);
+      claim.leave(place);
+    }
+  }
+
+  /** After a restart: the body is not where it was not seen since then. */
+  void knowsPlace() {
+    if (claim != null) {
+      claim.knows(place -> Crossing.isClearOf(gvh, place));
     }
   }
 
   /** Releases the places behind that the whole body has left. */
   void releaseLeft() {
-    for (String place : held()) {
+    for (String place : rest()) {
       boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(place));
       if (!isAhead && Crossing.isClearOf(gvh, place)) {
-        release(place);
+        leave(place);
       }
     }
+    knowsPlace();
   }
 
   private List<String> names() {
