@@ -122,16 +122,17 @@ sealed interface MutexMessage {
    * {@code from} is alive, and defers its answer to request {@code num} of {@code to}. Sent when
    * the request is repeated.
    *
-   * @param ahead whether {@code from} holds a section of it, or stands there, and waits for others
+   * @param ahead the number of the request of {@code from} that comes first, since it waits, and {@code from}
+   *     holds a section of request {@code num}, or stands there; 0 for none
    */
-  record Noted(ProcessId from, ProcessId to, long num, boolean ahead) implements MutexMessage {
+  record Noted(ProcessId from, ProcessId to, long num, long ahead) implements MutexMessage {
     public Noted {
       requireOther(from, to);
     }
 
     /** Not ahead. */
     Noted(ProcessId from, ProcessId to, long num) {
-      this(from, to, num, false);
+      this(from, to, num, 0);
     }
   }
 
@@ -209,7 +210,7 @@ sealed interface MutexMessage {
             part("from", PROCESS, Noted::from),
             part("to", PROCESS, Noted::to),
             part("num", num, Noted::num),
-            part("ahead", Shapes.BOOL, Noted::ahead),
+            part("ahead", Shapes.atLeast(0, "request number"), Noted::ahead),
             Noted::new),
         Shapes.of(
             FenceQ.class,

@@ -118,9 +118,13 @@ class MutexProtocol {
   private final TreeMap<ProcessId, SortedSet<String>> asked = new TreeMap<>();
   private final RequestTimers timers;
 
-  // What it takes over, and those that told to be ahead of it.
+  // What it takes over; the requests that come before its own though they are later, as they told;
+  // and
+  // those before which its own one comes so, as it told them. Each is valid for one request of
+  // each.
   private Resume resume;
-  private final TreeSet<ProcessId> ahead = new TreeSet<>();
+  private final TreeMap<ProcessId, Long> ahead = new TreeMap<>();
+  private final TreeMap<ProcessId, Long> behind = new TreeMap<>();
 
   // Participants that sent a request and were admitted by a view later than mine, and its number.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
@@ -282,6 +286,7 @@ class MutexProtocol {
     inOrder = oneByOne;
     phase = Phase.TRYING;
     ahead.clear();
+    behind.clear();
     asked.clear();
     known().forEach(other -> asked.put(other, want));
     timers.begin(nowNs);
@@ -441,8 +446,11 @@ class MutexProtocol {
     if (!peer.hasAll(req)) {
       boolean isRepeated = peers.defer(req);
       boolean isAhead = isAheadOf(req);
+      if (isAhead && req.resumes()) {
+        behind.put(req.from(), req.num());
+      }
       if (isAhead || (isRepeated && !isNew && peer.granted().isEmpty())) {
-        effects.send(new Noted(me, req.from(), req.num(), isAhead));
+        effects.send(new Noted(me, req.from(), req.num(), isAhead ? num : 0));
       } else if (isRepeated && !isNew) {
         effects.send(new Ok(me, req.from(), req.num(), peer.granted()));
       }
@@ -459,12 +467,15 @@ class MutexProtocol {
   }
 
   private void hearNoted(Noted noted) {
-    if (phase != Phase.TRYING || noted.num() != num || !noted.ahead()) {
+    if (phase != Phase.TRYING || noted.num() != num || noted.ahead() == 0) {
       return;
     }
+    Long theirs = noted.ahead();
     if (!resumes() && held.isEmpty()) {
       withdraw(MutexFailure.LATE);
-    } else if (resumes() && ahead.add(noted.from())) {
+    } else if (resumes()
+        && !theirs.equals(behind.get(noted.from())) // each is in the way of the other
+        && !theirs.equals(ahead.put(noted.from(), theirs))) {
       answerPending();
     }
   }
@@ -504,7 +515,7 @@ class MutexProtocol {
     if (held.contains(section)) {
       return true; // a holder defers every request: a new participant's clock may be low
     }
-    boolean isClaimed = resume.claims.contains(section) && !ahead.contains(req.from());
+    boolean isClaimed = resume.claims.contains(section) && !isBehind(req);
     if (isClaimed && !(req.resumes() && phase == Phase.TRYING)) {
       return true;
     }
@@ -513,13 +524,18 @@ class MutexProtocol {
 
   /** Whether its own request comes before {@code req}, where neither of them holds. */
   boolean comesBefore(Req req) {
-    if (resumes() && ahead.contains(req.from())) {
+    if (isBehind(req)) {
       return false;
     }
     if (req.resumes()) {
       return isInTheWayOf(req) || (resumes() && isEarlierThan(req));
     }
     return isEarlierThan(req);
+  }
+
+  /** Whether its sender has told that this request comes first. */
+  private boolean isBehind(Req req) {
+    return resumes() && Long.valueOf(req.num()).equals(ahead.get(req.from()));
   }
 
   private boolean isEarlierThan(Req req) {
@@ -537,14 +553,19 @@ class MutexProtocol {
         : resumes() ? MutexMessage.Kind.RESUMED : MutexMessage.Kind.SEQUENCE;
   }
 
-  /** Whether it holds something of {@code req}, or its body may be there. */
+  /** Whether it holds something of {@code req}, or its body may be there, or it has told so. */
   private boolean isInTheWayOf(Req req) {
-    return Sections.meet(held, req.waits()) || Sections.meet(resume.stands, req.waits());
+    return Sections.meet(held, req.waits())
+        || Sections.meet(resume.stands, req.waits())
+        || Long.valueOf(req.num()).equals(behind.get(req.from()));
   }
 
   /** Whether it still waits while it is in the way of a request that would go first. */
   private boolean isAheadOf(Req req) {
-    return phase == Phase.TRYING && isInTheWayOf(req) && (req.resumes() || !isEarlierThan(req));
+    return phase == Phase.TRYING
+        && !isBehind(req)
+        && isInTheWayOf(req)
+        && (req.resumes() || !isEarlierThan(req));
   }
 
   /** Ends its request if it holds nothing and waits for what a resuming process claims. */
@@ -725,6 +746,7 @@ class MutexProtocol {
         .append(inOrder)
         .append(resume)
         .append(ahead)
+        .append(behind)
         .append(asked)
         .append(held)
         .append(waiting)

@@ -141,7 +141,7 @@ class MutexCodecTest {
               new Req(f, t, num, by, ts, new Wish(MutexMessage.Kind.RESUMED, want, left)),
               new Ok(f, t, num),
               new Ok(f, t, num, left),
-              new Noted(f, t, num, true),
+              new Noted(f, t, num, num),
               new Rem(f, t, num, left),
               new Noted(f, t, num),
               new FenceQ(f, t, id("three", num), by),

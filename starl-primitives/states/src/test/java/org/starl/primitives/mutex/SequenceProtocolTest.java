@@ -124,7 +124,7 @@ class SequenceProtocolTest {
   void aWaitingHolderConsentsToNothingOfALateRequestAndTellsIt() {
     holdsFirst("x", "y");
     hears(sequence(A, EARLIER, "x", "z"));
-    assertThat(sent).containsExactly(new Noted(B, A, 1, true));
+    assertThat(sent).containsExactly(new Noted(B, A, 1, 1));
     sent.clear();
     hears(sequence(C, LATER, "x", "z"));
     assertThat(sent).as("not late").containsExactly(new Ok(B, C, 1, sections("z")));
@@ -142,9 +142,9 @@ class SequenceProtocolTest {
     asks("x", "y");
     sent.clear();
     hears(new Noted(A, B, 1));
-    hears(new Noted(A, B, 2, true));
+    hears(new Noted(A, B, 2, 1));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
-    hears(new Noted(A, B, 1, true));
+    hears(new Noted(A, B, 1, 1));
     assertThat(events).contains(new MutexFact.Withdraw(B, 1, MutexFailure.LATE));
     assertThat(sent).containsExactly(rem(A), rem(C));
     assertThat(b.phase()).isEqualTo(Phase.IDLE);
@@ -153,7 +153,7 @@ class SequenceProtocolTest {
   @Test
   void aWaitingHolderIsNotLate() {
     holdsFirst("x", "y");
-    hears(new Noted(A, B, 1, true));
+    hears(new Noted(A, B, 1, 1));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
     assertThat(b.wanted()).containsExactly("x", "y");
   }
@@ -270,10 +270,50 @@ class SequenceProtocolTest {
     hears(sequence(A, LATER, "y", "z"));
     hears(sequence(C, LATER, "y"));
     sent.clear();
-    hears(new Noted(A, B, 1, true));
+    hears(new Noted(A, B, 1, 1));
     assertThat(b.phase()).as("it is not late").isEqualTo(Phase.TRYING);
     assertThat(sent).containsExactly(new Ok(B, A, 1));
     assertThat(node.consentedTo).as("c is not ahead").doesNotContainKey(C);
+  }
+
+  @Test
+  void whoWasAheadIsNotAheadWithItsNextRequest() {
+    takesOver("x", "x", "y");
+    b.request(List.of("x", "y"), true, 0);
+    hears(new Noted(A, B, 1, 1));
+    hears(sequence(A, LATER, "y", "z"));
+    sent.clear();
+    hears(new Rem(A, B, 1, Sections.NONE));
+    hears(new Req(A, B, 2, 1, LATER + 1, wish(Kind.SEQUENCE, sections("y"))));
+    assertThat(sent).isEmpty();
+    hears(new Noted(A, B, 1, 2));
+    assertThat(sent).as("ahead again").containsExactly(new Ok(B, A, 2));
+  }
+
+  @Test
+  void whoHasToldThatItIsAheadStaysAheadUntilItHasAll() {
+    takesOver("x", "x", "y");
+    b.request(List.of("x", "y"), true, 0);
+    sent.clear();
+    hears(resumed(A, EARLIER, "x", "y"));
+    assertThat(sent).containsExactly(new Noted(B, A, 1, 1));
+    sent.clear();
+    b.takeOver(new Resume(Sections.NONE, sections("x", "y")));
+    hears(resumed(A, EARLIER, "x", "y"));
+    assertThat(sent).containsExactly(new Noted(B, A, 1, 1));
+  }
+
+  @Test
+  void ofTwoInTheWayOfEachOtherNoneConsents() {
+    takesOver("x", "x", "y");
+    b.request(List.of("x", "y"), true, 0);
+    hears(resumed(A, EARLIER, "y", "x"));
+    assertThat(sent).contains(new Noted(B, A, 1, 1));
+    sent.clear();
+    hears(new Noted(A, B, 1, 1));
+    hears(resumed(A, EARLIER, "y", "x"));
+    assertThat(sent).containsExactly(new Noted(B, A, 1, 1));
+    assertThat(node.consentedTo).doesNotContainKey(A);
   }
 
   @Test
@@ -293,14 +333,14 @@ class SequenceProtocolTest {
     b.request(List.of("x", "y"), true, 0);
     sent.clear();
     hears(resumed(A, EARLIER, "x", "z"));
-    assertThat(sent).containsExactly(new Ok(B, A, 1, sections("z")), new Noted(B, A, 1, true));
+    assertThat(sent).containsExactly(new Ok(B, A, 1, sections("z")), new Noted(B, A, 1, 1));
   }
 
   @Test
   void aWaitingHolderIsAheadOfAResumingProcess() {
     holdsFirst("x", "y");
     hears(resumed(C, LATER, "x", "y"));
-    assertThat(sent).containsExactly(new Noted(B, C, 1, true));
+    assertThat(sent).containsExactly(new Noted(B, C, 1, 1));
   }
 
   @Test
