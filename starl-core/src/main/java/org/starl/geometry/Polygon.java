@@ -75,8 +75,9 @@ public record Polygon(List<Point> vertices) implements Region {
     return u.cross(v) == 0 && (u.dot(v) <= 0);
   }
 
+  /** For people: a long one is shortened. {@link RegionText#format} has all of it. */
   @Override
   public String toString() {
-    return RegionText.format(this);
+    return RegionText.brief(this);
   }
 }

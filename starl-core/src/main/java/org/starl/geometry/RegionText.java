@@ -1,6 +1,7 @@
 package org.starl.geometry;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -10,6 +11,7 @@ import java.util.stream.Collectors;
  */
 public final class RegionText {
 
+  private static final int MOST_CHARACTERS = 100;
   private static final String CIRCLE = "circle";
   private static final String RECTANGLE = "rectangle";
   private static final String POLYGON = "polygon";
@@ -38,6 +40,50 @@ public final class RegionText {
       case Union union ->
           call(UNION, union.parts().stream().map(RegionText::format).collect(Collectors.toList()));
     };
+  }
+
+  /**
+   * The region for people: as {@link #format}, or, if that has more than 100 characters, its kind and
+   * size, and its ranges of x and y.
+   */
+  static String brief(Region region) {
+    String whole = format(region);
+    if (whole.length() <= MOST_CHARACTERS) {
+      return whole;
+    }
+    List<Point> corners = new ArrayList<>();
+    addCorners(region, corners);
+    String kind =
+        region instanceof Union union
+            ? "union of " + union.parts().size() + " regions"
+            : "polygon of " + corners.size() + " corners";
+    String x = range(corners.stream().mapToDouble(Point::xMm).summaryStatistics());
+    String y = range(corners.stream().mapToDouble(Point::yMm).summaryStatistics());
+    return kind + " within " + x + ", " + y + " mm";
+  }
+
+  private static String range(DoubleSummaryStatistics of) {
+    return StrictMath.round(of.getMin()) + ".." + StrictMath.round(of.getMax());
+  }
+
+  private static void addCorners(Region region, List<Point> corners) {
+    switch (region) {
+      case Circle c -> {
+        Point diagonal = new Point(c.radiusMm(), c.radiusMm());
+        corners.addAll(List.of(c.center().minus(diagonal), c.center().plus(diagonal)));
+      }
+      case Rectangle r ->
+          corners.addAll(
+              List.of(new Point(r.xMinMm(), r.yMinMm()), new Point(r.xMaxMm(), r.yMaxMm())));
+      case Polygon polygon -> corners.addAll(polygon.vertices());
+      case Union union -> union.parts().forEach(part -> addCorners(part, corners));
+      case Nowhere nowhere -> {
+        // It has no corners.
+      }
+      case Everywhere everywhere -> {
+        // It has no corners.
+      }
+    }
   }
 
   /**

@@ -48,8 +48,9 @@ public record Union(List<Region> parts) implements Region {
     return best;
   }
 
+  /** For people: a long one is shortened. {@link RegionText#format} has all of it. */
   @Override
   public String toString() {
-    return RegionText.format(this);
+    return RegionText.brief(this);
   }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.starl.geometry.Region;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -34,7 +33,7 @@ public final class Require {
 
   /** No two robots touch the region at one time. A robot touches it with any part of its body. */
   public static Monitor neverTwoIn(String lemma, Region region) {
-    return new Looking(lemma, "Never two robots in " + RegionText.format(region) + ".") {
+    return new Looking(lemma, "Never two robots in " + region + ".") {
       private List<RobotId> before = List.of();
 
       @Override
@@ -47,7 +46,7 @@ public final class Require {
         }
         report.checked(lemma);
         if (there.size() > 1 && !before.containsAll(there)) {
-          String detail = "all of them are in " + RegionText.format(region);
+          String detail = "all of them are in " + region;
           report.violatedIn(region, lemma, state.timeNs(), there, detail);
         }
         before = there;
@@ -100,7 +99,7 @@ public final class Require {
             (robot, sinceNs, deadlineNs) -> {
               report.checked(lemma);
               Region region = regionOf.apply(robot);
-              String detail = "has not been in " + RegionText.format(region);
+              String detail = "has not been in " + region;
               report.violatedIn(region, lemma, deadlineNs, List.of(robot), detail);
             });
       }

@@ -3,6 +3,7 @@ package org.starl.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -22,6 +23,14 @@ class RegionPropertyTest {
   @Provide
   Arbitrary<Region> regions() {
     return GeometryArbitraries.regions();
+  }
+
+  @Property(tries = 100)
+  void textForPeopleIsShortAndTheTextOfTheTraceIsWhole(@ForAll("regions") Region region) {
+    Region many = new Union(Collections.nCopies(50, region));
+    assertThat(many.toString()).hasSizeLessThan(140);
+    assertThat(region.toString()).hasSizeLessThan(140);
+    assertThat(RegionText.parse(RegionText.format(many))).isEqualTo(many);
   }
 
   @Property

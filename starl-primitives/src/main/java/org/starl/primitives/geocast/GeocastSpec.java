@@ -1,7 +1,6 @@
 package org.starl.primitives.geocast;
 
 import java.util.List;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
@@ -169,13 +168,13 @@ public final class GeocastSpec extends LemmaMonitor {
     }
     cast.intruders()
         .forEach((robot, timeNs) -> {
-          String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
+          String detail = "delivered " + cast.id + ", was outside " + cast.area;
           report.violated(EXCLUSION, timeNs, List.of(robot), detail);
         });
     for (RobotId robot : cast.required(reachesAll(cast))) {
       report.checked(INCLUSION);
       if (!cast.hasDelivered(robot)) {
-        String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);
+        String detail = "never delivered " + cast.id + ", was in " + cast.area;
         report.violated(INCLUSION, cast.deadlineNs, List.of(robot), detail);
       }
     }

@@ -11,7 +11,6 @@ import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFailure;
@@ -437,7 +436,7 @@ public final class MotionSpec extends LemmaMonitor {
   private static void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     report.checked(AVOIDS);
     if (moved != null) {
-      String detail = "enters " + RegionText.format(motion.avoid);
+      String detail = "enters " + motion.avoid;
       report.violated(AVOIDS, moved.timeNs(), List.of(motion.robot), detail);
     }
   }
