@@ -6,8 +6,6 @@ import org.starl.trace.Instance;
 /** {@code currentlocation}: computed when it is read, so that a fix allocates nothing. */
 record LocationVariable(Gps gps) implements GvhVariable<Location> {
 
-  private static final Instance GPS = Instance.of("gps");
-
   @Override
   public Location get() {
     return gps.location();
@@ -15,7 +13,7 @@ record LocationVariable(Gps gps) implements GvhVariable<Location> {
 
   @Override
   public Instance source() {
-    return GPS;
+    return Deviation.SOURCE;
   }
 
   @Override

@@ -98,5 +98,8 @@ public sealed interface MotionFact {
 
   /** What a reader of traces needs. */
   Vocabulary VOCABULARY =
-      Vocabulary.NONE.facts(SOURCE.primitive(), SHAPE).variables(SOURCE.primitive(), FLAG, TASK);
+      Vocabulary.NONE
+          .facts(SOURCE.primitive(), SHAPE)
+          .variables(SOURCE.primitive(), FLAG, TASK)
+          .variables(Deviation.SOURCE.primitive(), Deviation.VAR);
 }

@@ -201,13 +201,32 @@ public record Diagnosis(
     return robots.stream().map(RobotId::name).toList();
   }
 
+  /**
+   * The robots that the others wait for: those of a circle, or the last of a chain; at most ten.
+   * Empty if no robot waits for another.
+   */
+  List<RobotId> culprits() {
+    List<RobotId> circle = graph.circle();
+    if (!circle.isEmpty() || graph.waits().isEmpty()) {
+      return circle.subList(0, Math.min(circle.size(), MAX_NAMES));
+    }
+    return List.of(graph.bottleneck(graph.waits().firstKey()));
+  }
+
   /** The whole diagnosis for people: the cause, the graph, each explained robot. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
+    if (!robots.isEmpty() && !cause.isEmpty()) {
+      lines.add("likely cause: " + cause);
+    }
+    lines.addAll(details());
+    return lines;
+  }
+
+  /** The graph and each explained robot: the diagnosis without its cause. */
+  public List<String> details() {
+    List<String> lines = new ArrayList<>();
     if (!robots.isEmpty()) {
-      if (!cause.isEmpty()) {
-        lines.add("likely cause: " + cause);
-      }
       for (UnfinishedRobot robot : robots) {
         Set<RobotId> on = graph.of(robot.robot());
         if (!on.isEmpty()) {
@@ -223,7 +242,7 @@ public record Diagnosis(
   }
 
   /** {@code [bot0, bot1]}; of many robots the first and the number of the others. */
-  private static String text(Set<RobotId> robots) {
+  static String text(Collection<RobotId> robots) {
     List<String> names = names(robots);
     return names.size() <= MAX_NAMES
         ? names.toString()

@@ -77,7 +77,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     kernel = new Kernel(plan.carriers());
     observers =
         new RunObservers(
-            Monitors.of(plan.monitors(), plan.specs()), plan.observers(), this::diagnosis);
+            Monitors.of(plan.monitors(), plan.specs()),
+            plan.observers(),
+            this::diagnosis,
+            plan.commands());
     SimSettings settings = plan.settings();
     world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
@@ -120,6 +123,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       throw failed(e);
     }
     SpecReport spec = observers.endSpecifications(kernel.nowNs());
+    Diagnosis diagnosis = diagnosis(List.of());
+    Failure failure = observers.failure(unfinished(), diagnosis, kernel.nowNs());
     SimResult result =
         new SimResult(
             plan.header().scenarioSeed(),
@@ -131,8 +136,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             network.statistics(),
             world.collisions(),
             spec,
-            diagnosis(List.of()),
-            observers.diagnoses());
+            diagnosis,
+            observers.diagnoses(),
+            observers.faults(),
+            failure);
     observers.finished(result);
     return result;
   }

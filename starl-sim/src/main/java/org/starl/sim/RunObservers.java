@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.spec.Monitors;
@@ -22,16 +24,21 @@ public final class RunObservers implements TraceSink {
   private final Function<SpecReport.Violation, Diagnosis> diagnose;
   private final Map<SpecReport.Violation, Diagnosis> diagnoses = new LinkedHashMap<>();
   private final Set<String> diagnosed = new TreeSet<>();
+  private final FailureFinder finder;
+  private @Nullable Failure failure;
 
   /**
    * @param diagnose tells what the robots of a violation do now, and why the run does not go on
+   * @param commands that repeat the run and shrink it
    */
   public RunObservers(
       Monitors monitors,
       List<SimObserver> observers,
-      Function<SpecReport.Violation, Diagnosis> diagnose) {
+      Function<SpecReport.Violation, Diagnosis> diagnose,
+      Supplier<List<String>> commands) {
     this.monitors = monitors;
     this.diagnose = diagnose;
+    finder = new FailureFinder(commands);
     this.observers = List.copyOf(observers);
   }
 
@@ -43,6 +50,7 @@ public final class RunObservers implements TraceSink {
   @Override
   public void record(TraceEvent event) {
     monitors.observe(event);
+    finder.observe(event);
     for (int i = 0; i < observers.size(); i++) {
       observers.get(i).observed(event);
     }
@@ -55,7 +63,34 @@ public final class RunObservers implements TraceSink {
         diagnoses.put(violation, diagnose.apply(violation));
       }
       observers.forEach(observer -> observer.violated(violation));
+      if (failure == null) {
+        String sentence = monitors.report().description(violation.lemma());
+        Diagnosis diagnosis = diagnoses.getOrDefault(violation, Diagnosis.NONE);
+        wentWrong(finder.violated(violation, sentence, diagnosis));
+      }
     }
+  }
+
+  private void wentWrong(Failure found) {
+    failure = found;
+    observers.forEach(observer -> observer.wentWrong(found));
+  }
+
+  /**
+   * What went wrong in the run that ends now; null if nothing did.
+   *
+   * @param unfinished the robots whose apps have not ended
+   */
+  public @Nullable Failure failure(List<RobotId> unfinished, Diagnosis diagnosis, long endNs) {
+    if (failure == null && !unfinished.isEmpty()) {
+      wentWrong(finder.unfinished(unfinished, diagnosis, endNs));
+    }
+    return failure;
+  }
+
+  /** The faults injected so far, in the order of their beginnings. */
+  public List<InjectedFault> faults() {
+    return finder.faults();
   }
 
   /** The first violation of each lemma, and the diagnosis when it was noticed. */

@@ -21,6 +21,12 @@ public interface SimObserver {
   /** Each recorded violation, after the event that caused it has been observed. */
   default void violated(SpecReport.Violation violation) {}
 
+  /**
+   * The description of what went wrong: once in a bad run, after the first {@link #violated}, or,
+   * without a violation, before {@link #finished}.
+   */
+  default void wentWrong(Failure failure) {}
+
   /** Each log line of a robot. */
   default void logged(long timeNs, RobotId robot, Level level, String tag, String line) {}
 

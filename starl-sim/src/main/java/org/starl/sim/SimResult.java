@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.net.NetStatistics;
 import org.starl.sim.world.Collisions;
@@ -22,6 +23,8 @@ import org.starl.spec.SpecReport;
  * @param spec what the monitors found
  * @param diagnosis why the run has not finished
  * @param diagnoses the first violation of each lemma, and the diagnosis at that time
+ * @param faults those injected, in the order of their beginnings
+ * @param failure what went wrong; null if nothing did
  */
 public record SimResult(
     long seed,
@@ -34,9 +37,12 @@ public record SimResult(
     Collisions collisions,
     SpecReport spec,
     Diagnosis diagnosis,
-    Map<SpecReport.Violation, Diagnosis> diagnoses) {
+    Map<SpecReport.Violation, Diagnosis> diagnoses,
+    List<InjectedFault> faults,
+    @Nullable Failure failure) {
 
   public SimResult {
+    faults = List.copyOf(faults);
     diagnoses = Collections.unmodifiableMap(new LinkedHashMap<>(diagnoses));
   }
 
@@ -62,7 +68,9 @@ public record SimResult(
         collisions,
         spec,
         Diagnosis.NONE,
-        Map.of());
+        Map.of(),
+        List.of(),
+        null);
   }
 
   /** The diagnosis of {@code violation}, if it is the first one of its lemma. */

@@ -5,8 +5,11 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.gvh.Wait;
+import org.starl.motion.Deviation;
+import org.starl.motion.Location;
 import org.starl.platform.Light;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
@@ -36,6 +39,9 @@ final class SimRobot implements TraceSink {
   /** With fewer robots the app's objects stay in the processor's cache. */
   private static final int MANY = 1000;
 
+  /** A change of a belief's error is traced if it is larger: a picture shows no smaller one. */
+  private static final double SHOWN_MM = 25;
+
   private RobotSpec spec;
   private final int index;
   private final int incarnation;
@@ -52,6 +58,9 @@ final class SimRobot implements TraceSink {
   private boolean willRestart;
   private long changedNs;
   private @Nullable Body body;
+  private Deviation deviation = Deviation.NONE;
+  // Whether fixes may be wrong by so much that it is traced.
+  private boolean mayDeviate;
 
   /**
    * Creates the first incarnation since the robot joined.
@@ -116,6 +125,10 @@ final class SimRobot implements TraceSink {
             engine.motionParameters(index),
             engine.sessions.started(spec.id()));
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
+    mayDeviate = settings.positionNoise().boundMm() > SHOWN_MM / 2;
+    if (engine.observers().isOn()) {
+      positioning.afterFix(this::traceDeviation);
+    }
     Impairment impairment = engine.impairmentOf(spec.id());
     if (impairment.equals(Impairment.NONE)) {
       positioning.setOffset(0 - spec.origin().xMm(), 0 - spec.origin().yMm());
@@ -123,6 +136,28 @@ final class SimRobot implements TraceSink {
       applyToStorageAndClock(impairment);
     } else {
       applyImpairment(impairment);
+    }
+  }
+
+  /** Traces how far the program's belief is from the truth, if that has changed visibly. */
+  private void traceDeviation() {
+    GlobalVarHolder gvh = runner.gvh();
+    Body at = body;
+    if (mayDeviate
+        && gvh != null
+        && at != null
+        && gvh.gps.currentlocation().get() instanceof Location.Known belief) {
+      Pose truth = at.pose();
+      Point place = truth.at().minus(spec.origin());
+      Deviation now = Deviation.of(belief, Pose.of(place, truth.headingRad()));
+      if (now.differs(deviation, SHOWN_MM)) {
+        deviation = now;
+        engine
+            .observers()
+            .record(
+                new TraceEvent.Variable(
+                    engine.nowNs(), spec.id(), Deviation.SOURCE, Deviation.VAR, now));
+      }
     }
   }
 
@@ -157,6 +192,7 @@ final class SimRobot implements TraceSink {
 
   /** Sets the impairment of its parts. */
   void applyImpairment(Impairment impairment) {
+    mayDeviate = true;
     SimSettings settings = engine.settings();
     chassis.impair(impairment.wheels(), impairment.wheels());
     positioning.setNoise(settings.positionNoise().plus(impairment.noise()));

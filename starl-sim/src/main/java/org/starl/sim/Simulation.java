@@ -108,6 +108,7 @@ public final class Simulation {
     private List<ItemPosition> waypoints = List.of();
     private @Nullable Director director;
     private @Nullable StepListener stepListener;
+    private Supplier<List<String>> commands = List::of;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     private Duration actionLimit = Duration.ofSeconds(DEFAULT_ACTION_LIMIT_S);
@@ -306,6 +307,15 @@ public final class Simulation {
     }
 
     /**
+     * Sets the command lines that repeat the run and shrink it, each with a word before it: the
+     * description of a failure has them.
+     */
+    public Builder commands(Supplier<List<String>> lines) {
+      commands = lines;
+      return this;
+    }
+
+    /**
      * Builds the simulation. A builder may be used once, because its observers and director have
      * state.
      *
@@ -345,7 +355,8 @@ public final class Simulation {
               actionLimit.toNanos(),
               allMonitors(),
               specs,
-              observers));
+              observers,
+              commands));
     }
 
     /** All obstacles, including those of the obstacle file. */

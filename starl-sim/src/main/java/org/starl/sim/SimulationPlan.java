@@ -40,6 +40,8 @@ import org.starl.trace.TraceHeader;
  * @param monitors suppliers of the specifications to check
  * @param specs which of them
  * @param observers in calling order
+ * @param commands the command lines that repeat the run and shrink it, for a description of a
+ *     failure
  */
 public record SimulationPlan(
     TraceHeader header,
@@ -58,7 +60,8 @@ public record SimulationPlan(
     long actionLimitNs,
     List<Supplier<? extends Monitor>> monitors,
     Specs specs,
-    List<SimObserver> observers) {
+    List<SimObserver> observers,
+    Supplier<List<String>> commands) {
 
   public SimulationPlan {
     waypoints = List.copyOf(waypoints);

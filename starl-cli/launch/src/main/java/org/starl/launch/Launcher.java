@@ -234,7 +234,9 @@ public final class Launcher implements AutoCloseable {
         run.collisions(),
         run.spec(),
         diagnosis(unfinished, run.endNs()),
-        run.diagnoses());
+        run.diagnoses(),
+        run.faults(),
+        run.failure());
   }
 
   private Diagnosis diagnosis(List<RobotId> unfinished, long endNs) {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.sim.Failure;
 import org.starl.sim.Setting;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
@@ -184,7 +185,12 @@ record SeededRuns(
       settings.set(Setting.CHAOS, chaos);
     }
     FaultPlan all = faults.plus(new FaultPlan(schedule));
-    Simulation simulation = builder.settings(settings.build()).faults(all).build();
+    Simulation simulation =
+        builder
+            .settings(settings.build())
+            .faults(all)
+            .commands(() -> List.of(replay(seed)))
+            .build();
     requireARun(seed, simulation.plan());
     return new Run(seed, schedule, simulation, checks);
   }
@@ -234,7 +240,11 @@ record SeededRuns(
     }
     SimResult result = first.result;
     if (result != null) {
-      result.diagnosis().lines().forEach(line -> lines.add("  " + line));
+      Failure failure = result.failure();
+      if (failure != null) {
+        failure.facts().forEach(line -> lines.add("  " + line));
+      }
+      result.diagnosis().details().forEach(line -> lines.add("  " + line));
       result
           .diagnoses()
           .forEach((violation, diagnosis) -> {

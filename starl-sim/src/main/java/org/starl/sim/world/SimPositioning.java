@@ -38,6 +38,7 @@ public final class SimPositioning implements Positioning {
   private final MeasuredRobots measured;
   private final MeasuredRobots.Newest own;
   private Consumer<StartNeeds> needsListener = needs -> {};
+  private Runnable fixListener = () -> {};
   private @Nullable Receiver receiver;
   private boolean hasMeasured;
   private @Nullable Body body;
@@ -109,6 +110,11 @@ public final class SimPositioning implements Positioning {
     needsListener = listener;
   }
 
+  /** Sets what is called after each fix that the program has received. */
+  public void afterFix(Runnable listener) {
+    fixListener = listener;
+  }
+
   /** Whether it has delivered a fix. */
   public boolean hasMeasured() {
     return hasMeasured;
@@ -160,6 +166,7 @@ public final class SimPositioning implements Positioning {
           robotClock == trueClock
               ? fix
               : new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
+      fixListener.run();
     }
   }
 

@@ -92,6 +92,7 @@ public final class Cursor {
       }
     }
     scene.advance(timeNs);
+    scene.describe(recording.wentWrong());
     nowNs = timeNs;
   }
 }

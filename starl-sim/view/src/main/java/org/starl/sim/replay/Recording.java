@@ -6,6 +6,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.LogSink.Level;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.record.Layer;
@@ -41,7 +42,7 @@ public final class Recording implements SimObserver {
   private volatile long endNs;
   private volatile int checked = ALL;
   private volatile String failure = "";
-  private volatile String unfinished = "";
+  private volatile @Nullable Failure wentWrong;
 
   /**
    * @param obstacles obstacles of the world, hidden ones included
@@ -104,14 +105,16 @@ public final class Recording implements SimObserver {
   @Override
   public void finished(SimResult result) {
     over(result.endNs());
-    if (!result.isFinished()) {
-      unfinished = "not finished: " + result.diagnosis().cause();
-    }
   }
 
-  /** Why the run has not finished, in one line; empty if it has, or if that is unknown. */
-  public String unfinished() {
-    return unfinished;
+  @Override
+  public void wentWrong(Failure newFailure) {
+    wentWrong = newFailure;
+  }
+
+  /** What went wrong first; null if nothing did, or if that is not known yet. */
+  public @Nullable Failure wentWrong() {
+    return wentWrong;
   }
 
   /** Advances {@link #endNs} to {@code timeNs} without an event. */
@@ -134,6 +137,9 @@ public final class Recording implements SimObserver {
    */
   public void failed(String why) {
     failure = why;
+    if (wentWrong == null) {
+      wentWrong = Failure.ofError(why, endNs);
+    }
     over(endNs);
   }
 

@@ -6,9 +6,13 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.sim.Diagnosis;
+import org.starl.sim.Failure;
+import org.starl.sim.RunObservers;
 import org.starl.sim.SimObserver;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -21,6 +25,7 @@ public final class TraceLoader implements AutoCloseable {
   private final Recording recording;
   private final Consumer<List<SimObserver>> trace;
   private final Supplier<List<Monitor>> monitors;
+  private final Supplier<List<String>> commands;
   private final Thread thread;
   private volatile boolean isClosed;
   private volatile @Nullable RuntimeException failure;
@@ -32,12 +37,17 @@ public final class TraceLoader implements AutoCloseable {
    * @param trace shows the whole trace to observers, once; if it throws {@link BadInput}, the
    *     events before are kept and checked
    * @param monitors makes new monitors of the specifications
+   * @param commands for the description of a failure
    */
   public TraceLoader(
-      Recording recording, Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
+      Recording recording,
+      Consumer<List<SimObserver>> trace,
+      Supplier<List<Monitor>> monitors,
+      Supplier<List<String>> commands) {
     this.recording = recording;
     this.trace = trace;
     this.monitors = monitors;
+    this.commands = commands;
     thread = new Thread(this::run, "trace");
     thread.setDaemon(true);
     recording.toBeChecked();
@@ -114,19 +124,30 @@ public final class TraceLoader implements AutoCloseable {
   }
 
   private void check() {
-    Monitors checks = new Monitors(monitors.get());
+    SimObserver marker =
+        new SimObserver() {
+          @Override
+          public void violated(SpecReport.Violation violation) {
+            recording.violated(Math.min(recording.checked(), recording.size() - 1), violation);
+          }
+
+          @Override
+          public void wentWrong(Failure found) {
+            recording.wentWrong(found);
+          }
+        };
+    RunObservers checks =
+        new RunObservers(
+            new Monitors(monitors.get()), List.of(marker), violation -> Diagnosis.NONE, commands);
     int size = recording.size();
     for (int index = 0; index < size; index++) {
       stopIfClosed();
-      int at = index;
-      checks.observe(recording.event(index));
-      checks.newViolations().forEach(violation -> recording.violated(at, violation));
+      checks.record(recording.event(index));
       recording.checked(index + 1);
     }
     if (failure == null) {
       // Liveness cannot be checked on a truncated trace.
-      checks.finish(recording.endNs());
-      checks.newViolations().forEach(recording::violated);
+      checks.endSpecifications(recording.endNs());
     }
     recording.allChecked();
   }

@@ -2,9 +2,11 @@ package org.starl.sim.replay;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -39,10 +41,15 @@ public final class TracePlayer {
   private long dropped;
 
   private TracePlayer(
-      String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
+      String file,
+      TraceReader reader,
+      List<Monitor> monitors,
+      List<SimObserver> observers,
+      Supplier<List<String>> commands) {
     this.file = file;
     this.reader = reader;
-    this.observers = new RunObservers(new Monitors(monitors), observers, robots -> Diagnosis.NONE);
+    this.observers =
+        new RunObservers(new Monitors(monitors), observers, violation -> Diagnosis.NONE, commands);
   }
 
   /**
@@ -50,14 +57,19 @@ public final class TracePlayer {
    *
    * @param file name of the trace, for error messages
    * @param monitors new monitors of the specifications to check
+   * @param commands for the description of a failure
    * @return the result, without the apps' return values, which are not in a trace
    * @throws IOException if the trace cannot be read, or a line is invalid
    * @throws BadInput if the trace is truncated or inconsistent
    */
   public static SimResult show(
-      String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers)
+      String file,
+      TraceReader reader,
+      List<Monitor> monitors,
+      List<SimObserver> observers,
+      Supplier<List<String>> commands)
       throws IOException {
-    return new TracePlayer(file, reader, monitors, observers).show();
+    return new TracePlayer(file, reader, monitors, observers, commands).show();
   }
 
   private SimResult show() throws IOException {
@@ -128,6 +140,10 @@ public final class TracePlayer {
         List.of(),
         new NetStatistics(sent, sentBytes, delivered, dropped),
         Collisions.NONE,
-        spec);
+        spec,
+        Diagnosis.NONE,
+        Map.of(),
+        observers.faults(),
+        observers.failure(List.of(), Diagnosis.NONE, endNs));
   }
 }

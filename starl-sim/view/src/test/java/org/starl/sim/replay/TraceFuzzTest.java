@@ -87,7 +87,7 @@ public class TraceFuzzTest {
           }
         };
     try (TraceReader reader = new TraceReader(FILE, new ByteArrayInputStream(bytes), VOCABULARY)) {
-      TracePlayer.show(FILE, reader, List.of(), List.of(observer));
+      TracePlayer.show(FILE, reader, List.of(), List.of(observer), List::of);
       return reader.header();
     } catch (IOException | BadInput refused) {
       String line = String.valueOf(refused.getMessage());

@@ -63,7 +63,7 @@ class TraceLoaderTest {
 
   private static TraceLoader reading(
       Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
-    return new TraceLoader(new Recording(Obstacles.NONE, Layer.NONE), trace, monitors);
+    return new TraceLoader(new Recording(Obstacles.NONE, Layer.NONE), trace, monitors, List::of);
   }
 
   @Test
