@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.id.RobotId;
 import org.starl.sim.Diagnosis;
+import org.starl.sim.Failure;
+import org.starl.sim.InjectedFault;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
 import org.starl.spec.Specs;
@@ -15,6 +18,8 @@ import org.starl.time.Time;
 /** A run's result as text and JSON. */
 final class Outcome {
 
+  private static final int MOST_FAULTS = 20;
+
   private Outcome() {}
 
   static boolean isGood(SimResult result) {
@@ -22,7 +27,7 @@ final class Outcome {
   }
 
   static List<String> lines(SimResult result, Measures measures) {
-    List<String> lines = new ArrayList<>();
+    List<String> lines = new ArrayList<>(faults(result));
     lines.add(
         "%s of %s robots finished in %s of simulated time; %s datagrams sent, %s copies lost"
             .formatted(
@@ -40,6 +45,18 @@ final class Outcome {
     lines.addAll(leftOut(result.spec()));
     lines.addAll(result.spec().exceptions());
     lines.addAll(complaints(result));
+    return lines;
+  }
+
+  /** The part of a run's story that its faults are: a line for each. */
+  static List<String> faults(SimResult result) {
+    List<InjectedFault> faults = result.faults();
+    List<String> lines = new ArrayList<>();
+    int shown = Math.min(faults.size(), MOST_FAULTS);
+    faults.subList(0, shown).forEach(fault -> lines.add("fault: " + fault));
+    if (shown < faults.size()) {
+      lines.add("and " + (faults.size() - shown) + " more faults");
+    }
     return lines;
   }
 
@@ -100,11 +117,12 @@ final class Outcome {
   static List<String> complaints(SimResult result) {
     List<String> lines = new ArrayList<>();
     SpecReport spec = result.spec();
-    spec.violations()
-        .forEach(violation -> {
-          lines.add("VIOLATED: " + violation);
-          result.diagnosis(violation).lines().forEach(line -> lines.add("  " + line));
-        });
+    Failure failure = result.failure();
+    for (SpecReport.Violation violation : spec.violations()) {
+      boolean isFirst = violation.equals(spec.violations().getFirst());
+      lines.add("VIOLATED: " + violation);
+      addReasons(lines, isFirst ? failure : null, result.diagnosis(violation));
+    }
     spec.lemmas()
         .forEach(lemma -> {
           if (spec.violations(lemma) > 0 && !spec.description(lemma).isEmpty()) {
@@ -113,9 +131,24 @@ final class Outcome {
         });
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
-      result.diagnosis().lines().forEach(line -> lines.add("  " + line));
+      addReasons(lines, spec.holds() ? failure : null, result.diagnosis());
     }
     return lines;
+  }
+
+  /**
+   * @param failure if it is the one that {@code diagnosis} is of; else null
+   */
+  private static void addReasons(
+      List<String> lines, @Nullable Failure failure, Diagnosis diagnosis) {
+    List<String> reasons = new ArrayList<>();
+    if (failure == null) {
+      reasons.addAll(diagnosis.lines());
+    } else {
+      reasons.addAll(failure.reasons());
+      reasons.addAll(diagnosis.details());
+    }
+    reasons.forEach(line -> lines.add("  " + line));
   }
 
   static Map<String, Object> json(String app, SimResult result, Measures measures) {
@@ -157,6 +190,11 @@ final class Outcome {
           }
         });
     json.put("overdue", overdue);
+    json.put("faults", result.faults().stream().map(Object::toString).toList());
+    Failure failure = result.failure();
+    if (failure != null) {
+      json.put("failure", failure.fields());
+    }
     return json;
   }
 

@@ -125,7 +125,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         OptionValues.read(when == null ? "--png" : "--when", wanted, RecordCommand::moment);
     Source source = source();
     String named = fileName();
-    String target = named == null ? defaultFile(source.app(), source.seed(), suffix) : named;
+    String target = named == null ? source.request().file(source.seed(), suffix) : named;
     ObserverFile written =
         switch (suffix) {
           case "gif" -> gif(source.plan(), wanted, target);
@@ -138,7 +138,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     try (written) {
       result = show(source, written.observer());
     }
-    String name = source.app() + ", seed " + source.seed() + ": ";
+    String name = source.request().demo().name() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
     Outcome.leftOut(result.spec()).forEach(out()::println);
     if (Outcome.isGood(result)) {
@@ -157,7 +157,11 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
    * @param replay the command line that shows the run again
    */
   private record Source(
-      String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String replay) {}
+      RunRequest request,
+      long seed,
+      Plan plan,
+      Function<SimObserver, SimResult> show,
+      String replay) {}
 
   private static SimResult show(Source source, SimObserver observer) {
     try {
@@ -182,11 +186,11 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     TraceFile trace = TraceFile.open(options.name(), demos());
     trace.requireWhole();
     return new Source(
-        trace.header().scenario(),
+        trace.request(),
         trace.header().scenarioSeed(),
         trace.plan(),
         observer -> trace.show(List.of(observer)),
-        Shell.starl(List.of("replay", trace.name(), "--headless")));
+        trace.again());
   }
 
   private Source ofSimulation() {
@@ -198,7 +202,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     plan.simulation().carriers(Carriers.select(null, err()));
     RunProgress.of(plan.simulation(), err());
     return new Source(
-        request.demo().name(),
+        request,
         seedNumber,
         plan,
         observer -> plan.simulation().observer(observer).build().run(),
@@ -292,10 +296,6 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput(BadInput.quote(text) + ": expected at least 1ms");
     }
     return everyNs;
-  }
-
-  static String defaultFile(String app, long seed, String suffix) {
-    return "out/" + app + "-" + seed + "." + suffix;
   }
 
   private static PictureTime moment(String text) {

@@ -126,7 +126,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
     if (result != null && plan.story().products().isEmpty()) {
       throw new BadInput("--result cannot be used with " + app + ": it writes no result files");
     }
-    String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
+    String pictureName = png == null ? request.file(seedNumber, "png") : png;
     String again = request.replay(seedNumber);
     String replay =
         processes.areOn()

@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
@@ -41,6 +43,9 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
 
   /** The option of each setting that has one, in the order to show them. */
   static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
+
+  /** The words of a request without settings: the app and its seed. */
+  private static final int PLAIN_WORDS = 3;
 
   static {
     OPTIONS.put(Setting.ROBOTS, "--robots");
@@ -88,7 +93,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     Request request = request(seed);
     SimSettings defaults = demo.defaultSettings(request).build();
     Plan plan = demo.plan(request, given(request).over(defaults));
-    plan.simulation().name(demo.name()).seed(seed);
+    plan.simulation().name(demo.name()).seed(seed).commands(() -> commands(seed));
     request.parameters().forEach(plan.simulation()::parameter);
     if (request.robots().isEmpty()) {
       plan.simulation().countedByScenario();
@@ -152,6 +157,31 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(words(seed));
     return Shell.starl(words);
+  }
+
+  /**
+   * The usual file for a picture of the run, {@code out/mutex-7.png}. With other settings than the
+   * default it has a number that depends on them, so that it does not replace that of another run.
+   */
+  String file(long seed, String suffix) {
+    List<String> words = words(seed);
+    CRC32 number = new CRC32();
+    number.update(String.join("\n", words).getBytes(StandardCharsets.UTF_8));
+    String settings = words.size() == PLAIN_WORDS ? "" : "-%08x".formatted(number.getValue());
+    return "out/" + demo.name() + "-" + seed + settings + "." + suffix;
+  }
+
+  /** The command lines for the description of a failure. */
+  private List<String> commands(long seed) {
+    String replay = "replay: " + replay(seed);
+    if (seed < 0 || seed > Integer.MAX_VALUE) {
+      return List.of(replay); // campaigns have no such seeds
+    }
+    List<String> shrink = new ArrayList<>(List.of("campaign"));
+    shrink.addAll(words(seed));
+    shrink.set(shrink.indexOf("--seed"), "--seeds");
+    shrink.add("--shrink");
+    return List.of(replay, "shrink: " + Shell.starl(shrink));
   }
 
   /** The words of that command line after {@code run}. */

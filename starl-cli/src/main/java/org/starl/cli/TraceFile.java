@@ -123,7 +123,8 @@ final class TraceFile {
   TraceLoader reading() {
     Plan plan = plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());
-    return new TraceLoader(recording, observers -> show(List.of(), observers), this::monitors);
+    return new TraceLoader(
+        recording, observers -> show(List.of(), observers), this::monitors, this::commands);
   }
 
   private Vocabulary vocabulary() {
@@ -137,7 +138,7 @@ final class TraceFile {
 
   private SimResult show(List<Monitor> monitors, List<? extends SimObserver> observers) {
     try (TraceReader reader = reader(name, vocabulary())) {
-      return TracePlayer.show(name, reader, monitors, List.copyOf(observers));
+      return TracePlayer.show(name, reader, monitors, List.copyOf(observers), this::commands);
     } catch (IOException e) {
       throw unreadable(name, e);
     }
@@ -159,6 +160,15 @@ final class TraceFile {
     } catch (IOException e) {
       throw unreadable(name, e);
     }
+  }
+
+  private List<String> commands() {
+    return List.of("replay: " + again());
+  }
+
+  /** The command that compares the trace with its run, repeated. */
+  String again() {
+    return Shell.starl(List.of("replay", name, "--headless"));
   }
 
   /**

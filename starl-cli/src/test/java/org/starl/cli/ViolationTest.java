@@ -170,7 +170,7 @@ class ViolationTest {
     byte[] bytes = Base64.getDecoder().decode(packed.group(1));
     JsonNode run =
         new ObjectMapper().readTree(new InflaterInputStream(new ByteArrayInputStream(bytes)));
-    assertThat(run.get("failure").asText())
+    assertThat(run.get("failure").get("headline").asText())
         .isEqualTo(
             "throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
                 + " purpose");

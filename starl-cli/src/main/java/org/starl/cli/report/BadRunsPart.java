@@ -5,8 +5,10 @@ import static org.starl.cli.report.NumberFormats.count;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.IllustratedRun.Shot;
 import org.starl.sim.Diagnosis;
+import org.starl.sim.Failure;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -77,6 +79,7 @@ final class BadRunsPart {
           "class",
           "detail");
     }
+    failure(illustrated.failure());
     illustrated.diagnoses().forEach(this::diagnosis);
     html.open("p", "class", "replay").text("Replay: ");
     html.command(report.description().replay().apply(illustrated.seed())).close();
@@ -109,6 +112,15 @@ final class BadRunsPart {
       html.element("li", "and " + count(left) + " more");
     }
     html.close().close();
+  }
+
+  /** Where its robots were, and the likely cause; the story has the faults. */
+  private void failure(@Nullable Failure failure) {
+    if (failure != null) {
+      html.open("ul", "class", "failure");
+      failure.reasons().forEach(line -> html.element("li", line));
+      html.close();
+    }
   }
 
   private void diagnosis(String when, Diagnosis diagnosis) {

@@ -12,8 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.LongFunction;
 import java.util.stream.LongStream;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.sim.Diagnosis;
+import org.starl.sim.Failure;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.record.Filmstrip;
@@ -34,6 +36,7 @@ import org.starl.time.Time;
  * @param page an HTML page that plays the seconds around the problem; empty if there is none
  * @param outcome how it ended this time
  * @param diagnoses why robots waited, by the missed deadline, or {@link #AT_THE_END}
+ * @param failure what went wrong; null if nothing did, or an exception ended the run
  */
 public record IllustratedRun(
     long seed,
@@ -42,7 +45,8 @@ public record IllustratedRun(
     String chart,
     String page,
     RunOutcome outcome,
-    Map<String, Diagnosis> diagnoses) {
+    Map<String, Diagnosis> diagnoses,
+    @Nullable Failure failure) {
 
   /** The key of an unfinished run's diagnosis. */
   static final String AT_THE_END = "at the end";
@@ -86,12 +90,13 @@ public record IllustratedRun(
         page = page(recording, momentNs);
         return new IllustratedRun(
             seed,
-            plan.story().lines(),
+            story(plan, result),
             shots(film),
             address(chart),
             page,
             RunOutcome.of(result),
-            diagnoses(result));
+            diagnoses(result),
+            result.failure());
       } catch (RuntimeException e) {
         shots = shots(film);
         recording.failed(RunOutcome.failed(e).detail());
@@ -101,8 +106,16 @@ public record IllustratedRun(
     } catch (RuntimeException e) {
       RunOutcome outcome = RunOutcome.failed(e);
       chart.end(outcome.detail());
-      return new IllustratedRun(seed, List.of(), shots, address(chart), page, outcome, Map.of());
+      return new IllustratedRun(
+          seed, List.of(), shots, address(chart), page, outcome, Map.of(), null);
     }
+  }
+
+  /** With a line for each fault. */
+  private static List<String> story(Plan plan, SimResult result) {
+    List<String> story = new ArrayList<>(plan.story().lines());
+    result.faults().forEach(fault -> story.add("fault: " + fault));
+    return story;
   }
 
   /** Runs a seed again, with a picture of the moment that shows most. */
@@ -113,7 +126,8 @@ public record IllustratedRun(
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));
-    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), "", "", outcome, Map.of());
+    return new IllustratedRun(
+        seed, plan.story().lines(), List.of(shot), "", "", outcome, Map.of(), null);
   }
 
   private static Map<String, Diagnosis> diagnoses(SimResult result) {

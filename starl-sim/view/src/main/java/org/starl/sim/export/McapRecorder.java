@@ -18,6 +18,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
 import org.starl.shape.Shape;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.spec.Bodies;
@@ -38,7 +39,9 @@ import org.starl.trace.TraceHeader;
  *   <li>{@code /variables/ROBOT/SOURCE/NAME}, {@code starl.Variable}: each change of a variable,
  *       with its value as JSON, so that numbers can be plotted;
  *   <li>{@code /messages}, {@code starl.Message}: each datagram sent, delivered or dropped, with its
- *       message as text and as JSON.
+ *       message as text and as JSON;
+ *   <li>{@code /failure}, {@code starl.Failure}, in a bad run: one message that describes what went
+ *       wrong, with poses in mm and rad.
  * </ul>
  */
 public final class McapRecorder implements SimObserver, Closeable {
@@ -161,6 +164,14 @@ public final class McapRecorder implements SimObserver, Closeable {
   public void violated(SpecReport.Violation violation) {
     // A violation may have an earlier time, but times in the file must not decrease.
     log(lastNs, Level.ERROR, "specification", violation.toString());
+  }
+
+  /** As one message of {@code /failure}, with all fields, and as lines of the log. */
+  @Override
+  public void wentWrong(Failure failure) {
+    int channel = begun().channel(begun().schema("starl.Failure", McapSchemas.FAILURE), "/failure");
+    write(channel, lastNs, json.valueToTree(failure.fields()));
+    failure.lines().forEach(line -> log(lastNs, Level.ERROR, "failure", line));
   }
 
   @Override

@@ -26,6 +26,7 @@ final class McapSchemas {
     define("Pose", "position Xyz, orientation Turn");
     define("Colour", "r number, g number, b number, a number");
     define("Deletion", "timestamp Time, type integer, id string");
+    define("Culprit", "robot string, true number[], believed number[], error_mm number");
     define("Metadata", "key string, value string");
     define(
         "Arrow",
@@ -56,6 +57,11 @@ final class McapSchemas {
       schema(
           "fate string, from string, to string, channel string, seq integer, bytes integer,"
               + " text string, message object, why string");
+  static final String FAILURE =
+      schema(
+          "kind string, lemma string, sentence string, headline string, at_s number,"
+              + " robots Culprit[], region string, faults string[], cause string,"
+              + " commands string[]");
   static final String SCENE = schema("deletions Deletion[], entities Entity[]");
 
   private McapSchemas() {}

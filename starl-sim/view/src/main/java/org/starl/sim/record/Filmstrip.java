@@ -9,17 +9,18 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
+import org.starl.sim.Failure;
 import org.starl.sim.SimResult;
-import org.starl.spec.SpecReport;
 
 /** Takes pictures of a run at given times. */
 public final class Filmstrip extends SceneRecorder {
 
   private final List<Long> timesNs;
   private final List<Frame> frames = new ArrayList<>();
-  private SpecReport.@Nullable Violation marked;
+  // What the last picture shows: what went wrong then may be told later.
+  private Scene lastScene;
+  private Layer lastLayer;
 
   /**
    * @param timesNs times of the pictures, in ns from the start of the run
@@ -27,12 +28,14 @@ public final class Filmstrip extends SceneRecorder {
   public Filmstrip(Obstacles obstacles, Layer layer, List<Long> timesNs) {
     super(obstacles, layer);
     this.timesNs = timesNs.stream().sorted().distinct().toList();
+    lastScene = scene;
+    lastLayer = layer;
   }
 
   /** A picture of the run at one time. */
   public static final class Frame {
     private final long timeNs;
-    private final BufferedImage image;
+    private BufferedImage image;
 
     private Frame(long timeNs, BufferedImage image) {
       this.timeNs = timeNs;
@@ -67,14 +70,12 @@ public final class Filmstrip extends SceneRecorder {
     }
   }
 
-  /** Marks the first violation that is as late as a picture; it is told before or after that. */
   @Override
-  public void violated(SpecReport.Violation violation) {
-    if (marked == null && timesNs.contains(violation.timeNs())) {
-      marked = violation;
-      if (!frames.isEmpty() && frames.getLast().timeNs == violation.timeNs()) {
-        mark(frames.getLast().image, violation);
-      }
+  public void wentWrong(Failure failure) {
+    super.wentWrong(failure);
+    if (!frames.isEmpty() && frames.getLast().timeNs == failure.atNs()) {
+      lastScene.describe(failure);
+      frames.getLast().image = paint(lastScene, lastLayer);
     }
   }
 
@@ -105,9 +106,8 @@ public final class Filmstrip extends SceneRecorder {
 
   private void take(long timeNs) {
     Frame frame = new Frame(timeNs, paint(timeNs));
-    if (marked != null && marked.timeNs() == timeNs) {
-      mark(frame.image, marked);
-    }
+    lastScene = scene.copy();
+    lastLayer = layer.copy();
     frames.add(frame);
   }
 

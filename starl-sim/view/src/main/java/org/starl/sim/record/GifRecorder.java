@@ -16,8 +16,8 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.starl.geometry.Obstacles;
+import org.starl.sim.Failure;
 import org.starl.sim.SimResult;
-import org.starl.spec.SpecReport;
 
 /**
  * Writes an animated GIF of a run, which repeats forever: one frame per {@code everyNs} of simulated
@@ -75,8 +75,9 @@ public final class GifRecorder extends SceneRecorder implements Closeable {
   }
 
   @Override
-  public void violated(SpecReport.Violation violation) {
-    if (!isWritten) {
+  public void wentWrong(Failure failure) {
+    super.wentWrong(failure);
+    if (!isWritten && failure.kind() == Failure.Kind.VIOLATED) {
       isWritten = true;
       framesLeft = FRAMES_AFTER;
     }

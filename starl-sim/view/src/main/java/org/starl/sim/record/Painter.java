@@ -48,8 +48,12 @@ public final class Painter {
     /** The app's drawing under the bodies, and the robots' lights. */
     FLOOR,
     OBSTACLES,
+    /** The zone and the robots of what went wrong. */
+    FAILURE,
     TRAILS,
     ROBOTS,
+    /** Where robots wrongly believe to be. */
+    BELIEFS,
     /** The ring around the selected robot, and the range of its radio. */
     SELECTION,
     /** The app's drawing over the bodies. */
@@ -115,6 +119,7 @@ public final class Painter {
         lights(page, scene, viewport, look);
       }
       case OBSTACLES -> obstacles.paint(page, scene, viewport, look.at(viewport));
+      case FAILURE -> FailurePainter.paint(page, scene, viewport, look.theme());
       case TRAILS -> {
         if (look.shows(Part.TRAILS) && layer.showsTrails()) {
           trails.paint(page, scene, viewport, look);
@@ -123,6 +128,11 @@ public final class Painter {
       case ROBOTS -> {
         if (look.shows(Part.ROBOTS)) {
           robots(page, scene, viewport, look);
+        }
+      }
+      case BELIEFS -> {
+        if (look.shows(Part.BELIEFS)) {
+          FailurePainter.paintBeliefs(page, scene, viewport, look);
         }
       }
       case SELECTION -> selection(page, scene, viewport, look);

@@ -11,7 +11,8 @@ public enum Part {
   LOCATIONS("Locations", "each robot's location in its program, where there is room"),
   BUMPS("Bumps", "points where a robot bumped into something, for 10 s"),
   RANGE("Radio range", "the range of the radio, if a fault limits it"),
-  MESSAGES("Messages", "messages in transit");
+  MESSAGES("Messages", "messages in transit"),
+  BELIEFS("Beliefs", "where a robot believes to be, with its error bound, if that is visible");
 
   private final String title;
   private final String meaning;

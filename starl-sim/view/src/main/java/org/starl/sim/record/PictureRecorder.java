@@ -6,8 +6,8 @@ import java.io.OutputStream;
 import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
+import org.starl.sim.Failure;
 import org.starl.sim.SimResult;
-import org.starl.spec.SpecReport;
 import org.starl.time.Time;
 
 /** Takes one picture of a run. */
@@ -47,7 +47,7 @@ public final class PictureRecorder extends SceneRecorder {
   }
 
   private void takeBest(long timeNs) {
-    while (nextLookNs < timeNs) {
+    while (picture == null && nextLookNs < timeNs) {
       scene.advance(nextLookNs);
       double interest = layer.interest(scene);
       if (interest > best) {
@@ -60,10 +60,12 @@ public final class PictureRecorder extends SceneRecorder {
   }
 
   @Override
-  public void violated(SpecReport.Violation violation) {
-    if (moment instanceof PictureTime.Violation && picture == null) {
-      picture = paint(scene.nowNs());
-      mark(picture, violation);
+  public void wentWrong(Failure failure) {
+    super.wentWrong(failure);
+    boolean isViolation = failure.kind() == Failure.Kind.VIOLATED;
+    if (moment instanceof PictureTime.Best
+        || (moment instanceof PictureTime.Violation && isViolation)) {
+      picture = paint(Math.max(scene.nowNs(), failure.atNs()));
     }
   }
 
@@ -85,7 +87,8 @@ public final class PictureRecorder extends SceneRecorder {
    * @throws IllegalStateException if there is no picture
    */
   public void writePng(OutputStream out) throws IOException {
-    BufferedImage image = bestScene == null ? picture : paint(bestScene, bestLayer);
+    BufferedImage image =
+        picture != null || bestScene == null ? picture : paint(bestScene, bestLayer);
     if (image == null) {
       throw new IllegalStateException("no picture was taken");
     }

@@ -12,6 +12,9 @@ public sealed interface PictureTime {
   /** The first violation of a specification; no picture if there is none. */
   record Violation() implements PictureTime {}
 
-  /** The first whole second with the greatest {@link Layer#interest}. */
+  /**
+   * In a bad run what went wrong; otherwise the first whole second with the greatest {@link
+   * Layer#interest}.
+   */
   record Best() implements PictureTime {}
 }

@@ -18,8 +18,10 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.Deviation;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFailure;
+import org.starl.sim.Failure;
 import org.starl.spec.Bodies;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
@@ -33,6 +35,7 @@ import org.starl.trace.Var;
 public final class Scene {
 
   private static final long TRAIL_STEP_NS = 100_000_000;
+  private static final long FAILURE_SHOWN_NS = 10_000_000_000L;
   private static final int KEPT_GONE = 12;
   private static final int KEPT_BUMPS = 64;
 
@@ -58,6 +61,7 @@ public final class Scene {
   private final Set<RobotId> down = new TreeSet<>();
   private final Deque<Bump> bumps = new ArrayDeque<>();
   private final BoundingBox extent;
+  private @Nullable Failure failure;
   private int came;
   private long nowNs;
   private long trailNs;
@@ -93,6 +97,7 @@ public final class Scene {
     copy.gone.addAll(gone);
     copy.down.addAll(down);
     copy.bumps.addAll(bumps);
+    copy.failure = failure;
     copy.came = came;
     copy.nowNs = nowNs;
     copy.trailNs = trailNs;
@@ -122,6 +127,10 @@ public final class Scene {
     } else if (event instanceof TraceEvent.Fault fault) {
       if (fault.name().equals(TraceEvent.Fault.CRASH)) {
         down.add(fault.robot());
+        // What it believed is lost with the program.
+        variables
+            .getOrDefault(fault.robot(), new TreeMap<>())
+            .remove(key(Deviation.SOURCE, Deviation.VAR.name()));
       } else if (fault.name().equals(TraceEvent.Fault.RESTART)) {
         down.remove(fault.robot());
       }
@@ -218,6 +227,19 @@ public final class Scene {
           }
           visitor.visit(robot, entry.getValue(), pose, radiusMm);
         });
+  }
+
+  /** What the run's first failure is, for pictures of it: null if none is known. */
+  public void describe(@Nullable Failure newFailure) {
+    failure = newFailure;
+  }
+
+  /** The failure to mark at the present time: from it on, for 10 s. */
+  @Nullable Failure failure() {
+    Failure known = failure;
+    boolean isShown =
+        known != null && nowNs >= known.atNs() && nowNs <= known.atNs() + FAILURE_SHOWN_NS;
+    return isShown ? known : null;
   }
 
   /** Whether a robot's program has crashed and has not restarted. */

@@ -2,8 +2,8 @@ package org.starl.sim.record;
 
 import java.awt.image.BufferedImage;
 import org.starl.geometry.Obstacles;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
-import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -49,8 +49,9 @@ abstract sealed class SceneRecorder implements SimObserver
     return page.paint(shown, shownLayer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
   }
 
-  /** Marks a violation in the picture that was painted last. */
-  final void mark(BufferedImage picture, SpecReport.Violation violation) {
-    page.mark(picture, scene, violation);
+  /** From now on, pictures show what went wrong; subclasses call it before they take one of it. */
+  @Override
+  public void wentWrong(Failure failure) {
+    scene.describe(failure);
   }
 }

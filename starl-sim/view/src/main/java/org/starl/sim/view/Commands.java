@@ -120,9 +120,9 @@ final class Commands {
         () -> traffic.onlyOfSelected(!traffic.isOfSelectedOnly()));
   }
 
-  /** A digit: 1 to 9, and 0 for the tenth part. */
+  /** A digit: 1 to 9, and 0 for the tenth part; B for beliefs. */
   static String key(Part part) {
-    return Integer.toString((part.ordinal() + 1) % 10);
+    return part == Part.BELIEFS ? "B" : Integer.toString((part.ordinal() + 1) % 10);
   }
 
   private Command add(String group, String name, String meaning, String key, Runnable action) {

@@ -17,6 +17,7 @@ import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.sim.Failure;
 import org.starl.sim.record.Painter;
 import org.starl.sim.record.Theme;
 import org.starl.sim.record.Viewport;
@@ -122,14 +123,17 @@ final class FloorView {
     } else if (violation != null) {
       strip(page, widthPx, MARGIN_PX, violation.text(), theme.alarm());
     } else if (session.playback().isAtEnd()) {
-      boolean isFinished = session.recording().unfinished().isEmpty();
-      Color colour = isFinished ? theme.muted() : theme.alarm();
+      Color colour = session.recording().wentWrong() == null ? theme.muted() : theme.alarm();
       strip(page, widthPx, MARGIN_PX, ending(session.recording()), colour);
     }
   }
 
   static String ending(Recording recording) {
-    String why = recording.unfinished();
+    Failure failure = recording.wentWrong();
+    String why =
+        failure != null && failure.kind() == Failure.Kind.UNFINISHED
+            ? "not finished: " + failure.cause()
+            : "";
     String open = recording.isChecked() ? "" : "; specifications are still being checked";
     return "The run ended at "
         + Inspection.seconds(recording.endNs())

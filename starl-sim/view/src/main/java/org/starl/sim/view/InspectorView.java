@@ -2,11 +2,12 @@ package org.starl.sim.view;
 
 import java.awt.CardLayout;
 import java.util.List;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
-import javax.swing.SwingConstants;
 import org.starl.id.RobotId;
+import org.starl.sim.Failure;
 
 /** Shows state, messages and log of the selected robot. */
 final class InspectorView {
@@ -17,6 +18,7 @@ final class InspectorView {
   private final Session session;
   private final CardLayout cards = new CardLayout();
   private final JPanel panel = new JPanel(cards);
+  private final JLabel hint = new JLabel();
   private final JTabbedPane tabs = new JTabbedPane();
   private final Table state = new Table(104);
   private final Table messages = new Table(74, 62);
@@ -30,12 +32,7 @@ final class InspectorView {
     tabs.addTab(
         "Messages", null, messages.pane(), "Sent, received and lost messages, latest first");
     tabs.addTab("Log", null, log.pane(), "Actions, faults and log lines, latest first");
-    JLabel hint =
-        new JLabel(
-            "<html><div style='text-align:center'>Click a robot or press Tab<br>"
-                + "to see its state, messages and log</div></html>",
-            SwingConstants.CENTER);
-    hint.setEnabled(false);
+    hint.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
     panel.add(hint, HINT);
     panel.add(tabs, ROBOT);
   }
@@ -54,6 +51,10 @@ final class InspectorView {
     RobotId robot = session.selected();
     cards.show(panel, robot == null ? HINT : ROBOT);
     if (robot == null) {
+      String text = "<html>" + hint() + "</html>";
+      if (!text.equals(hint.getText())) {
+        hint.setText(text);
+      }
       return;
     }
     int index = session.playback().index();
@@ -64,6 +65,22 @@ final class InspectorView {
       case 1 -> messages.show(rows(Inspection.messages(session.recording(), index, robot)));
       default -> log.show(rows(Inspection.log(session.recording(), index, robot)));
     }
+  }
+
+  /** What went wrong, and how to see more, in HTML. */
+  private String hint() {
+    StringBuilder text = new StringBuilder();
+    Failure failure = session.recording().wentWrong();
+    if (failure != null) {
+      for (String line : failure.lines()) {
+        boolean isFirst = text.isEmpty();
+        text.append(isFirst ? "<p><b>" : "<p style='margin-top:6px'>")
+            .append(line.replace("&", "&amp;").replace("<", "&lt;"))
+            .append(isFirst ? "</b></p>" : "</p>");
+      }
+      text.append("<p style='margin-top:12px'>");
+    }
+    return text.append("Click a robot or press Tab to see its state, messages and log").toString();
   }
 
   private static Table.Row row(Inspection.Row row) {

@@ -3,6 +3,7 @@ package org.starl.sim.view;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.sim.Failure;
 import org.starl.sim.record.Flight;
 import org.starl.sim.record.Part;
 import org.starl.sim.record.Scene;
@@ -29,6 +30,7 @@ final class Session {
   private final Traffic traffic;
   private final RateMeter meter = new RateMeter();
   private final @Nullable LiveRun live;
+  private boolean hasStopped;
 
   /**
    * @param recording has begun
@@ -87,7 +89,21 @@ final class Session {
       live.runUntil(playback.wantedNs(LEAD_NS));
     }
     playback.tick(elapsedNs);
+    stopAtFailure();
     meter.read(realNs, recording.isOver() ? playback.index() : recording.size());
+  }
+
+  /** Goes once to what went wrong: in a trace as soon as it is known, in a live run when it comes. */
+  private void stopAtFailure() {
+    Failure failure = recording.wentWrong();
+    if (failure != null
+        && !hasStopped
+        && playback.isPlaying()
+        && (live == null || playback.nowNs() >= failure.atNs())) {
+      hasStopped = true;
+      playback.pause();
+      playback.seek(failure.atNs());
+    }
   }
 
   /** The visible messages in transit. */

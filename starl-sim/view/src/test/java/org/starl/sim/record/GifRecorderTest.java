@@ -14,7 +14,6 @@ import org.starl.geometry.Nowhere;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -59,8 +58,7 @@ class GifRecorderTest {
     GifRecorder recorder = recorder(true);
     goTo(100 * S, recorder);
     assertThat(out.size()).isZero();
-    recorder.violated(
-        new Violation("alone", 100 * S, List.of(ROBOT), "seen", false, new Nowhere()));
+    recorder.wentWrong(ViolationMarksTest.violation(100 * S, new Nowhere(), ROBOT));
     goTo(200 * S, recorder);
     recorder.close();
     assertThat(frames()).isEqualTo(60 + 20);

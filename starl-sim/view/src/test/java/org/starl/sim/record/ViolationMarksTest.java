@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Circle;
@@ -17,9 +18,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.motion.Deviation;
 import org.starl.shape.Shapes;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
-import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
@@ -47,15 +49,25 @@ class ViolationMarksTest {
     recorder.observed(new TraceEvent.Joined(0, B, new Pose(3000, 0, 0), 165));
   }
 
-  private static Violation violation(long atNs, Region region, RobotId... robots) {
-    return new Violation("alone", atNs, List.of(robots), "seen", false, region);
+  static Failure violation(long atNs, Region region, RobotId... robots) {
+    return new Failure(
+        Failure.Kind.VIOLATED,
+        "alone",
+        "",
+        "alone violated",
+        atNs,
+        Stream.of(robots).map(robot -> new Failure.Culprit(robot, null, Deviation.NONE)).toList(),
+        region,
+        List.of(),
+        "",
+        List.of());
   }
 
-  private static BufferedImage picture(Violation violation) throws IOException {
+  private static BufferedImage picture(Failure violation) throws IOException {
     PictureRecorder recorder =
         new PictureRecorder(Obstacles.NONE, Layer.NONE, new PictureTime.Violation());
     begin(recorder, "a");
-    recorder.violated(violation);
+    recorder.wentWrong(violation);
     ByteArrayOutputStream png = new ByteArrayOutputStream();
     recorder.writePng(png);
     return ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
@@ -95,7 +107,7 @@ class ViolationMarksTest {
       Filmstrip film = new Filmstrip(Obstacles.NONE, Layer.NONE, List.of(S));
       begin(film, "a");
       film.observed(new TraceEvent.Variable(2 * S, A, Instance.APP, MODE, "ON"));
-      film.violated(violation(S + otherNs, ZONE, A));
+      film.wentWrong(violation(S + otherNs, ZONE, A));
       film.cut();
       ByteArrayOutputStream png = new ByteArrayOutputStream();
       film.frames().get(0).writePng(WHOLE_PX, png);
@@ -109,7 +121,7 @@ class ViolationMarksTest {
     PictureRecorder recorder =
         new PictureRecorder(Obstacles.NONE, Layer.NONE, new PictureTime.Violation());
     begin(recorder, "org.example.".repeat(12) + "DockTest#robotsTakeTurns");
-    recorder.violated(violation(0, ZONE, A));
+    recorder.wentWrong(violation(0, ZONE, A));
     ByteArrayOutputStream png = new ByteArrayOutputStream();
     recorder.writePng(png);
     BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));

@@ -121,7 +121,7 @@ class ContentTest {
   void theBarShowsTheProgressOfChecking() {
     Recording recording = recording();
     assertThat(TransportBar.openText(recording)).isEmpty();
-    TraceLoader reading = new TraceLoader(recording, observers -> {}, List::of);
+    TraceLoader reading = new TraceLoader(recording, observers -> {}, List::of, List::of);
     assertThat(reading.recording()).isSameAs(recording);
     assertThat(TransportBar.openText(recording)).isEqualTo(" so far, 0% checked");
   }

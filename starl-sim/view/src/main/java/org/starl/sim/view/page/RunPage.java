@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 import org.starl.input.BadInput;
+import org.starl.sim.Failure;
 import org.starl.sim.record.BoundingBox;
 import org.starl.sim.record.Flight;
 import org.starl.sim.record.Look;
@@ -112,7 +113,13 @@ public final class RunPage {
     run.put("height", viewport.heightPx());
     run.put("paper", List.of(css(Theme.LIGHT), css(Theme.DARK)));
     run.put("sections", Section.values());
-    run.put("failure", recording.failure());
+    Failure failure = recording.wentWrong();
+    if (failure != null) {
+      Map<String, Object> fields = failure.fields();
+      fields.put("ms", millis(failure.atNs()));
+      fields.put("facts", failure.facts());
+      run.put("failure", fields);
+    }
     run.put("marks", marks());
     run.put("texts", frames.texts());
     run.put("styles", frames.styles());

@@ -81,7 +81,11 @@ public final class TraceArtifacts implements RunArtifacts {
         new TraceReader(
             trace.toString(), new BufferedInputStream(Files.newInputStream(trace)), vocabulary)) {
       TracePlayer.show(
-          trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
+          trace.toString(),
+          reader,
+          Monitors.of(plan.monitors()).monitors(),
+          observers,
+          plan.commands());
     } catch (BadInput truncated) {
       // The observers have the events before the error that ended the run.
       recording.failed(failure);

@@ -11,7 +11,7 @@
   const KEPT_EVERY = 64;
   const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50];
   const PARTS = { App: ['FLOOR', 'OVER'], Obstacles: ['OBSTACLES'], Trails: ['TRAILS'], Robots: ['ROBOTS', 'SELECTION'],
-    Names: ['LABELS'], Bumps: ['BUMPS'], Messages: ['MESSAGES'] };
+    Names: ['LABELS'], Bumps: ['BUMPS'], Beliefs: ['BELIEFS'], 'What went wrong': ['FAILURE'], Messages: ['MESSAGES'] };
   const SIGNS = { VIOLATION: '\u2691', CRASH: '\u2715', RESTART: '\u25cb', FAULT: '\u2223', INTERVENTION: '\u25c6' };
 
   // ---- pictures: each is the one before, changed
@@ -182,7 +182,8 @@
     const { scale, x, y } = view || fitted();
     pen.setTransform(dpr * scale, 0, 0, dpr * scale, dpr * x, dpr * y);
     run.sections.forEach((section, i) => {
-      if (!hidden.has(section)) drawAll(now[i], then[i], share);
+      // What went wrong between two pictures is marked in the second one.
+      if (!hidden.has(section)) drawAll(section === 'FAILURE' ? then[i] : now[i], then[i], share);
     });
     describe(now);
   }
@@ -236,7 +237,8 @@
     $('time').setAttribute('aria-valuetext', seconds(nowMs));
     $('clock').textContent = seconds(nowMs) + ' of ' + seconds(run.toMs);
     const violations = run.marks.filter(mark => mark[1] === 'VIOLATION' && mark[0] <= nowMs);
-    const latest = violations.length ? violations[violations.length - 1][2] : run.failure;
+    const failed = run.failure && nowMs >= run.failure.ms - 1e-6 ? run.failure.headline : '';
+    const latest = violations.length ? violations[violations.length - 1][2] : failed;
     tell($('message'), latest || (nowMs >= run.toMs ? 'The run ended at ' + seconds(run.toMs) : ''));
     $('message').className = latest ? 'alarm' : '';
     listRobots(lists[BODIES]);
@@ -291,6 +293,39 @@
   function select(robot) {
     selected = robot;
     show();
+    link();
+  }
+
+  // ---- links: #t=34.1&robot=bot1
+
+  /** Puts the moment and the robot into the address, which so can be shared. */
+  function link() {
+    const parts = ['t=' + Number((nowMs / 1000).toFixed(3))];
+    if (selected >= 0) parts.push('robot=' + encodeURIComponent(run.texts[selected]));
+    try {
+      history.replaceState(null, '', '#' + parts.join('&'));
+    } catch {
+      // A page inside another has no address of its own.
+    }
+  }
+
+  /** Goes where the address says, otherwise to what went wrong; unreadable parts are left out. */
+  function follow() {
+    const wanted = new URLSearchParams(location.hash.slice(1)), t = parseFloat(wanted.get('t'));
+    const robot = wanted.get('robot') ?? (run.failure && !wanted.has('t') && run.failure.robots[0]?.robot);
+    pause();
+    selected = robot ? run.texts.indexOf(robot) : -1;
+    seek(Number.isFinite(t) ? 1000 * t : run.failure ? run.failure.ms : run.fromMs);
+  }
+
+  function tellFailure({ ms, headline, facts, commands }) {
+    const button = document.createElement('button');
+    button.textContent = headline;
+    button.title = 'Go to ' + seconds(ms);
+    button.onclick = () => { pause(); seek(ms); link(); };
+    $('failure').append(button, ...facts.map(text => Object.assign(document.createElement('p'), { textContent: text })),
+      ...commands.map(text => Object.assign(document.createElement('code'), { textContent: text })));
+    $('failure').hidden = false;
   }
 
   function selectNeighbour(step) {
@@ -357,7 +392,7 @@
   const centre = factor => zoom(factor, canvas.clientWidth / 2, canvas.clientHeight / 2);
 
   const KEYS = {
-    ' ': () => isPlaying ? pause() : play(),
+    ' ': () => isPlaying ? (pause(), link()) : play(),
     ArrowRight: event => event.ctrlKey ? pan(-40, 0) : event.shiftKey ? (pause(), seek(nowMs + 1000)) : step(1),
     ArrowLeft: event => event.ctrlKey ? pan(40, 0) : event.shiftKey ? (pause(), seek(nowMs - 1000)) : step(-1),
     ArrowUp: event => event.ctrlKey ? pan(0, 40) : faster(1),
@@ -406,6 +441,7 @@
   $('speed').onchange = () => { speed = Number($('speed').value); };
   Object.assign($('time'), { min: run.fromMs, max: run.toMs, step: 'any' });
   $('time').oninput = () => { pause(); seek(Number($('time').value)); };
+  $('time').onchange = link;
   $('play').onclick = KEYS[' '];
   $('back').onclick = () => step(-1);
   $('forward').onclick = () => step(1);
@@ -420,7 +456,7 @@
     mark.title = seconds(ms) + ': ' + text;
     mark.setAttribute('aria-label', kind.toLowerCase() + ' at ' + mark.title);
     mark.style.left = 100 * (ms - run.fromMs) / Math.max(1, run.toMs - run.fromMs) + '%';
-    mark.onclick = () => { pause(); seek(ms); };
+    mark.onclick = () => { pause(); seek(ms); link(); };
     $('marks').append(mark);
   }
   for (const [name, sections] of Object.entries(PARTS)) {
@@ -432,7 +468,10 @@
     label.append(box, ' ' + name);
     $('parts').append(label);
   }
+  if (run.failure) tellFailure(run.failure);
   new ResizeObserver(show).observe(canvas);
   dress();
+  follow();
+  window.onhashchange = follow;
   document.documentElement.dataset.ready = 'true';
 })();

@@ -23,12 +23,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.geometry.Circle;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.shape.Shapes;
+import org.starl.motion.Deviation;
+import org.starl.sim.Failure;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
@@ -123,11 +126,26 @@ class RunPageTest {
     run.observed(new TraceEvent.Moved(0, A, Pose.of(new Point(0, 0), 0), 400, 0.3));
     run.observed(new TraceEvent.Moved(500 * MS, C, Pose.of(new Point(300, 1000), 0), 100, 0));
     run.observed(new TraceEvent.Variable(1000 * MS, A, Instance.APP, LOCATION, "REQUEST"));
+    run.observed(
+        new TraceEvent.Variable(
+            1500 * MS, B, Deviation.SOURCE, Deviation.VAR, new Deviation(-500, 300, 1, 200)));
     run.observed(new TraceEvent.Sent(2000 * MS, A, "bot1", MUTEX, 1, 50, Shapes.TEXT, "REQ[1]"));
     run.observed(new TraceEvent.Delivered(2700 * MS, B, A, MUTEX, 1, Shapes.TEXT, "REQ[1]"));
     run.observed(new TraceEvent.Fault(3000 * MS, C, TraceEvent.Fault.CRASH, ""));
     run.observed(new TraceEvent.Variable(4250 * MS, A, Instance.APP, LOCATION, "CRITICAL"));
     run.violated(new SpecReport.Violation("Exclusive", 4250 * MS, List.of(A), "two in one zone"));
+    run.wentWrong(
+        new Failure(
+            Failure.Kind.VIOLATED,
+            "Exclusive",
+            "one at a time",
+            "Exclusive violated",
+            4250 * MS,
+            List.of(new Failure.Culprit(A, null, Deviation.NONE)),
+            new Circle(new Point(900, 200), 400),
+            List.of(),
+            "a <i>guess</i>",
+            List.of("replay: again")));
     run.over(6000 * MS);
     return run;
   }
@@ -337,6 +355,25 @@ class RunPageTest {
     browser().key("Home");
     browser().evaluate("document.querySelector('#marks .VIOLATION').click()");
     assertThat(nowMs()).isEqualTo(4250);
+  }
+
+  @Test
+  void anAddressLeadsToAMomentAndARobotOtherwiseToWhatWentWrong() throws Exception {
+    browser().evaluate("location.hash = '#t=2.5&robot=bot1'");
+    browser().await("document.getElementById('time').value == 2500");
+    assertThat(browser().text("#selected")).isEqualTo("bot1");
+    browser().evaluate("location.hash = '#t=elsewhere&robot=nobody'");
+    browser().await("document.getElementById('time').value == 4250");
+    assertThat(browser().text("#selected")).isEqualTo("Select a robot");
+    browser().evaluate("location.hash = ''");
+    browser().await("document.getElementById('selected').textContent === 'bot0'");
+    assertThat(nowMs()).isEqualTo(4250);
+    assertThat(browser().text("#failure"))
+        .contains("Exclusive violated", "one at a time", "a <i>guess</i>", "replay: again");
+    browser().key("ArrowRight");
+    browser().key(" ");
+    browser().key(" ");
+    assertThat(browser().evaluate("location.hash").asText()).startsWith("#t=").endsWith("=bot0");
   }
 
   @Test
