@@ -15,6 +15,7 @@ import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
 import org.starl.shape.SumShape;
+import org.starl.trace.Holding;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.Var;
@@ -71,7 +72,12 @@ public sealed interface MutexFact {
       List<String> sequence,
       boolean resumes,
       SortedSet<ProcessId> known)
-      implements MutexFact {
+      implements MutexFact, Holding {
+
+    @Override
+    public String holding() {
+      return "waits for " + (sequence.isEmpty() ? want : sequence);
+    }
 
     public DoMutex {
       sequence = List.copyOf(sequence);
@@ -85,18 +91,33 @@ public sealed interface MutexFact {
   }
 
   /** Access was granted: it now holds {@code held}. */
-  record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact {}
+  record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexFact, Holding {
+    @Override
+    public String holding() {
+      return "holds " + held;
+    }
+  }
 
   /** {@code given} was released, {@code left} is still held. */
   record Release(ProcessId who, long num, SortedSet<String> given, SortedSet<String> left)
-      implements MutexFact {}
+      implements MutexFact, Holding {
+    @Override
+    public String holding() {
+      return left.isEmpty() ? "" : "holds " + left;
+    }
+  }
 
   /**
    * The request ended without access.
    *
    * @param num the number of the request; 0 if it never began, which is no action of the theory
    */
-  record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact {}
+  record Withdraw(ProcessId who, long num, MutexFailure why) implements MutexFact, Holding {
+    @Override
+    public String holding() {
+      return "";
+    }
+  }
 
   /**
    * {@code who} consents to request {@code num} of {@code to}.

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Nowhere;
 import org.starl.id.RobotId;
 import org.starl.sim.Failure;
 
@@ -25,8 +26,11 @@ final class Page {
   private final Painter painter = new Painter();
   private final Look look = Look.FILE;
 
-  /** The picture of {@code scene} in its present state. */
-  BufferedImage paint(Scene scene, Layer layer, String title) {
+  /**
+   * The picture of {@code scene} in its present state. In place of a floor on which nothing has moved
+   * and nothing is drawn, it shows the lanes.
+   */
+  BufferedImage paint(Scene scene, Layer layer, Lanes lanes, String title) {
     BufferedImage image =
         new BufferedImage(FLOOR_PX + LEGEND_PX, FLOOR_PX, BufferedImage.TYPE_INT_RGB);
     Graphics2D page = image.createGraphics();
@@ -34,10 +38,23 @@ final class Page {
     page.fillRect(0, 0, image.getWidth(), image.getHeight());
     Viewport viewport = Viewport.fit(BoundingBox.of(scene, layer), FLOOR_PX, FLOOR_PX, MARGIN_PX);
     Graphics2D floor = (Graphics2D) page.create(0, 0, FLOOR_PX, FLOOR_PX);
-    painter.paint(floor, scene, layer, viewport, look);
+    Failure failure = scene.failure();
+    boolean isOfAPlace = failure != null && !(failure.region() instanceof Nowhere);
+    if (layer == Layer.NONE && scene.isStill() && scene.nowNs() > 0 && !isOfAPlace) {
+      Painter.smooth(floor);
+      LanePainter time = new LanePainter(lanes, 0, scene.nowNs(), FLOOR_PX);
+      time.paint(floor, look.theme());
+      if (failure != null) {
+        int x = (int) time.xPx(failure.atNs());
+        floor.setColor(look.theme().alarm());
+        floor.fillRect(x, 0, 2, FLOOR_PX);
+      }
+    } else {
+      painter.paint(floor, scene, layer, viewport, look);
+    }
     page.setRenderingHints(floor.getRenderingHints());
     floor.dispose();
-    int bottomPx = card(page, scene.failure());
+    int bottomPx = card(page, failure);
     legend(page, scene, layer, title, bottomPx);
     page.dispose();
     return image;

@@ -87,6 +87,9 @@ public final class PictureRecorder extends SceneRecorder {
    * @throws IllegalStateException if there is no picture
    */
   public void writePng(OutputStream out) throws IOException {
+    if (layer == Layer.NONE && scene.isStill()) {
+      bestScene = scene; // its lanes are longest at the end
+    }
     BufferedImage image =
         picture != null || bestScene == null ? picture : paint(bestScene, bestLayer);
     if (image == null) {

@@ -277,6 +277,11 @@ public final class Scene {
     return trail == null ? 0 : trail.steps();
   }
 
+  /** Whether no robot has ever moved. */
+  boolean isStill() {
+    return trails.values().stream().allMatch(trail -> trail.steps() <= 1);
+  }
+
   /** The latest value of a variable of the robot's app; null if it has none. */
   public <T> @Nullable T variable(RobotId robot, Var<T> declaration) {
     return variable(robot, Instance.APP, declaration);

@@ -15,6 +15,7 @@ abstract sealed class SceneRecorder implements SimObserver
 
   final Scene scene;
   final Layer layer;
+  private final Lanes lanes = new Lanes();
   private final Page page = new Page();
   private String name = "";
 
@@ -35,6 +36,7 @@ abstract sealed class SceneRecorder implements SimObserver
   public final void observed(TraceEvent event) {
     takeBefore(event.timeNs());
     scene.observe(event);
+    lanes.observe(event);
     layer.observe(event);
   }
 
@@ -46,7 +48,8 @@ abstract sealed class SceneRecorder implements SimObserver
 
   final BufferedImage paint(Scene shown, Layer shownLayer) {
     long tenths = shown.nowNs() / TENTH_NS;
-    return page.paint(shown, shownLayer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+    return page.paint(
+        shown, shownLayer, lanes, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
   }
 
   /** From now on, pictures show what went wrong; subclasses call it before they take one of it. */

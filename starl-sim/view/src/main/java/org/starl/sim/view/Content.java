@@ -38,6 +38,7 @@ final class Content {
   private final JMenuBar menus;
   private final FloorView floor;
   private final TimelineView timeline;
+  private final LanesView lanes;
   private final TransportBar transport;
   private final RobotList robots;
   private final SwitchView switches;
@@ -57,11 +58,15 @@ final class Content {
     floor = new FloorView(session);
     floor.listen(interventions);
     timeline = new TimelineView(session);
+    lanes = new LanesView(session);
     transport = new TransportBar(session, commands);
     robots = new RobotList(session, session.view()::select);
     switches = new SwitchView(session);
     inspector = new InspectorView(session);
-    panel.add(above(), BorderLayout.CENTER);
+    JSplitPane middle = new JSplitPane(JSplitPane.VERTICAL_SPLIT, above(), lanes.pane());
+    middle.setResizeWeight(1);
+    middle.setBorder(BorderFactory.createEmptyBorder());
+    panel.add(middle, BorderLayout.CENTER);
     panel.add(below(), BorderLayout.SOUTH);
     menus = menuBar();
     keys();
@@ -160,6 +165,7 @@ final class Content {
   void read() {
     floor.surface().repaint();
     timeline.surface().repaint();
+    lanes.read();
     transport.read();
     robots.read();
     switches.read();

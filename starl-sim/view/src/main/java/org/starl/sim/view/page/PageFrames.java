@@ -1,12 +1,15 @@
 package org.starl.sim.view.page;
 
 import java.awt.Color;
+import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Flight;
+import org.starl.sim.record.LanePainter;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
@@ -85,12 +88,28 @@ final class PageFrames {
 
   private List<int[]> drawn(
       Section section, Scene scene, Layer layer, Look wanted, List<Flight> messages) {
+    return drawn((page, theme) ->
+        painter.paint(section, page, scene, layer, viewport, wanted.in(theme), messages));
+  }
+
+  /** The lanes of each robot: its name, their height, and their items. */
+  List<List<Object>> lanes(LanePainter lanes) {
+    List<List<Object>> all = new ArrayList<>();
+    for (RobotId robot : lanes.lanes().robots()) {
+      all.add(
+          List.of(
+              text(robot.name()),
+              lanes.heightPx(robot),
+              drawn((page, theme) -> lanes.paint(page, robot, theme))));
+    }
+    return all;
+  }
+
+  private List<int[]> drawn(BiConsumer<Graphics2D, Theme> painting) {
     List<DrawnItem> light = new ArrayList<>();
     List<DrawnItem> dark = new ArrayList<>();
-    Look inLight = wanted.in(Theme.LIGHT);
-    Look inDark = wanted.in(Theme.DARK);
-    painter.paint(section, new ShapeRecorder(light), scene, layer, viewport, inLight, messages);
-    painter.paint(section, new ShapeRecorder(dark), scene, layer, viewport, inDark, messages);
+    painting.accept(new ShapeRecorder(light), Theme.LIGHT);
+    painting.accept(new ShapeRecorder(dark), Theme.DARK);
     List<int[]> items = new ArrayList<>();
     for (int i = 0; i < light.size(); i++) {
       DrawnItem item = light.get(i);

@@ -19,6 +19,8 @@ import org.starl.input.BadInput;
 import org.starl.sim.Failure;
 import org.starl.sim.record.BoundingBox;
 import org.starl.sim.record.Flight;
+import org.starl.sim.record.LanePainter;
+import org.starl.sim.record.Lanes;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter.Section;
 import org.starl.sim.record.Part;
@@ -121,10 +123,26 @@ public final class RunPage {
       run.put("failure", fields);
     }
     run.put("marks", marks());
+    run.put("lanes", lanes(frames));
     run.put("texts", frames.texts());
     run.put("styles", frames.styles());
     run.put("frames", frames.frames());
     return run;
+  }
+
+  /** The lanes of each robot, and the places of the first and the last picture in them. */
+  private Map<String, Object> lanes(PageFrames frames) {
+    Lanes lanes = new Lanes();
+    for (int i = 0; i < recording.size(); i++) {
+      lanes.observe(recording.event(i));
+    }
+    LanePainter painter = new LanePainter(lanes, fromNs, toNs, WIDTH_PX);
+    Map<String, Object> all = new LinkedHashMap<>();
+    all.put("width", WIDTH_PX);
+    all.put("from", painter.xPx(fromNs));
+    all.put("to", painter.xPx(toNs));
+    all.put("robots", frames.lanes(painter));
+    return all;
   }
 
   /** As the window's at the start, with trails. */

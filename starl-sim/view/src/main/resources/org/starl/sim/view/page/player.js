@@ -60,7 +60,8 @@
 
   // ---- the canvas
 
-  const canvas = $('floor'), pen = canvas.getContext('2d');
+  const canvas = $('floor');
+  let pen = canvas.getContext('2d');
   const images = new Map();
   const hidden = new Set();
   let isDark = matchMedia('(prefers-color-scheme: dark)').matches;
@@ -163,6 +164,48 @@
     }
   }
 
+  // ---- lanes: painted once; only the line of the moment moves
+
+  const strip = $('lanes').querySelector('canvas');
+  const tops = new Map(); // of each robot's lanes, in units of the painter
+  const inLanes = ms => run.lanes.from + (run.lanes.to - run.lanes.from) * (ms - run.fromMs) / Math.max(1, run.toMs - run.fromMs);
+  const laneScale = () => strip.parentElement.clientWidth / run.lanes.width;
+
+  function drawLanes() {
+    const scale = laneScale(), dpr = window.devicePixelRatio || 1;
+    const height = run.lanes.robots.reduce((sum, robot) => sum + robot[1], 0);
+    strip.width = Math.round(dpr * scale * run.lanes.width);
+    strip.height = Math.round(dpr * scale * height);
+    strip.style.width = scale * run.lanes.width + 'px';
+    strip.style.height = scale * height + 'px';
+    const floor = pen;
+    pen = strip.getContext('2d');
+    let top = 0;
+    for (const [robot, blockHeight, items] of run.lanes.robots) {
+      tops.set(robot, top);
+      pen.setTransform(dpr * scale, 0, 0, dpr * scale, 0, dpr * scale * top);
+      items.forEach(draw);
+      top += blockHeight;
+    }
+    pen = floor;
+    if (run.failure) {
+      $('then').style.left = scale * inLanes(run.failure.ms) + 'px';
+      $('then').hidden = false;
+    }
+    $('now').style.left = scale * inLanes(nowMs) + 'px';
+  }
+
+  function showLanes() {
+    if (tops.has(selected)) $('lanes').scrollTop = laneScale() * tops.get(selected);
+  }
+
+  strip.onclick = event => {
+    const share = (event.offsetX / laneScale() - run.lanes.from) / (run.lanes.to - run.lanes.from);
+    pause();
+    seek(run.fromMs + Math.max(0, Math.min(1, share)) * (run.toMs - run.fromMs));
+    link();
+  };
+
   // ---- time
 
   let nowMs = run.fromMs, speed = 1, isPlaying = false, realMs = 0;
@@ -234,6 +277,7 @@
 
   function describe(lists) {
     $('time').value = nowMs;
+    $('now').style.left = laneScale() * inLanes(nowMs) + 'px';
     $('time').setAttribute('aria-valuetext', seconds(nowMs));
     $('clock').textContent = seconds(nowMs) + ' of ' + seconds(run.toMs);
     const violations = run.marks.filter(mark => mark[1] === 'VIOLATION' && mark[0] <= nowMs);
@@ -294,6 +338,7 @@
     selected = robot;
     show();
     link();
+    showLanes();
   }
 
   // ---- links: #t=34.1&robot=bot1
@@ -316,6 +361,7 @@
     pause();
     selected = robot ? run.texts.indexOf(robot) : -1;
     seek(Number.isFinite(t) ? 1000 * t : run.failure ? run.failure.ms : run.fromMs);
+    showLanes();
   }
 
   function tellFailure({ ms, headline, facts, commands }) {
@@ -432,6 +478,7 @@
     document.documentElement.dataset.theme = isDark ? 'dark' : 'light';
     $('theme').textContent = isDark ? 'Light' : 'Dark';
     show();
+    drawLanes();
   }
 
   // ---- begin
@@ -470,6 +517,7 @@
   }
   if (run.failure) tellFailure(run.failure);
   new ResizeObserver(show).observe(canvas);
+  new ResizeObserver(drawLanes).observe($('lanes'));
   dress();
   follow();
   window.onhashchange = follow;

@@ -29,8 +29,8 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.shape.Shapes;
 import org.starl.motion.Deviation;
+import org.starl.shape.Shapes;
 import org.starl.sim.Failure;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
@@ -374,6 +374,24 @@ class RunPageTest {
     browser().key(" ");
     browser().key(" ");
     assertThat(browser().evaluate("location.hash").asText()).startsWith("#t=").endsWith("=bot0");
+  }
+
+  @Test
+  void aClickInTheLanesGoesToThatMoment() throws Exception {
+    JsonNode lanes =
+        browser()
+            .evaluate(
+                "(r => ({x: r.x, y: r.y, width: r.width}))(document.querySelector('#lanes"
+                    + " canvas').getBoundingClientRect())");
+    browser()
+        .click(
+            lanes.path("x").asDouble() + lanes.path("width").asDouble() / 2,
+            lanes.path("y").asDouble() + 20);
+    assertThat(nowMs()).isBetween(2300.0, 2800.0);
+    double linePx =
+        browser().evaluate("parseFloat(document.getElementById('now').style.left)").asDouble();
+    assertThat(linePx)
+        .isBetween(lanes.path("width").asDouble() / 2 - 2, lanes.path("width").asDouble() / 2 + 2);
   }
 
   @Test
