@@ -27,7 +27,7 @@ import org.xml.sax.SAXException;
 
 /**
  * The same arrivals in SUMO, a simulator of road traffic, if its programs {@code netconvert} and
- * {@code sumo} are on the PATH. Lengths and speeds are {@link #SCALE} times ours, so that a car of
+ * {@code sumo} are on the PATH: an actuated traffic light, and an all-way stop. Lengths and speeds are {@link #SCALE} times ours, so that a car of
  * 330 mm is one of 5 m; times are the same. SUMO's cars keep 1.5 m (99 mm here) and 1 s apart. They
  * need not turn on the spot, and bodies may touch zones that we keep free.
  */
@@ -48,7 +48,8 @@ final class Sumo {
   private static final double SCALE = 5 / 0.33;
   private static final double SPEED_M_PER_S = 0.25 * SCALE;
   private static final double LANE_M = 0.5 * SCALE;
-  private static final double ARM_M = 150;
+  // Half of our floor: cars wait beyond the road's edge, as ours.
+  private static final double ARM_M = 2.5 * SCALE;
   private static final int END_S = 3_000;
 
   private final Path netconvert;
@@ -97,7 +98,8 @@ final class Sumo {
     execute(
         folder,
         netconvert,
-        "-n nodes.xml -e edges.xml -o net.xml --no-turnarounds true --junctions.limit-turn-speed -1");
+        "-n nodes.xml -e edges.xml -o net.xml --no-turnarounds true --tls.default-type actuated"
+            + " --junctions.limit-turn-speed -1");
     String warnings =
         execute(
             folder,
