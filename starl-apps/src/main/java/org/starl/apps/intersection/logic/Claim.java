@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -92,7 +93,7 @@ final class Claim {
 
   /** The first place after a restart may have been rough: the body is not in these sections. */
   void knows(Predicate<String> isClear) {
-    List<String> still = stands.stream().filter(isClear.negate()).toList();
+    List<String> still = stands.stream().filter(isClear.negate()).collect(Collectors.toList());
     if (held().isEmpty() && still.size() < stands.size()) {
       correct(still, rest);
     }
@@ -117,7 +118,7 @@ final class Claim {
   }
 
   private static List<String> without(List<String> sections, String section) {
-    return sections.stream().filter(each -> !each.equals(section)).toList();
+    return sections.stream().filter(each -> !each.equals(section)).collect(Collectors.toList());
   }
 
   /** The sections that are wanted or held, in order. */
