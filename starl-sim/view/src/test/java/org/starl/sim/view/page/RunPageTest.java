@@ -157,7 +157,7 @@ class RunPageTest {
       PAGE.write(out);
     }
     Path profile = Files.createDirectory(folder.resolve("profile"));
-    opened = Optional.of(new Browser(profile, page, 1200, 860));
+    opened = Optional.of(new Browser(profile, page, 1200, 1130));
   }
 
   @AfterAll
