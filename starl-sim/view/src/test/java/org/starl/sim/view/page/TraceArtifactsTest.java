@@ -89,6 +89,7 @@ class TraceArtifactsTest {
     byte[] run = Base64.getDecoder().decode(packed.group(1));
     assertThat(new InflaterInputStream(new ByteArrayInputStream(run)))
         .asString(StandardCharsets.UTF_8)
-        .contains("\"failure\":\"bot0 fell over\"");
+        .contains("\"kind\":\"FAILED\"")
+        .contains("\"headline\":\"bot0 fell over\"");
   }
 }
