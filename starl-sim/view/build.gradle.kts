@@ -17,3 +17,6 @@ dependencies {
     testImplementation(libs.jqwik)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
+
+// The driver of a browser, which the server's pages are tested with, too.
+sourceSets.test { java.srcDir("src/browser/java") }

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.browser.Browser;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -157,12 +158,13 @@ class RunPageTest {
       PAGE.write(out);
     }
     Path profile = Files.createDirectory(folder.resolve("profile"));
-    opened = Optional.of(new Browser(profile, page, 1200, 1130));
+    opened = Optional.of(new Browser(profile, page.toUri(), 1200, 1130));
   }
 
   @AfterAll
   static void close() throws Exception {
     if (opened.isPresent()) {
+      assertThat(browser().errors()).isEmpty();
       browser().close();
     }
   }

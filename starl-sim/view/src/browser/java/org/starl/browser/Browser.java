@@ -1,4 +1,4 @@
-package org.starl.sim.view.page;
+package org.starl.browser;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -24,6 +24,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -34,7 +35,7 @@ import org.jspecify.annotations.Nullable;
  * A Chromium without a window, driven over its DevTools protocol: three of its methods suffice, so
  * no library with browsers of its own is needed.
  */
-final class Browser {
+public final class Browser implements AutoCloseable {
 
   private static final List<String> NAMES =
       List.of("chromium", "chromium-browser", "google-chrome", "chrome");
@@ -47,6 +48,7 @@ final class Browser {
   private final HttpClient http = HttpClient.newHttpClient();
   private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
   private final WebSocket socket;
+  private final List<String> errors = new CopyOnWriteArrayList<>();
   private int calls;
 
   /**
@@ -54,7 +56,7 @@ final class Browser {
    *
    * @param profile an empty folder
    */
-  Browser(Path profile, Path page, int widthPx, int heightPx) throws Exception {
+  public Browser(Path profile, URI page, int widthPx, int heightPx) throws Exception {
     String program = program();
     assumeTrue(program != null, "skipped: no Chromium on the PATH; expected one of " + NAMES);
     process =
@@ -73,7 +75,7 @@ final class Browser {
                 "--remote-debugging-port=0",
                 "--window-size=" + widthPx + "," + heightPx,
                 "--user-data-dir=" + profile,
-                page.toUri().toString())
+                page.toString())
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .redirectErrorStream(false)
             .start();
@@ -92,6 +94,8 @@ final class Browser {
         http.newWebSocketBuilder()
             .buildAsync(URI.create(address), new Answers())
             .get(PATIENCE_S, TimeUnit.SECONDS);
+    call("Runtime.enable", Map.of());
+    call("Log.enable", Map.of());
     awaitReady();
   }
 
@@ -170,6 +174,7 @@ final class Browser {
         throw new AssertionError(method + ": no answer");
       }
       JsonNode read = JSON.readTree(answer);
+      note(read);
       if (read.path("id").asInt() == id) {
         if (read.has("error") || read.path("result").has("exceptionDetails")) {
           throw new AssertionError(method + " " + parameters + ": " + answer);
@@ -179,15 +184,40 @@ final class Browser {
     }
   }
 
+  private void note(JsonNode event) {
+    String method = event.path("method").asText();
+    JsonNode told = event.path("params");
+    boolean isError =
+        method.equals("Runtime.exceptionThrown")
+            || told.path("entry").path("level").asText().equals("error")
+            || (method.equals("Runtime.consoleAPICalled")
+                && told.path("type").asText().equals("error"));
+    if (isError) {
+      errors.add(told.toString());
+    }
+  }
+
+  /** The errors that pages have had so far, on their console or not caught. */
+  public List<String> errors() throws Exception {
+    evaluate("0"); // events come in order: those before this answer are read
+    return List.copyOf(errors);
+  }
+
+  /** Goes to another page, and waits until it is ready. */
+  public void open(URI page) throws Exception {
+    call("Page.navigate", Map.of("url", page.toString()));
+    awaitReady();
+  }
+
   /** The value of a JavaScript expression; of a promise, what it resolves to. */
-  JsonNode evaluate(String expression) throws Exception {
+  public JsonNode evaluate(String expression) throws Exception {
     Map<String, Object> parameters =
         Map.of("expression", expression, "awaitPromise", true, "returnByValue", true);
     return call("Runtime.evaluate", parameters).path("result").path("value");
   }
 
   /** Waits in the page, picture by picture, until a condition holds. */
-  void await(String condition) throws Exception {
+  public void await(String condition) throws Exception {
     evaluate(
         "new Promise(done => { const look = () => ("
             + condition
@@ -196,18 +226,18 @@ final class Browser {
   }
 
   /** The text that the page shows at a CSS selector. */
-  String text(String selector) throws Exception {
+  public String text(String selector) throws Exception {
     return evaluate("document.querySelector('" + selector + "').textContent").asText();
   }
 
   /** Presses and releases a key, by the browser's name of it. */
-  void key(String key) throws Exception {
+  public void key(String key) throws Exception {
     String text = key.length() == 1 ? key : "";
     call("Input.dispatchKeyEvent", Map.of("type", "keyDown", "key", key, "text", text));
     call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "key", key));
   }
 
-  void click(double x, double y) throws Exception {
+  public void click(double x, double y) throws Exception {
     for (String type : List.of("mousePressed", "mouseReleased")) {
       call(
           "Input.dispatchMouseEvent",
@@ -215,16 +245,17 @@ final class Browser {
     }
   }
 
-  BufferedImage screenshot() throws Exception {
+  public BufferedImage screenshot() throws Exception {
     String data = call("Page.captureScreenshot", Map.of()).path("data").asText();
     return ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
   }
 
   /** Ends the browser and waits for its end, so that its profile can be deleted. */
-  public void close() throws Exception {
+  @Override
+  public void close() {
     process.descendants().forEach(ProcessHandle::destroy);
     process.destroy();
-    process.waitFor();
+    process.onExit().join();
     http.close();
   }
 }
