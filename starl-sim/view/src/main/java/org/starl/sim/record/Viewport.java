@@ -1,6 +1,7 @@
 package org.starl.sim.record;
 
 import java.awt.geom.AffineTransform;
+import java.util.List;
 import org.starl.geometry.Point;
 
 /**
@@ -31,6 +32,19 @@ public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) 
     double across = Math.max(1, widthPx - 2 * marginPx) / (extent.widthMm() + 2 * WORLD_MARGIN_MM);
     double up = Math.max(1, heightPx - 2 * marginPx) / (extent.heightMm() + 2 * WORLD_MARGIN_MM);
     return new Viewport(widthPx, heightPx, extent.centre(), Math.min(across, up));
+  }
+
+  /** The corners of the smallest rectangle, in px, that contains this picture and {@code extent}. */
+  public List<Double> box(BoundingBox extent) {
+    double halfMm = WORLD_MARGIN_MM + extent.widthMm() / 2;
+    double halfUpMm = WORLD_MARGIN_MM + extent.heightMm() / 2;
+    double x = xPx(extent.centre());
+    double y = yPx(extent.centre());
+    return List.of(
+        Math.min(0, x - halfMm * pxPerMm),
+        Math.min(0, y - halfUpMm * pxPerMm),
+        Math.max(widthPx, x + halfMm * pxPerMm),
+        Math.max(heightPx, y + halfUpMm * pxPerMm));
   }
 
   /** The same centre and scale in a picture of another size. */

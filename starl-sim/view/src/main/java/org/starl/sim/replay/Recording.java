@@ -57,7 +57,7 @@ public final class Recording implements SimObserver {
    *
    * @param mostBytes approximate limit for the memory of its events; more are in a temporary file
    */
-  Recording(Obstacles obstacles, Layer layer, long mostBytes) {
+  public Recording(Obstacles obstacles, Layer layer, long mostBytes) {
     this.obstacles = obstacles;
     this.mostBytes = mostBytes;
     checkpoints = new Checkpoints(new Scene(obstacles), layer);

@@ -89,9 +89,14 @@ public final class ViewSettings {
     return settings.get(DRAW_WAYPOINTS) ? look : look.with(Part.APP, false);
   }
 
-  /** Simulated seconds per real second; {@link Playback#NO_LIMIT} for as fast as possible. */
+  /** Simulated seconds per real second; 0 for as fast as possible. */
+  public static double speed(SimSettings settings) {
+    return settings.get(SPEED);
+  }
+
+  /** The same; {@link Playback#NO_LIMIT} for as fast as possible. */
   double speed() {
-    double speed = settings.get(SPEED);
+    double speed = speed(settings);
     return speed == 0 ? Playback.NO_LIMIT : speed;
   }
 

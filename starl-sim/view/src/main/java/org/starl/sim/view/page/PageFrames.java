@@ -68,6 +68,13 @@ final class PageFrames {
     return frames.size();
   }
 
+  /** The pictures since the last call, which {@link #frames} then lacks. */
+  List<List<List<Object>>> takeFrames() {
+    List<List<List<Object>>> taken = frames();
+    frames.clear();
+    return taken;
+  }
+
   /** Adds the picture of a moment. */
   void add(Scene scene, Layer layer, List<Flight> messages) {
     List<List<int[]>> parts = new ArrayList<>();

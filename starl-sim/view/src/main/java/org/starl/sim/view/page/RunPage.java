@@ -85,14 +85,31 @@ public final class RunPage {
 
   /** Writes the page in UTF-8. */
   public void write(OutputStream out) throws IOException {
-    String title = recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
-    String page =
-        resource("player.html")
-            .replace("{{style}}", style())
-            .replace("{{script}}", script())
-            .replace("{{title}}", escaped(title))
-            .replace("{{run}}", packed(run(title)));
-    out.write(page.getBytes(StandardCharsets.UTF_8));
+    String title = title(recording);
+    out.write(page(title, "", packed(run(title))).getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * The page of a run that goes on.
+   *
+   * @param source the address of the parts of its {@link LivePage}, as events that a server sends
+   */
+  static String live(String title, String source) {
+    return page(title, source, "");
+  }
+
+  private static String page(String title, String source, String run) {
+    return resource("player.html")
+        .replace("{{style}}", style())
+        .replace("{{script}}", script())
+        .replace("{{connect}}", source.isEmpty() ? "" : "; connect-src 'self'")
+        .replace("{{title}}", escaped(title))
+        .replace("{{source}}", escaped(source))
+        .replace("{{run}}", run);
+  }
+
+  static String title(Recording recording) {
+    return recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
   }
 
   private Map<String, Object> run(String title) {
@@ -106,15 +123,32 @@ public final class RunPage {
       List<Flight> messages = traffic.at(cursor.nowNs(), cursor.index(), everyNs, null);
       frames.add(cursor.scene(), cursor.layer(), messages);
     }
+    Map<String, Object> run = head(title, viewport, everyNs, fromNs);
+    run.put("toMs", millis(toNs));
+    putFailure(run, recording);
+    run.put("marks", marks(recording.marks(), fromNs, toNs));
+    run.put("lanes", lanes(recording, frames, fromNs, toNs));
+    run.put("texts", frames.texts());
+    run.put("styles", frames.styles());
+    run.put("frames", frames.frames());
+    return run;
+  }
+
+  /** What a page knows of a run before its first picture. */
+  static Map<String, Object> head(String title, Viewport viewport, long everyNs, long fromNs) {
     Map<String, Object> run = new LinkedHashMap<>();
     run.put("title", title);
     run.put("everyMs", millis(everyNs));
     run.put("fromMs", millis(fromNs));
-    run.put("toMs", millis(toNs));
     run.put("width", viewport.widthPx());
     run.put("height", viewport.heightPx());
     run.put("paper", List.of(css(Theme.LIGHT), css(Theme.DARK)));
     run.put("sections", Section.values());
+    return run;
+  }
+
+  /** What went wrong, if anything did and it is known. */
+  static void putFailure(Map<String, Object> run, Recording recording) {
     Failure failure = recording.wentWrong();
     if (failure != null) {
       Map<String, Object> fields = failure.fields();
@@ -122,16 +156,11 @@ public final class RunPage {
       fields.put("facts", failure.facts());
       run.put("failure", fields);
     }
-    run.put("marks", marks());
-    run.put("lanes", lanes(frames));
-    run.put("texts", frames.texts());
-    run.put("styles", frames.styles());
-    run.put("frames", frames.frames());
-    return run;
   }
 
   /** The lanes of each robot, and the places of the first and the last picture in them. */
-  private Map<String, Object> lanes(PageFrames frames) {
+  static Map<String, Object> lanes(
+      Recording recording, PageFrames frames, long fromNs, long toNs) {
     Lanes lanes = new Lanes();
     for (int i = 0; i < recording.size(); i++) {
       lanes.observe(recording.event(i));
@@ -145,8 +174,12 @@ public final class RunPage {
     return all;
   }
 
-  /** As the window's at the start, with trails. */
   Look look() {
+    return look(recording);
+  }
+
+  /** As the window's at the start, with trails. */
+  static Look look(Recording recording) {
     return ViewSettings.of(recording.header())
         .look()
         .with(Part.TRAILS, true)
@@ -156,15 +189,18 @@ public final class RunPage {
   /** Shows all places where a robot has been at the end. */
   Viewport viewport(Cursor cursor) {
     cursor.seek(toNs);
-    BoundingBox extent = BoundingBox.of(cursor.scene(), cursor.layer());
+    return viewport(BoundingBox.of(cursor.scene(), cursor.layer()));
+  }
+
+  static Viewport viewport(BoundingBox extent) {
     int heightPx = (int) (WIDTH_PX * extent.heightMm() / Math.max(1, extent.widthMm()));
     int limitedPx = Math.max(LEAST_HEIGHT_PX, Math.min(MOST_HEIGHT_PX, heightPx));
     return Viewport.fit(extent, WIDTH_PX, limitedPx, MARGIN_PX);
   }
 
-  private List<List<Object>> marks() {
+  static List<List<Object>> marks(List<Mark> all, long fromNs, long toNs) {
     List<List<Object>> marks = new ArrayList<>();
-    for (Mark mark : recording.marks()) {
+    for (Mark mark : all) {
       if (mark.timeNs() >= fromNs && mark.timeNs() <= toNs) {
         marks.add(List.of(millis(mark.timeNs()), mark.kind(), mark.text()));
       }
@@ -172,7 +208,7 @@ public final class RunPage {
     return marks;
   }
 
-  private static double millis(long timeNs) {
+  static double millis(long timeNs) {
     return (double) timeNs / Time.NS_PER_MS;
   }
 

@@ -1,9 +1,31 @@
 'use strict';
 (async () => {
   const $ = id => document.getElementById(id);
-  const packed = Uint8Array.from(atob($('run').textContent), c => c.charCodeAt(0));
-  const plain = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  const run = JSON.parse(await new Response(plain).text());
+  const source = $('run').dataset.source; // of a run that goes on
+
+  async function unpacked() {
+    const packed = Uint8Array.from(atob($('run').textContent), c => c.charCodeAt(0));
+    const plain = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    return JSON.parse(await new Response(plain).text());
+  }
+
+  /** The first part; the others go to `grow`. A second first part replaces all: the page begins again. */
+  function listened() {
+    return new Promise(begin => {
+      const events = new EventSource(source);
+      let hasBegun = false;
+      events.addEventListener('begin', event => {
+        if (hasBegun) location.reload();
+        hasBegun = true;
+        begin(JSON.parse(event.data));
+      });
+      events.addEventListener('more', event => grow(JSON.parse(event.data)));
+      events.addEventListener('end', () => events.close());
+    });
+  }
+
+  if (source) $('message').textContent = 'Waiting for the run to begin';
+  const run = await (source ? listened() : unpacked());
 
   const [LINE, POLYGON, ELLIPSE, TEXT, IMAGE, PATH, IF_SELECTED] = [0, 1, 2, 3, 4, 5, 6];
   const FIRST = [2, 2, 4, 4, 5]; // of the coordinates in an item of each kind
@@ -16,7 +38,7 @@
 
   // ---- pictures: each is the one before, changed
 
-  const last = run.frames.length - 1;
+  let last = run.frames.length - 1;
   const kept = [run.frames[0].map(() => [])]; // pictures to decode from
   let decoded = { number: -1, lists: kept[0] };
 
@@ -69,8 +91,9 @@
   let selected = -1;
 
   function fitted() {
-    const scale = Math.min(canvas.clientWidth / run.width, canvas.clientHeight / run.height);
-    return { scale, x: (canvas.clientWidth - scale * run.width) / 2, y: (canvas.clientHeight - scale * run.height) / 2 };
+    const [left, top, right, bottom] = run.box || [0, 0, run.width, run.height];
+    const scale = Math.min(canvas.clientWidth / (right - left), canvas.clientHeight / (bottom - top));
+    return { scale, x: (canvas.clientWidth - scale * (left + right)) / 2, y: (canvas.clientHeight - scale * (top + bottom)) / 2 };
   }
 
   function use(style) {
@@ -172,6 +195,7 @@
   const laneScale = () => strip.parentElement.clientWidth / run.lanes.width;
 
   function drawLanes() {
+    if (!run.lanes) return; // of a run that goes on
     const scale = laneScale(), dpr = window.devicePixelRatio || 1;
     const height = run.lanes.robots.reduce((sum, robot) => sum + robot[1], 0);
     strip.width = Math.round(dpr * scale * run.lanes.width);
@@ -200,6 +224,7 @@
   }
 
   strip.onclick = event => {
+    if (!run.lanes) return;
     const share = (event.offsetX / laneScale() - run.lanes.from) / (run.lanes.to - run.lanes.from);
     pause();
     seek(run.fromMs + Math.max(0, Math.min(1, share)) * (run.toMs - run.fromMs));
@@ -208,7 +233,8 @@
 
   // ---- time
 
-  let nowMs = run.fromMs, speed = 1, isPlaying = false, realMs = 0;
+  const FAR_MS = 1500; // behind a run that is followed
+  let nowMs = run.fromMs, speed = 1, isPlaying = false, isFollowing = false, realMs = 0;
   const numberAt = ms => ms >= run.toMs ? last : Math.min(last, Math.floor((ms - run.fromMs) / run.everyMs + 1e-6));
   const msOf = number => Math.min(run.toMs, run.fromMs + number * run.everyMs);
 
@@ -247,19 +273,46 @@
     if (!isPlaying) return;
     seek(nowMs + (ms - realMs) * speed);
     realMs = ms;
-    if (nowMs >= run.toMs) pause(); else requestAnimationFrame(tick);
+    if (nowMs >= run.toMs && !isGrowing()) pause(); else requestAnimationFrame(tick);
   }
 
   function play() {
-    if (nowMs >= run.toMs) nowMs = run.fromMs;
+    if (nowMs >= run.toMs && !isGrowing()) nowMs = run.fromMs;
     isPlaying = true;
     $('play').textContent = 'Pause';
     requestAnimationFrame(ms => { realMs = ms; tick(ms); });
   }
 
   function pause() {
-    isPlaying = false;
+    isPlaying = isFollowing = false;
     $('play').textContent = 'Play';
+  }
+
+  const isGrowing = () => run.isOver === false;
+
+  /** Adds a part of a run that goes on. */
+  function grow(part) {
+    for (const list of ['marks', 'texts', 'styles', 'frames']) run[list].push(...part[list]);
+    for (const value of ['toMs', 'isOver', 'box']) run[value] = part[value];
+    last = run.frames.length - 1;
+    if (part.lanes) {
+      run.lanes = part.lanes;
+      drawLanes();
+    }
+    if (part.failure) {
+      run.failure = part.failure;
+      tellFailure(part.failure);
+    }
+    listTimes();
+    if (isFollowing && run.toMs - nowMs > FAR_MS * speed) nowMs = run.toMs;
+    show();
+  }
+
+  /** Shows the latest moment, and goes on with the run. */
+  function goLive() {
+    seek(run.toMs);
+    if (!isPlaying && isGrowing()) play();
+    isFollowing = isGrowing();
   }
 
   function toViolation(isNext) {
@@ -277,13 +330,13 @@
 
   function describe(lists) {
     $('time').value = nowMs;
-    $('now').style.left = laneScale() * inLanes(nowMs) + 'px';
+    if (run.lanes) $('now').style.left = laneScale() * inLanes(nowMs) + 'px';
     $('time').setAttribute('aria-valuetext', seconds(nowMs));
     $('clock').textContent = seconds(nowMs) + ' of ' + seconds(run.toMs);
     const violations = run.marks.filter(mark => mark[1] === 'VIOLATION' && mark[0] <= nowMs);
     const failed = run.failure && nowMs >= run.failure.ms - 1e-6 ? run.failure.headline : '';
     const latest = violations.length ? violations[violations.length - 1][2] : failed;
-    tell($('message'), latest || (nowMs >= run.toMs ? 'The run ended at ' + seconds(run.toMs) : ''));
+    tell($('message'), latest || (nowMs >= run.toMs && !isGrowing() ? 'The run ended at ' + seconds(run.toMs) : ''));
     $('message').className = latest ? 'alarm' : '';
     listRobots(lists[BODIES]);
     listState(lists[STATES].find(state => state[1] === selected));
@@ -332,6 +385,23 @@
       tell(rows[i].children[0], run.texts[name]);
       if (value >= 0) tell(rows[i].children[1], run.texts[value]);
     }
+  }
+
+  /** What depends on the run's end: the time bar and its marks. */
+  function listTimes() {
+    Object.assign($('time'), { min: run.fromMs, max: run.toMs });
+    $('next').disabled = !run.marks.some(mark => mark[1] === 'VIOLATION');
+    $('live').hidden = !isGrowing();
+    const marks = children($('marks'), run.marks.length, () => document.createElement('button'));
+    run.marks.forEach(([ms, kind, text], i) => {
+      const mark = marks[i];
+      mark.className = kind;
+      tell(mark, SIGNS[kind]);
+      mark.title = seconds(ms) + ': ' + text;
+      mark.setAttribute('aria-label', kind.toLowerCase() + ' at ' + mark.title);
+      mark.style.left = 100 * (ms - run.fromMs) / Math.max(1, run.toMs - run.fromMs) + '%';
+      mark.onclick = () => { pause(); seek(ms); link(); };
+    });
   }
 
   function select(robot) {
@@ -444,7 +514,7 @@
     ArrowUp: event => event.ctrlKey ? pan(0, 40) : faster(1),
     ArrowDown: event => event.ctrlKey ? pan(0, -40) : faster(-1),
     '.': () => step(1), ',': () => step(-1),
-    Home: () => seek(run.fromMs), End: () => { pause(); seek(run.toMs); },
+    Home: () => { isFollowing = false; seek(run.fromMs); }, End: () => { if (isGrowing()) goLive(); else { pause(); seek(run.toMs); } },
     n: () => toViolation(true), p: () => toViolation(false),
     Escape: () => select(-1), f: fit, d: theme,
     '+': () => centre(1.25), '=': () => centre(1.25), '-': () => centre(0.8)
@@ -486,26 +556,17 @@
   SPEEDS.forEach(value => $('speed').append(new Option(value + 'x', value)));
   setSpeed(SPEEDS.indexOf(1));
   $('speed').onchange = () => { speed = Number($('speed').value); };
-  Object.assign($('time'), { min: run.fromMs, max: run.toMs, step: 'any' });
+  $('time').step = 'any';
   $('time').oninput = () => { pause(); seek(Number($('time').value)); };
   $('time').onchange = link;
   $('play').onclick = KEYS[' '];
   $('back').onclick = () => step(-1);
   $('forward').onclick = () => step(1);
   $('next').onclick = () => toViolation(true);
-  $('next').disabled = !run.marks.some(mark => mark[1] === 'VIOLATION');
+  $('live').onclick = goLive;
   $('fit').onclick = fit;
   $('theme').onclick = theme;
-  for (const [ms, kind, text] of run.marks) {
-    const mark = document.createElement('button');
-    mark.className = kind;
-    mark.textContent = SIGNS[kind];
-    mark.title = seconds(ms) + ': ' + text;
-    mark.setAttribute('aria-label', kind.toLowerCase() + ' at ' + mark.title);
-    mark.style.left = 100 * (ms - run.fromMs) / Math.max(1, run.toMs - run.fromMs) + '%';
-    mark.onclick = () => { pause(); seek(ms); link(); };
-    $('marks').append(mark);
-  }
+  listTimes();
   for (const [name, sections] of Object.entries(PARTS)) {
     const label = document.createElement('label'), box = document.createElement('input');
     Object.assign(box, { type: 'checkbox', checked: true, onchange: () => {
@@ -519,7 +580,14 @@
   new ResizeObserver(show).observe(canvas);
   new ResizeObserver(drawLanes).observe($('lanes'));
   dress();
-  follow();
+  if (source && run.speed > 0 && isGrowing()) {
+    const wanted = SPEEDS.findIndex(value => value >= run.speed);
+    setSpeed(wanted < 0 ? SPEEDS.length : wanted);
+    goLive();
+  } else {
+    follow();
+    if (source) play();
+  }
   window.onhashchange = follow;
   document.documentElement.dataset.ready = 'true';
 })();
