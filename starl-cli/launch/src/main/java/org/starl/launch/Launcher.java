@@ -37,6 +37,7 @@ import org.starl.sim.net.NetStatistics;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
@@ -68,6 +69,7 @@ public final class Launcher implements AutoCloseable {
   private long originNs;
   private boolean isRunning;
   private boolean isEnding;
+  private @Nullable LiveMerge live;
 
   // The values and actions since the last death, and the time of the last new one.
   private final Set<String> progress = new TreeSet<>();
@@ -103,6 +105,11 @@ public final class Launcher implements AutoCloseable {
       close();
       throw e;
     }
+  }
+
+  /** Shows the robots' events to {@code merge} while they come; to be called before {@link #run}. */
+  public void show(LiveMerge merge) {
+    live = merge;
   }
 
   /**
@@ -357,6 +364,9 @@ public final class Launcher implements AutoCloseable {
     private void add(TraceEvent event) {
       events.add(event);
       bodies.observe(event);
+      if (live != null) {
+        live.add(event, event.timeNs(), true);
+      }
     }
 
     /** A value or action that is new since the last death; repeated attempts are no progress. */
@@ -383,6 +393,9 @@ public final class Launcher implements AutoCloseable {
         case ProcessFact.WantsPlace wish -> waitingForPlace.add(this);
         case ProcessFact.Alive alive -> {
           lastNs = Math.max(lastNs, action.timeNs());
+          if (live != null) {
+            live.reached(action.timeNs());
+          }
           count(alive.copies(), alive.lost());
           longestPauseNs = Math.max(longestPauseNs, alive.longestPauseNs());
         }
@@ -463,6 +476,9 @@ public final class Launcher implements AutoCloseable {
       lastNs = Math.max(lastNs, killedNs);
       Death death = new Death(id, process.pid(), lastNs, killedNs >= 0, status);
       deaths.add(death);
+      if (live != null) {
+        live.add(new Fault(lastNs, id, Fault.CRASH, ""), lastNs, true);
+      }
       progress.clear();
       lastProgressNs = isRunning ? nowNs() : 0;
       if (bodies.isOnFloor(id)) {

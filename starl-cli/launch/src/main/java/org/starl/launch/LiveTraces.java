@@ -1,0 +1,217 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
+import org.starl.robot.realtime.Daemons;
+import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.ProcessFact;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceReader;
+import org.starl.trace.Vocabulary;
+
+/**
+ * Reads the traces in a folder while the processes of a deployment write them, and those that begin
+ * later. It only reads. A thread waits for each file to grow.
+ */
+public final class LiveTraces implements AutoCloseable {
+
+  private static final long LOOK_MS = 50;
+  private static final int LOOKS_PER_SCAN = 10;
+
+  private final Path folder;
+  private final Function<TraceHeader, Vocabulary> vocabularyOf;
+  private final LiveMerge merge;
+  private final TraceHeader header;
+  private final Consumer<String> console;
+  private final Map<Path, Boolean> known = new TreeMap<>();
+  private final CountDownLatch closing = new CountDownLatch(1);
+  private final ProcessFact.Clock origin;
+  private volatile boolean isClosed;
+
+  /**
+   * Begins to read.
+   *
+   * @param vocabularyOf the shapes of the values in a trace with this header
+   * @param header of all traces
+   * @param merge receives their events
+   * @param console receives a line about each file that cannot be used
+   * @throws BadInput if no trace is there yet, or one cannot be read
+   */
+  public LiveTraces(
+      Path folder,
+      Function<TraceHeader, Vocabulary> vocabularyOf,
+      TraceHeader header,
+      LiveMerge merge,
+      Consumer<String> console) {
+    this.folder = folder;
+    this.vocabularyOf = vocabularyOf;
+    this.header = header;
+    this.merge = merge;
+    this.console = console;
+    origin = earliest();
+    Daemons.of("traces", this::scan).start();
+  }
+
+  /**
+   * One of the traces in a folder; the first by name.
+   *
+   * @throws BadInput if there is none
+   */
+  public static String any(Path folder) {
+    TreeSet<Path> files = files(folder);
+    if (files.isEmpty()) {
+      throw new BadInput(
+          folder + ": no trace; expected the --folder of 'starl deploy run', with *.trace");
+    }
+    return files.first().toString();
+  }
+
+  private static TreeSet<Path> files(Path folder) {
+    TreeSet<Path> files = new TreeSet<>();
+    try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*.trace")) {
+      all.forEach(files::add);
+    } catch (IOException e) {
+      throw new BadInput(folder + ": cannot be read: " + e.getMessage());
+    }
+    return files;
+  }
+
+  /** The clock of the trace that began first. */
+  private ProcessFact.Clock earliest() {
+    ProcessFact.Clock first = null;
+    for (Path file : files(folder)) {
+      try (InputStream in = Files.newInputStream(file);
+          TraceReader reader = new TraceReader(file.toString(), in, vocabularyOf)) {
+        ProcessFact.Clock clock = clock(reader.next());
+        if (clock != null && (first == null || clock.dateNs() < first.dateNs())) {
+          first = clock;
+        }
+      } catch (IOException e) {
+        console.accept(file + ": not used yet: " + e.getMessage());
+      }
+    }
+    if (first == null) {
+      throw new BadInput(
+          folder + ": no trace that names its clock; expected those of a deployment");
+    }
+    return first;
+  }
+
+  private static ProcessFact.@Nullable Clock clock(@Nullable TraceEvent event) {
+    return event instanceof Action action && action.fact() instanceof ProcessFact.Clock told
+        ? told
+        : null;
+  }
+
+  private void scan() {
+    for (int look = 0; !isClosed; look++) {
+      if (look % LOOKS_PER_SCAN == 0) {
+        for (Path file : files(folder)) {
+          if (known.put(file, true) == null) {
+            Daemons.of(file.getFileName() + " reader", () -> follow(file)).start();
+          }
+        }
+      }
+      pause();
+    }
+  }
+
+  private void pause() {
+    try {
+      if (closing.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
+        isClosed = true;
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      isClosed = true;
+    }
+  }
+
+  private void follow(Path file) {
+    try (InputStream in = new Growing(Files.newInputStream(file));
+        TraceReader reader = new TraceReader(file.toString(), in, vocabularyOf)) {
+      if (!reader.header().equals(header)) {
+        console.accept(file + ": not shown: its header differs from that of the first trace");
+        return;
+      }
+      TraceEvent event = reader.next();
+      ProcessFact.Clock clock = clock(event);
+      if (clock == null) {
+        console.accept(file + ": not shown: it does not name its clock");
+        return;
+      }
+      long startNs = startNs(clock);
+      boolean isOfWorld = event != null && event.robot().equals(Fault.WORLD);
+      for (; event != null; event = reader.next()) {
+        if (ProcessFact.isProcessEvent(event)) {
+          merge.reached(startNs + event.timeNs());
+        } else {
+          merge.add(event, startNs + event.timeNs(), isOfWorld);
+        }
+      }
+    } catch (IOException e) {
+      if (!isClosed) {
+        console.accept(file + ": shown up to here: " + e.getMessage());
+      }
+    }
+  }
+
+  /** Time 0 of a trace, in the merged run: exact on one machine, else as good as its date. */
+  private long startNs(ProcessFact.Clock clock) {
+    boolean isOnOneClock =
+        clock.machine().equals(origin.machine()) && !clock.machine().equals(MachineClock.UNKNOWN);
+    return isOnOneClock ? clock.machineNs() - origin.machineNs() : clock.dateNs() - origin.dateNs();
+  }
+
+  /** Ends the reading. */
+  @Override
+  public void close() {
+    isClosed = true;
+    closing.countDown();
+  }
+
+  /** A file whose end is not the end: reading waits for more. */
+  private final class Growing extends InputStream {
+    private final InputStream file;
+
+    Growing(InputStream file) {
+      this.file = file;
+    }
+
+    @Override
+    public int read() throws IOException {
+      byte[] one = new byte[1];
+      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+    }
+
+    @Override
+    public int read(byte[] into, int offset, int length) throws IOException {
+      int count = file.read(into, offset, length);
+      while (count < 0 && !isClosed) {
+        pause();
+        count = file.read(into, offset, length);
+      }
+      return count;
+    }
+
+    @Override
+    public void close() throws IOException {
+      file.close();
+    }
+  }
+}
