@@ -3,11 +3,13 @@ package org.starl.sim.export;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
+import org.starl.sim.view.page.FloorShapes;
 import org.starl.spec.Bodies;
 import org.starl.time.Time;
 
@@ -21,6 +23,8 @@ final class FoxgloveScene {
   private static final double MM_PER_M = 1000;
   private static final double BODY_HEIGHT_M = 0.09; // an iRobot Create's
   private static final double WALL_WIDTH_M = 0.02;
+  private static final double TRAIL_WIDTH_M = 0.01;
+  private static final double AREA_DEPTH_M = 0.005; // below the lines, so that these are seen
   private static final int LINE_STRIP = 0;
   private static final int LINE_LOOP = 1;
   private static final String[] KINDS = {
@@ -51,22 +55,14 @@ final class FoxgloveScene {
   }
 
   void addObstacle(ObjectNode update, String id, Obstacle obstacle) {
-    ObjectNode entity = entity(update, 0, id);
-    ObjectNode line = entity.withArray("lines").addObject();
-    line.put("type", obstacle.closed() ? LINE_LOOP : LINE_STRIP);
-    pose(line.putObject("pose"), 0, 0, 0, 0);
-    line.put("thickness", WALL_WIDTH_M).put("scale_invariant", false);
-    ArrayNode points = line.putArray("points");
-    for (Point point : obstacle.points()) {
-      xyz(points.addObject(), point.xMm() / MM_PER_M, point.yMm() / MM_PER_M, 0);
-    }
+    int kind = obstacle.closed() ? LINE_LOOP : LINE_STRIP;
+    ObjectNode line = line(entity(update, 0, id), kind, WALL_WIDTH_M);
+    obstacle.points().forEach(point -> addPoint(line, point.xMm(), point.yMm()));
     if (obstacle.hidden()) {
       colour(line.putObject("color"), 0.69, 0.25, 0.13);
     } else {
       colour(line.putObject("color"), 0.33, 0.33, 0.33);
     }
-    line.putArray("colors");
-    line.putArray("indices");
   }
 
   void addBody(ObjectNode update, long timeNs, String id, Bodies bodies, RobotId robot) {
@@ -93,6 +89,75 @@ final class FoxgloveScene {
     name.put("billboard", true).put("font_size", 12).put("scale_invariant", true);
     colour(name.putObject("color"), 0.13, 0.13, 0.13);
     name.put("text", robot.name());
+  }
+
+  /** A {@code foxglove.FrameTransforms}: a frame for each body. */
+  ObjectNode transforms(long timeNs, Bodies bodies, List<RobotId> robots) {
+    ObjectNode message = json.createObjectNode();
+    ArrayNode all = message.putArray("transforms");
+    for (RobotId robot : robots) {
+      Pose at = bodies.poseAt(robot, timeNs);
+      ObjectNode one = all.addObject();
+      time(one.putObject("timestamp"), timeNs);
+      one.put("parent_frame_id", FRAME).put("child_frame_id", robot.name());
+      xyz(one.putObject("translation"), at.xMm() / MM_PER_M, at.yMm() / MM_PER_M, 0);
+      turn(one.putObject("rotation"), at.headingRad());
+    }
+    return message;
+  }
+
+  void addTrail(ObjectNode update, long timeNs, String id, List<Point> trail) {
+    ObjectNode line = line(entity(update, timeNs, id), LINE_STRIP, TRAIL_WIDTH_M);
+    trail.forEach(point -> addPoint(line, point.xMm(), point.yMm()));
+    colour(line.putObject("color"), 0, 0.45, 0.7);
+  }
+
+  /** What the app draws: outlines as lines, filled convex areas, texts. Dots become a line. */
+  void addDrawing(ObjectNode update, long timeNs, List<FloorShapes.Item> items) {
+    ObjectNode entity = entity(update, timeNs, "floor");
+    for (FloorShapes.Item item : items) {
+      double[] xy = item.xyMm();
+      if (!item.text().isEmpty()) {
+        ObjectNode text = entity.withArray("texts").addObject();
+        pose(text.putObject("pose"), xy[0] / MM_PER_M, xy[1] / MM_PER_M, 0, 0);
+        text.put("billboard", true).put("font_size", item.sizeMm() / MM_PER_M);
+        text.put("scale_invariant", false).put("text", item.text());
+        colour(text.putObject("color"), item.rgba());
+      } else if (item.isFilled()) {
+        ObjectNode area = entity.withArray("triangles").addObject();
+        pose(area.putObject("pose"), 0, 0, -AREA_DEPTH_M, 0);
+        for (int i = 2; i + 3 < xy.length; i += 2) {
+          addPoint(area, xy[0], xy[1]);
+          addPoint(area, xy[i], xy[i + 1]);
+          addPoint(area, xy[i + 2], xy[i + 3]);
+        }
+        colour(area.putObject("color"), item.rgba());
+        area.putArray("colors");
+        area.putArray("indices");
+      } else {
+        int kind = item.isClosed() ? LINE_LOOP : LINE_STRIP;
+        ObjectNode line = line(entity, kind, item.sizeMm() / MM_PER_M);
+        for (int i = 0; i < xy.length; i += 2) {
+          addPoint(line, xy[i], xy[i + 1]);
+        }
+        colour(line.putObject("color"), item.rgba());
+      }
+    }
+  }
+
+  private static ObjectNode line(ObjectNode entity, int kind, double widthM) {
+    ObjectNode line = entity.withArray("lines").addObject();
+    line.put("type", kind);
+    pose(line.putObject("pose"), 0, 0, 0, 0);
+    line.put("thickness", widthM).put("scale_invariant", false);
+    line.putArray("points");
+    line.putArray("colors");
+    line.putArray("indices");
+    return line;
+  }
+
+  private static void addPoint(ObjectNode shape, double xMm, double yMm) {
+    xyz(shape.withArray("points").addObject(), xMm / MM_PER_M, yMm / MM_PER_M, 0);
   }
 
   /** A {@code foxglove.PoseInFrame}. */
@@ -146,9 +211,18 @@ final class FoxgloveScene {
 
   private static void pose(ObjectNode node, double xM, double yM, double zM, double headingRad) {
     xyz(node.putObject("position"), xM, yM, zM);
-    ObjectNode turn = node.putObject("orientation");
+    turn(node.putObject("orientation"), headingRad);
+  }
+
+  private static void turn(ObjectNode turn, double headingRad) {
     xyz(turn, 0, 0, StrictMath.sin(headingRad / 2));
     turn.put("w", StrictMath.cos(headingRad / 2));
+  }
+
+  private static void colour(ObjectNode node, int rgba) {
+    double full = 255;
+    colour(node, ((rgba >> 16) & 255) / full, ((rgba >> 8) & 255) / full, (rgba & 255) / full);
+    node.put("a", (rgba >>> 24) / full);
   }
 
   private static void colour(ObjectNode node, double red, double green, double blue) {

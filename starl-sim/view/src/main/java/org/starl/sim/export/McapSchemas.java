@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** The JSON schemas of the messages in an MCAP file. */
+/** The JSON schemas of the messages for Foxglove. */
 final class McapSchemas {
 
   // Foxglove refuses an object without properties; it shows more than are named.
@@ -38,6 +38,12 @@ final class McapSchemas {
         "type integer, pose Pose, thickness number, scale_invariant boolean, points Xyz[],"
             + " color Colour, colors Colour[], indices integer[]");
     define(
+        "Triangles", "pose Pose, points Xyz[], color Colour, colors Colour[], indices integer[]");
+    define(
+        "Transform",
+        "timestamp Time, parent_frame_id string, child_frame_id string, translation Xyz,"
+            + " rotation Turn");
+    define(
         "Text",
         "pose Pose, billboard boolean, font_size number, scale_invariant boolean, color Colour,"
             + " text string");
@@ -45,7 +51,7 @@ final class McapSchemas {
         "Entity",
         "timestamp Time, frame_id string, id string, lifetime Time, frame_locked boolean,"
             + " metadata Metadata[], arrows Arrow[], cubes object[], spheres object[],"
-            + " cylinders Cylinder[], lines Line[], triangles object[], texts Text[],"
+            + " cylinders Cylinder[], lines Line[], triangles Triangles[], texts Text[],"
             + " models object[]");
   }
 
@@ -57,6 +63,7 @@ final class McapSchemas {
       schema(
           "fate string, from string, to string, channel string, seq integer, bytes integer,"
               + " text string, message object, why string");
+  static final String TRANSFORMS = schema("transforms Transform[]");
   static final String FAILURE =
       schema(
           "kind string, lemma string, sentence string, headline string, at_s number,"

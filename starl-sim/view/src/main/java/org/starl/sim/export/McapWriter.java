@@ -4,9 +4,11 @@ import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.zip.CRC32;
@@ -16,7 +18,7 @@ import java.util.zip.CRC32;
  * search by time: uncompressed chunks, an index of each chunk, and statistics at the end. Written
  * by hand: no Java library writes MCAP. Times are in ns and do not decrease.
  */
-final class McapWriter implements Closeable {
+final class McapWriter implements MessageSink, Closeable {
 
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
   private static final int CHUNK_BYTES = 1 << 20;
@@ -32,6 +34,9 @@ final class McapWriter implements Closeable {
   private static final int STATISTICS = 0x0B;
   private static final int SUMMARY_OFFSET = 0x0E;
   private static final int DATA_END = 0x0F;
+  private static final int METADATA = 0x0C;
+  private static final int METADATA_INDEX = 0x0D;
+  private static final String COMPRESSION = "lz4";
 
   /** A message in the index of its chunk. */
   private record Place(long timeNs, long offset) {}
@@ -49,7 +54,9 @@ final class McapWriter implements Closeable {
   private long chunkEndNs;
 
   private final SortedMap<Integer, Long> messagesOfChannel = new TreeMap<>();
-  private int schemaCount;
+  private final SortedMap<String, Integer> schemaNumbers = new TreeMap<>();
+  private final McapBytes metadataIndexes = new McapBytes();
+  private int metadataCount;
   private int chunkCount;
   private long messageCount;
   private long startNs;
@@ -58,7 +65,7 @@ final class McapWriter implements Closeable {
   /**
    * @param library name of the writing program
    */
-  McapWriter(OutputStream out, String library) throws IOException {
+  McapWriter(OutputStream out, String library) {
     this.out = out;
     write(MAGIC, MAGIC.length);
     record.text("");
@@ -66,11 +73,30 @@ final class McapWriter implements Closeable {
     write(HEADER, record);
   }
 
-  /**
-   * Declares the JSON schema of messages; returns the schema's number, for {@link #channel}.
-   */
-  int schema(String name, String jsonSchema) {
-    schemaCount++;
+  /** Adds facts about the whole run, by name. */
+  void metadata(String name, Map<String, String> facts) {
+    McapBytes entries = new McapBytes();
+    facts.forEach((key, value) -> {
+      entries.text(key);
+      entries.text(value);
+    });
+    record.reset();
+    record.text(name);
+    record.u32(entries.size());
+    record.raw(entries);
+    long at = position;
+    write(METADATA, record);
+    long length = position - at;
+    record.reset();
+    record.u64(at);
+    record.u64(length);
+    record.text(name);
+    metadataIndexes.record(METADATA_INDEX, record);
+    metadataCount++;
+  }
+
+  private int schema(String name, String jsonSchema) {
+    int schemaCount = schemaNumbers.size() + 1;
     record.reset();
     record.u16(schemaCount);
     record.text(name);
@@ -81,8 +107,11 @@ final class McapWriter implements Closeable {
     return schemaCount;
   }
 
-  /** Opens a channel; returns its number, for {@link #message}. */
-  int channel(int schema, String topic) {
+  @Override
+  public int channel(String topic, String schemaName, String jsonSchema) {
+    int schema =
+        schemaNumbers.computeIfAbsent(
+            schemaName + " " + jsonSchema, any -> schema(schemaName, jsonSchema));
     int channel = messagesOfChannel.size() + 1;
     messagesOfChannel.put(channel, 0L);
     record.reset();
@@ -97,7 +126,8 @@ final class McapWriter implements Closeable {
   }
 
   /** Adds a message, not earlier than the previous one. */
-  void message(int channel, long timeNs, byte[] json) throws IOException {
+  @Override
+  public void message(int channel, long timeNs, byte[] json) {
     if (timeNs < endNs) {
       throw new IllegalArgumentException("a message at " + timeNs + " ns after one at " + endNs);
     }
@@ -126,7 +156,7 @@ final class McapWriter implements Closeable {
     }
   }
 
-  private void endChunk() throws IOException {
+  private void endChunk() {
     if (chunk.size() == 0) {
       return;
     }
@@ -138,9 +168,10 @@ final class McapWriter implements Closeable {
     record.u64(chunkEndNs);
     record.u64(chunk.size());
     record.u32(crc.getValue());
-    record.text(""); // no compression
-    record.u64(chunk.size());
-    record.raw(chunk);
+    byte[] compressed = Lz4Frame.of(chunk.array(), chunk.size());
+    record.text(COMPRESSION);
+    record.u64(compressed.length);
+    record.writeBytes(compressed);
     write(CHUNK, record);
     long chunkLength = position - chunkAt;
     McapBytes offsets = new McapBytes();
@@ -158,8 +189,8 @@ final class McapWriter implements Closeable {
     record.u32(offsets.size());
     record.raw(offsets);
     record.u64(position - indexesAt);
-    record.text("");
-    record.u64(chunk.size());
+    record.text(COMPRESSION);
+    record.u64(compressed.length);
     record.u64(chunk.size());
     chunkIndexes.record(CHUNK_INDEX, record);
     chunkCount++;
@@ -167,7 +198,7 @@ final class McapWriter implements Closeable {
     chunkPlaces.clear();
   }
 
-  private void writeIndex(int channel, List<Place> places) throws IOException {
+  private void writeIndex(int channel, List<Place> places) {
     record.reset();
     record.u16(channel);
     record.u32(16L * places.size());
@@ -191,7 +222,7 @@ final class McapWriter implements Closeable {
     }
   }
 
-  private void writeSummary() throws IOException {
+  private void writeSummary() {
     long summaryAt = position;
     McapBytes offsets = new McapBytes();
     writeGroup(SCHEMA, schemas, offsets);
@@ -199,10 +230,10 @@ final class McapWriter implements Closeable {
     McapBytes statistics = new McapBytes();
     record.reset();
     record.u64(messageCount);
-    record.u16(schemaCount);
+    record.u16(schemaNumbers.size());
     record.u32(messagesOfChannel.size());
     record.u32(0); // attachments
-    record.u32(0); // metadata
+    record.u32(metadataCount);
     record.u32(chunkCount);
     record.u64(startNs);
     record.u64(endNs);
@@ -214,6 +245,7 @@ final class McapWriter implements Closeable {
     statistics.record(STATISTICS, record);
     writeGroup(STATISTICS, statistics, offsets);
     writeGroup(CHUNK_INDEX, chunkIndexes, offsets);
+    writeGroup(METADATA_INDEX, metadataIndexes, offsets);
     long offsetsAt = position;
     write(offsets.array(), offsets.size());
     record.reset();
@@ -223,7 +255,7 @@ final class McapWriter implements Closeable {
     write(FOOTER, record);
   }
 
-  private void writeGroup(int kind, McapBytes group, McapBytes offsets) throws IOException {
+  private void writeGroup(int kind, McapBytes group, McapBytes offsets) {
     if (group.size() == 0) {
       return;
     }
@@ -235,14 +267,18 @@ final class McapWriter implements Closeable {
     write(group.array(), group.size());
   }
 
-  private void write(int kind, McapBytes content) throws IOException {
+  private void write(int kind, McapBytes content) {
     McapBytes whole = new McapBytes();
     whole.record(kind, content);
     write(whole.array(), whole.size());
   }
 
-  private void write(byte[] bytes, int length) throws IOException {
-    out.write(bytes, 0, length);
+  private void write(byte[] bytes, int length) {
+    try {
+      out.write(bytes, 0, length);
+    } catch (IOException e) {
+      throw new UncheckedIOException("the MCAP file cannot be written", e);
+    }
     position += length;
   }
 

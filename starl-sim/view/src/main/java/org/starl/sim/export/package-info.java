@@ -1,7 +1,8 @@
 /**
- * Observers that export a run: CSV tables, and MCAP files for Foxglove.
+ * Observers that export a run: CSV tables, and messages for Foxglove, in MCAP files or elsewhere.
  *
- * <p>May import: core, {@code org.starl.sim}'s observer and result.
+ * <p>May import: core, {@code org.starl.sim}'s observer and result, {@code org.starl.sim.record},
+ * {@code org.starl.sim.view.page}.
  */
 @NullMarked
 package org.starl.sim.export;
