@@ -15,9 +15,10 @@ dependencyResolutionManagement {
     }
 }
 
-// The modules of pom.xml: starl-sim/view is :starl-sim-view. Those of Spark, ROS 2 and JMH are there with -Pspark, -Pros2, -Pjmh alone.
+// The modules of pom.xml: starl-sim/view is :starl-sim-view. Those of Spark, ROS 2, the server and JMH are there with
+// -Pspark, -Pros2, -Pserve, -Pjmh alone.
 Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).map { it.groupValues[1] }.filter {
-    it !in listOf("starl-cli/spark", "starl-android/ros2", "starl-cli/jmh") ||
+    it !in listOf("starl-cli/spark", "starl-android/ros2", "starl-cli/serve", "starl-cli/jmh") ||
         providers.gradleProperty(it.substringAfterLast('/')).isPresent
 }.forEach { folder ->
     val name = ":" + folder.replace('/', '-')

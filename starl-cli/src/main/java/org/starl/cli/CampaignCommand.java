@@ -43,7 +43,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   /** The percentiles of waiting times to show. */
   private static final int[] WAITS = {50, 90, 95, 99, 100};
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Option(
       names = "--seeds",

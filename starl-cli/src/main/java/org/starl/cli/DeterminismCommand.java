@@ -20,7 +20,7 @@ import picocli.CommandLine.Mixin;
     footer = {"", "Example: starl verify-determinism intersection --seed 7"})
 final class DeterminismCommand extends BaseCommand implements Callable<Integer> {
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Mixin private SeedOption seed = new SeedOption();
 

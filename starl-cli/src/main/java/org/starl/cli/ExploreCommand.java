@@ -51,7 +51,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
   private static final int USUAL_CHOICES = 6;
   private static final int USUAL_STATES = 5_000_000;
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Mixin private SeedOption seedOption = new SeedOption();
 

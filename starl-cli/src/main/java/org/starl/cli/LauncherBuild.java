@@ -42,7 +42,7 @@ final class LauncherBuild {
   private static final int NOT_BUILT = 3;
 
   private static final Set<String> PARTS_OF_THE_COMMAND_LINE =
-      Set.of("compile", "jar", "spark", "ros2");
+      Set.of("compile", "jar", "spark", "ros2", "serve");
   private static final String LAST_MODULE = "starl-apps/kotlin";
   private static final List<String> ANDROID = List.of("starl-android/app", "starl-android/apk");
   private static final List<String> APK_OPTIONS =
@@ -67,7 +67,7 @@ final class LauncherBuild {
   }
 
   /**
-   * @param args the project's folder; what to build: compile, jar, spark, ros2, test, install or apk; and
+   * @param args the project's folder; what to build: compile, jar, spark, ros2, serve, test, install or apk; and
    *     its own words
    */
   public static void main(String[] args) throws IOException {
@@ -171,6 +171,7 @@ final class LauncherBuild {
       case "jar" -> makeJar();
       case "spark" -> add("spark", "starl-cli/spark", "Spark", 290);
       case "ros2" -> add("ros2", "starl-android/ros2", "ROS 2", 20);
+      case "serve" -> add("serve", "starl-cli/serve", "the server", 7);
       case "test" -> test(words);
       case "install" -> install(words);
       case "apk" ->

@@ -68,6 +68,7 @@ public final class Main implements Runnable {
           DeterminismCommand.class,
           RecordCommand.class,
           ReplayCommand.class,
+          ServeCommand.class,
           SchemaCommand.class,
           CompileCommand.class,
           LanguageServerCommand.class,

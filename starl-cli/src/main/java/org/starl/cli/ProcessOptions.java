@@ -13,6 +13,7 @@ import org.starl.launch.Kill;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;
 import org.starl.launch.Launcher;
+import org.starl.launch.LiveMerge;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimulationPlan;
@@ -73,12 +74,25 @@ final class ProcessOptions {
     return line.toString();
   }
 
-  /** Runs the robots of {@code plan}; {@code words} are the options that make it. */
-  LaunchResult run(SimulationPlan plan, List<String> words, Vocabulary vocabulary, PrintWriter err)
+  /**
+   * Runs the robots of {@code plan}.
+   *
+   * @param words the options that make the plan
+   * @param live receives the robots' events while they come; null for none
+   */
+  LaunchResult run(
+      SimulationPlan plan,
+      List<String> words,
+      Vocabulary vocabulary,
+      @Nullable LiveMerge live,
+      PrintWriter err)
       throws IOException {
     LaunchSettings settings = settings(plan);
     try (Launcher launcher =
         new Launcher(plan, command(words), vocabulary, settings, err::println)) {
+      if (live != null) {
+        launcher.show(live);
+      }
       return launcher.run();
     }
   }

@@ -79,7 +79,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     private @Nullable String csv;
   }
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Mixin private SeedOption seed = new SeedOption();
 
@@ -130,7 +130,12 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         switch (suffix) {
           case "gif" -> gif(source.plan(), wanted, target);
           case "html" -> html(source.plan(), target);
-          case "mcap" -> streamed(target, out -> new McapRecorder(out, source.plan().obstacles()));
+          case "mcap" ->
+              streamed(
+                  target,
+                  out ->
+                      new McapRecorder(
+                          out, source.plan().obstacles(), source.plan().layer().copy()));
           case "csv" -> csv(target);
           default -> ObserverFile.picture("--out", target, source.plan(), moment);
         };

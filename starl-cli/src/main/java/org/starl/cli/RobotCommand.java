@@ -20,7 +20,7 @@ final class RobotCommand extends BaseCommand implements Callable<Integer> {
 
   static final String NAME = "robot";
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Mixin private SeedOption seed = new SeedOption();
 

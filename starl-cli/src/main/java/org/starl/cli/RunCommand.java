@@ -35,7 +35,7 @@ import picocli.CommandLine.Option;
     })
 final class RunCommand extends BaseCommand implements Callable<Integer> {
 
-  @Mixin private RunOptions options = new RunOptions();
+  @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
   @Mixin private SeedOption seed = new SeedOption();
 
@@ -215,7 +215,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
           .observer(picture.observer());
       if (processes.areOn()) {
         LaunchResult launched =
-            processes.run(plan.simulation().build().plan(), words, vocabulary, err());
+            processes.run(plan.simulation().build().plan(), words, vocabulary, null, err());
         return Ran.processes(app, launched, plan.story().measures());
       }
       plan.simulation().carriers(Carriers.select(carrier, err()));

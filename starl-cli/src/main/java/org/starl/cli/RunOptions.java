@@ -14,15 +14,22 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The options of every command that runs an app: texts until {@link #request} parses them. */
-final class RunOptions {
+class RunOptions {
 
-  @Parameters(
-      index = "0",
-      paramLabel = "APP|PRIMITIVE|FILE.yaml",
-      description =
-          "An app or a primitive ('starl list' names them), or a scenario file. 'starl record' also"
-              + " takes a trace.")
   private String name = "";
+
+  /** With the app, which every command but {@code serve} needs. */
+  static final class OfApp extends RunOptions {
+    @Parameters(
+        index = "0",
+        paramLabel = "APP|PRIMITIVE|FILE.yaml",
+        description =
+            "An app or a primitive ('starl list' names them), or a scenario file. 'starl record'"
+                + " also takes a trace.")
+    void app(String text) {
+      named(text);
+    }
+  }
 
   @Option(
       names = "--fault",
@@ -118,13 +125,18 @@ final class RunOptions {
     }
   }
 
-  /** The app, primitive or file, as the user wrote it. */
-  String name() {
+  /** Sets the app, primitive or file. */
+  final void named(String text) {
+    name = text;
+  }
+
+  /** The app, primitive or file, as the user wrote it; empty if there is none. */
+  final String name() {
     return name;
   }
 
   /** The keys and values of {@code --set}, for a command that runs no app. */
-  Map<String, String> sets() {
+  final Map<String, String> sets() {
     return sets;
   }
 
@@ -133,7 +145,7 @@ final class RunOptions {
    *
    * @throws BadInput with the first given option
    */
-  void requireNoneFor(String trace) {
+  final void requireNoneFor(String trace) {
     List<String> options = new ArrayList<>();
     given.keySet().forEach(setting -> options.add(option(setting)));
     faults.forEach(fault -> options.add("--fault"));
@@ -153,7 +165,7 @@ final class RunOptions {
    *
    * @throws BadInput naming the option or the file's line, the value and the expected form
    */
-  RunRequest request(Demos demos) {
+  final RunRequest request(Demos demos) {
     boolean isFile = ScenarioFile.isScenario(name);
     ScenarioFile file = isFile ? ScenarioFile.read(name) : ScenarioFile.ofApp(name);
     RunRequest.Builder request = file.request(demos);

@@ -223,7 +223,7 @@ final class Shrinking {
 
   @Command(name = "run")
   private static final class RunWords {
-    @Mixin private RunOptions options = new RunOptions();
+    @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
     @Mixin private SeedOption seed = new SeedOption();
   }
 }

@@ -103,6 +103,22 @@ record Allowance(String rule, String path, String reason) {
             "the process is stopped from outside, and its wheels first"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-sim/view" + MAIN + "sim/view/page/LivePage.java",
+            "browsers take its parts on threads of their own"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-cli" + MAIN + "cli/LiveSite.java",
+            "browsers start and read runs on threads of their own"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-cli/serve" + MAIN + "serve/",
+            "each connection has a thread, which reads what is recorded"),
+        new Allowance(
+            "randomness without the run's seed",
+            "starl-cli" + MAIN + "cli/ServeCommand.java",
+            "a token that a seed decides is no secret"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-cli" + MAIN + "cli/DeployWorldCommand.java",
             "robots that run beside their world"),
         new Allowance(

@@ -25,7 +25,7 @@ class BuildParityTest {
   }
 
   @Test
-  void sparkAndRosAreMattersOfTheirModulesAlone() {
+  void sparkRosAndTheServerAreMattersOfTheirModulesAlone() {
     assertThat(MAVEN.dependencies())
         .filteredOn(needed -> needed.needed().matches("org\\.apache\\.spark:.*|.*:starl-cli-spark"))
         .extracting(Dependency::module, Dependency::scope)
@@ -34,9 +34,16 @@ class BuildParityTest {
         .filteredOn(needed -> needed.needed().matches("us\\.ihmc:.*|.*:starl-android-ros2"))
         .extracting(Dependency::module)
         .containsExactly("starl-android/ros2");
+    assertThat(MAVEN.dependencies())
+        .filteredOn(needed -> needed.needed().matches("io\\.javalin:.*|.*:starl-cli-serve"))
+        .extracting(Dependency::module)
+        .containsExactly("starl-cli/serve");
     String always = REPOSITORY.text("pom.xml").split("<profiles>")[0];
     assertThat(always)
-        .doesNotContain("<module>starl-cli/spark</module>", "<module>starl-android/ros2</module>");
+        .doesNotContain(
+            "<module>starl-cli/spark</module>",
+            "<module>starl-android/ros2</module>",
+            "<module>starl-cli/serve</module>");
   }
 
   @Test

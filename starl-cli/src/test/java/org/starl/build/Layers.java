@@ -246,6 +246,15 @@ final class Layers {
                   .resideInAnyPackage("org.starl.ros2..", "us.ihmc.."),
               org.starl.cli.fixture.CommandLineImportsRos2.class),
           new Law(
+              "no module imports the server",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.serve..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.serve.."),
+              org.starl.cli.fixture.CommandLineImportsServer.class),
+          new Law(
               "Android is the leaf's",
               noClasses()
                   .that()

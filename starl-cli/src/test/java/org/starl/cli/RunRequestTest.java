@@ -20,7 +20,7 @@ final class RunRequestTest {
   @TempDir private Path folder;
 
   private static RunRequest request(List<String> words) {
-    RunOptions options = new RunOptions();
+    RunOptions.OfApp options = new RunOptions.OfApp();
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());
     line.parseArgs(words.toArray(String[]::new));

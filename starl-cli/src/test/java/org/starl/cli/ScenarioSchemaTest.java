@@ -58,7 +58,7 @@ class ScenarioSchemaTest {
   }
 
   private static RunRequest request(Path file) {
-    RunOptions options = new RunOptions();
+    RunOptions.OfApp options = new RunOptions.OfApp();
     new CommandLine(options).parseArgs(file.toString());
     return options.request(Main.ALL);
   }

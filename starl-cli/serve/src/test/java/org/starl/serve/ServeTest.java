@@ -1,0 +1,365 @@
+package org.starl.serve;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.browser.Browser;
+import org.starl.cli.Main;
+
+/** The pages of {@code starl serve} in a real browser. */
+@Tag("realtime")
+class ServeTest {
+
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  @TempDir(cleanup = CleanupMode.ON_SUCCESS)
+  Path folder;
+
+  private int profiles;
+
+  private Browser browser(URI page) throws Exception {
+    return new Browser(Files.createDirectory(folder.resolve("p" + profiles++)), page, 1200, 860);
+  }
+
+  private static String nowMs() {
+    return "Number(document.getElementById('time').value)";
+  }
+
+  @Test
+  void aPageFollowsARunWhileItGoesOn() throws Exception {
+    try (Serve serve = new Serve("intersection", "--seed", "7", "--set", "speed=5");
+        Browser browser = browser(serve.address)) {
+      browser.await(nowMs() + " > 500");
+      double before = browser.evaluate(nowMs()).asDouble();
+      browser.await(nowMs() + " > 2000 + " + before);
+      assertThat(browser.evaluate("document.getElementById('live').hidden").asBoolean()).isFalse();
+      assertThat(browser.text("#robots")).contains("bot0");
+      browser.await("document.getElementById('message').textContent.startsWith('The run ended')");
+      assertThat(browser.evaluate("document.getElementById('live').hidden").asBoolean()).isTrue();
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  @Test
+  void aRecordedTraceIsPlayedWithItsViolation() throws Exception {
+    String trace = folder.resolve("jump.trace").toString();
+    PrintWriter none = new PrintWriter(new StringWriter());
+    Main.run(
+        none,
+        none,
+        "run",
+        "intersection",
+        "--set",
+        "scenario=figure7",
+        "--seed",
+        "7",
+        "--fault",
+        "jump(bot1,600mm,at=2s)",
+        "--for",
+        "40s",
+        "--trace",
+        trace,
+        "--png",
+        folder.resolve("x.png").toString());
+    try (Serve serve = new Serve(trace);
+        Browser browser = browser(serve.address)) {
+      browser.await("!document.getElementById('next').disabled");
+      browser.key("n");
+      browser.await("document.getElementById('message').className === 'alarm'");
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  @Test
+  void aLinkOfThePlaygroundStartsTheSameRunsInAnotherBrowser() throws Exception {
+    try (Serve serve = new Serve();
+        Browser first = browser(serve.address);
+        Browser second = browser(serve.at("/api/overview"))) {
+      first.evaluate(
+          "{ document.getElementById('app').value = 'hello'; document.getElementById('app').onchange();"
+              + " document.getElementById('seed').value = '3'; document.getElementById('run').click(); }");
+      first.await("document.querySelectorAll('iframe').length === 1");
+      first.evaluate(
+          "{ document.querySelector('[name=robots]').value = '3';"
+              + " document.getElementById('faults').value = 'crash(bot0,at=1s)';"
+              + " document.getElementById('beside').click(); }");
+      first.await("document.querySelectorAll('iframe').length === 2");
+      assertThat(first.text("article:last-child p"))
+          .isEqualTo("changed: robots: default \u2192 3, faults: default \u2192 crash(bot0,at=1s)");
+      String link = first.evaluate("location.href").asText();
+      second.open(URI.create(link));
+      second.await("document.querySelectorAll('iframe').length === 2");
+      assertThat(second.text("article:last-child code"))
+          .isEqualTo(first.text("article:last-child code"))
+          .endsWith("run hello --seed 3 --robots 3 --fault 'crash(bot0,at=1s)'");
+      assertThat(second.evaluate("document.querySelector('[name=robots]').value").asText())
+          .isEqualTo("3");
+      first.evaluate(
+          "{ document.querySelector('[name=robots]').value = 'many';"
+              + " document.getElementById('beside').click(); }");
+      first.await("document.getElementById('error').textContent !== ''");
+      assertThat(first.text("#error")).contains("robots", "many", "expected");
+      assertThat(second.errors()).isEmpty();
+    }
+  }
+
+  @Test
+  void aCampaignShowsEachBadRunAndOpensIt() throws Exception {
+    try (Serve serve =
+            new Serve(
+                "intersection",
+                "--seeds",
+                "1..3",
+                "--set",
+                "scenario=figure7",
+                "--fault",
+                "jump(bot1,600mm,at=2s)",
+                "--for",
+                "40s",
+                "--threads",
+                "1");
+        Browser browser = browser(serve.address)) {
+      browser.await("document.querySelector('#bad button') !== null");
+      browser.await("document.getElementById('state').textContent.endsWith('ended')");
+      assertThat(browser.text("#state")).startsWith("3 of 3 runs, ");
+      assertThat(browser.evaluate("document.querySelectorAll('#squares i').length").asInt())
+          .isEqualTo(3);
+      browser.evaluate("document.querySelector('#bad button').click()");
+      browser.await(
+          "document.querySelector('iframe')?.contentDocument?.getElementById('next')?.disabled === false");
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  @Test
+  void robotsAsProcessesAreWatchedWhileOneIsKilled() throws Exception {
+    try (Serve serve =
+            new Serve(
+                "hello",
+                "--processes",
+                "--robots",
+                "3",
+                "--seed",
+                "7",
+                "--kill",
+                "bot1@1s",
+                "--for",
+                "4s");
+        Browser browser = browser(serve.address)) {
+      browser.await("document.querySelector('#marks .CRASH') !== null");
+      assertThat(browser.evaluate("document.querySelector('#marks .CRASH').title").asText())
+          .contains("bot1 crash");
+      browser.await(
+          "document.getElementById('live').hidden && !document.getElementById('play').disabled");
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  @Test
+  void foreignRequestsAreRefusedAndBadOnesTold() throws Exception {
+    System.setProperty("jdk.httpclient.allowRestrictedHeaders", "host");
+    try (Serve serve = new Serve()) {
+      assertThat(serve.get("/", "Host", "evil.example").statusCode()).isEqualTo(403);
+      assertThat(serve.get("/", "Origin", "http://evil.example").statusCode()).isEqualTo(403);
+      assertThat(serve.get("/run/1").statusCode()).isEqualTo(404);
+      assertThat(serve.get("/run/x").statusCode()).isEqualTo(404);
+      for (String body :
+          new String[] {
+            "",
+            "[]",
+            "{",
+            "{\"app\":\"nope\",\"seed\":1}",
+            "{\"app\":\"hello\"}",
+            "{\"app\":\"hello\",\"seed\":\"x\"}",
+            "{\"app\":\"hello\",\"seed\":1,\"faults\":[\"crash(\"]}",
+            "{\"app\":\"hello\",\"seed\":1,\"set\":{\"nope\":1}}"
+          }) {
+        var answer = serve.post("/api/runs", body);
+        assertThat(answer.statusCode()).as(body).isEqualTo(400);
+        assertThat(answer.body().lines()).as(body).hasSize(1);
+        assertThat(answer.body()).as(body).contains("expected");
+      }
+      assertThat(serve.post("/api/runs", "x".repeat(100_000)).statusCode()).isEqualTo(413);
+      var page = serve.get("/");
+      assertThat(page.headers().firstValue("Content-Security-Policy").orElse(""))
+          .contains("frame-ancestors 'self'", "default-src 'none'");
+    }
+  }
+
+  @Test
+  void beyondThisMachineATokenIsNeeded() throws Exception {
+    try (Serve serve = new Serve("--host", "0.0.0.0")) {
+      assertThat(serve.address.getQuery()).matches("token=[0-9a-f]{32}");
+      assertThat(serve.get("/api/overview").statusCode()).isEqualTo(401);
+      assertThat(serve.get("/api/overview?token=" + "0".repeat(32)).statusCode()).isEqualTo(401);
+      var first = serve.get("/?" + serve.address.getQuery());
+      assertThat(first.statusCode()).isEqualTo(200);
+      String cookie = first.headers().firstValue("Set-Cookie").orElse("");
+      assertThat(cookie).contains("HttpOnly", "SameSite=Lax");
+      JsonNode overview =
+          JSON.readTree(serve.get("/api/overview", "Cookie", cookie.split(";")[0]).body());
+      assertThat(overview.get("runs")).isEmpty();
+    }
+  }
+
+  @Test
+  void aRunSlowsForNoBrowserThatDoesNotRead() throws Exception {
+    try (Serve serve = new Serve("intersection", "--seed", "7", "--set", "speed=0")) {
+      try (var socket = new Socket(serve.address.getHost(), serve.address.getPort())) {
+        socket
+            .getOutputStream()
+            .write(
+                ("GET /run/1/parts HTTP/1.1\r\nHost: " + serve.address.getAuthority() + "\r\n\r\n")
+                    .getBytes(StandardCharsets.US_ASCII));
+        socket.getOutputStream().flush();
+        String state = "";
+        while (!state.startsWith("ended")) {
+          state = JSON.readTree(serve.get("/api/overview").body()).at("/runs/0/state").asText();
+          assertThat(state).doesNotContain("failed");
+        }
+      }
+    }
+  }
+
+  /** A client of Foxglove's protocol: keeps what it receives. */
+  private static final class Client implements WebSocket.Listener {
+    private final BlockingQueue<JsonNode> texts = new LinkedBlockingQueue<>();
+    private final BlockingQueue<ByteBuffer> data = new LinkedBlockingQueue<>();
+    private final StringBuilder parts = new StringBuilder();
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+
+    @Override
+    public @Nullable CompletionStage<?> onText(WebSocket from, CharSequence part, boolean isLast) {
+      parts.append(part);
+      if (isLast) {
+        try {
+          texts.add(JSON.readTree(parts.toString()));
+        } catch (JsonProcessingException e) {
+          throw new IllegalStateException(e);
+        }
+        parts.setLength(0);
+      }
+      from.request(1);
+      return null;
+    }
+
+    @Override
+    public @Nullable CompletionStage<?> onBinary(WebSocket from, ByteBuffer part, boolean isLast) {
+      while (part.hasRemaining()) {
+        bytes.write(part.get());
+      }
+      if (isLast) {
+        data.add(ByteBuffer.wrap(bytes.toByteArray()).order(ByteOrder.LITTLE_ENDIAN));
+        bytes.reset();
+      }
+      from.request(1);
+      return null;
+    }
+
+    private WebSocket connect(Serve serve, String protocol) throws Exception {
+      URI at = URI.create("ws://" + serve.address.getAuthority() + "/run/1/foxglove");
+      return HttpClient.newHttpClient()
+          .newWebSocketBuilder()
+          .subprotocols(protocol)
+          .buildAsync(at, this)
+          .get(30, TimeUnit.SECONDS);
+    }
+
+    /** The channel of a topic, once it is advertised. */
+    private int channel(String topic) throws InterruptedException {
+      while (true) {
+        JsonNode text = Objects.requireNonNull(texts.poll(30, TimeUnit.SECONDS));
+        for (JsonNode channel : text.path("channels")) {
+          if (channel.get("topic").asText().equals(topic)) {
+            return channel.get("id").asInt();
+          }
+        }
+      }
+    }
+
+    /** The next message of a subscription; checks that the time does not go back. */
+    private JsonNode message(int subscription) throws Exception {
+      while (true) {
+        ByteBuffer next = Objects.requireNonNull(data.poll(30, TimeUnit.SECONDS));
+        if (next.get() == 1) {
+          assertThat(next.getInt()).isEqualTo(subscription);
+          assertThat(next.getLong()).isNotNegative();
+          byte[] json = new byte[next.remaining()];
+          next.get(json);
+          return JSON.readTree(json);
+        }
+      }
+    }
+  }
+
+  @Test
+  void foxgloveSeesARunWhileItGoesOn() throws Exception {
+    for (String protocol : FoxgloveFeed.PROTOCOLS) {
+      Client client = new Client();
+      try (Serve serve = new Serve("intersection", "--seed", "7", "--set", "speed=2")) {
+        WebSocket socket = client.connect(serve, protocol);
+        assertThat(socket.getSubprotocol()).isEqualTo(protocol);
+        JsonNode info = Objects.requireNonNull(client.texts.poll(30, TimeUnit.SECONDS));
+        assertThat(info.get("op").asText()).isEqualTo("serverInfo");
+        assertThat(info.get("name").asText()).contains("intersection, seed 7");
+        int scene = client.channel("/scene");
+        socket.sendText(
+            "{\"op\":\"subscribe\",\"subscriptions\":[{\"id\":5,\"channelId\":" + scene + "}]}",
+            true);
+        double first = client.message(5).at("/entities/0/timestamp/nsec").asDouble();
+        for (int i = 0; i < 20; i++) {
+          assertThat(client.message(5).get("entities")).isNotEmpty();
+        }
+        assertThat(client.message(5).at("/entities/0/timestamp/nsec").asDouble())
+            .isNotEqualTo(first);
+        socket.abort();
+      }
+    }
+  }
+
+  @Test
+  void aClientOfAnotherProtocolIsSentAway() throws Exception {
+    CompletableFuture<Integer> closed = new CompletableFuture<>();
+    try (Serve serve = new Serve("hello", "--seed", "7")) {
+      HttpClient.newHttpClient()
+          .newWebSocketBuilder()
+          .subprotocols("other")
+          .buildAsync(
+              URI.create("ws://" + serve.address.getAuthority() + "/run/1/foxglove"),
+              new WebSocket.Listener() {
+                @Override
+                public @Nullable CompletionStage<?> onClose(WebSocket from, int code, String why) {
+                  closed.complete(code);
+                  return null;
+                }
+              })
+          .get(30, TimeUnit.SECONDS);
+      assertThat(closed.get(30, TimeUnit.SECONDS)).isEqualTo(1002);
+    }
+  }
+}
