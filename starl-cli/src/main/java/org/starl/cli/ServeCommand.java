@@ -10,6 +10,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
@@ -42,6 +43,7 @@ import picocli.CommandLine.Parameters;
     })
 final class ServeCommand extends BaseCommand implements Callable<Integer> {
 
+  private static final Pattern ORIGIN = Pattern.compile("https?://[^/\\s]+");
   private static final int TOKEN_BYTES = 16;
   private static final int MOST_PORT = 65_535;
 
@@ -108,7 +110,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     PageServer.Access access =
         new PageServer.Access(
-            host, OptionValues.whole("--port", port, 0, MOST_PORT), token(), origins);
+            host, OptionValues.whole("--port", port, 0, MOST_PORT), token(), origins());
     CarrierKind carriers = Carriers.select(null, err());
     try (LiveSite site = new LiveSite(demos(), home(), carriers)) {
       Work work = prepare(site, carriers);
@@ -133,6 +135,16 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
             new MissingDependencyException(
                 "serve: the server is not on the class path; expected './starl serve', which adds"
                     + " it, or the library org.starl:starl-cli-serve"));
+  }
+
+  private List<String> origins() {
+    for (String origin : origins) {
+      if (!ORIGIN.matcher(origin).matches()) {
+        throw new BadInput(
+            "--origin: " + BadInput.quote(origin) + ": expected https://HOST, without a path");
+      }
+    }
+    return origins;
   }
 
   /** Empty if only this machine can connect. */
@@ -171,6 +183,9 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput(kinds[1] + " cannot be used with " + kinds[0]);
     }
     if (deployed != null) {
+      if (!options.name().isEmpty()) {
+        throw new BadInput(options.name() + ": expected no app with --deployed");
+      }
       requireNoOption("--deployed");
       return deployment(site, deployed);
     }

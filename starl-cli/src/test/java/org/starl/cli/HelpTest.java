@@ -32,6 +32,7 @@ class HelpTest {
         "verify-determinism",
         "record",
         "replay",
+        "serve",
         "schema",
         "compile",
         "language-server",

@@ -10,13 +10,16 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.realtime.Daemons;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessFact;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -32,6 +35,9 @@ public final class LiveTraces implements AutoCloseable {
 
   private static final long LOOK_MS = 50;
   private static final int LOOKS_PER_SCAN = 10;
+
+  /** A robot that is alive writes at least every 2 s. */
+  private static final long SILENT_NS = 5 * Time.NS_PER_S;
 
   private final Path folder;
   private final Function<TraceHeader, Vocabulary> vocabularyOf;
@@ -143,9 +149,9 @@ public final class LiveTraces implements AutoCloseable {
   }
 
   private void follow(Path file) {
-    try (InputStream in = new Growing(Files.newInputStream(file));
+    try (Growing in = new Growing(Files.newInputStream(file));
         TraceReader reader = new TraceReader(file.toString(), in, vocabularyOf)) {
-      if (!reader.header().equals(header)) {
+      if (!TraceMerge.isOfOneRun(reader.header(), header)) {
         console.accept(file + ": not shown: its header differs from that of the first trace");
         return;
       }
@@ -157,11 +163,15 @@ public final class LiveTraces implements AutoCloseable {
       }
       long startNs = startNs(clock);
       boolean isOfWorld = event != null && event.robot().equals(Fault.WORLD);
+      Silence silence = new Silence(reader);
+      in.whenWaiting = isOfWorld ? () -> reader.end() != null : silence::look;
       for (; event != null; event = reader.next()) {
+        long atNs = startNs + event.timeNs();
+        silence.heard(event.robot(), atNs);
         if (ProcessFact.isProcessEvent(event)) {
-          merge.reached(startNs + event.timeNs());
+          merge.reached(atNs);
         } else {
-          merge.add(event, startNs + event.timeNs(), isOfWorld);
+          merge.add(event, atNs, isOfWorld);
         }
       }
     } catch (IOException e) {
@@ -185,9 +195,43 @@ public final class LiveTraces implements AutoCloseable {
     closing.countDown();
   }
 
+  /** Whether a robot's process still writes: a killed one leaves a trace without an end. */
+  private final class Silence {
+    private final TraceReader reader;
+    private RobotId robot = Fault.WORLD;
+    private long lastNs;
+    private boolean isSilent;
+
+    Silence(TraceReader reader) {
+      this.reader = reader;
+    }
+
+    void heard(RobotId from, long atNs) {
+      robot = from;
+      lastNs = atNs;
+      if (isSilent) {
+        isSilent = false;
+        merge.add(new Fault(atNs, robot, Fault.RESTART, "it writes its trace again"), atNs, false);
+      }
+    }
+
+    /** Returns whether the trace has ended in order. */
+    boolean look() {
+      boolean hasEnded = reader.end() != null;
+      long atNs = lastNs + SILENT_NS;
+      if (!hasEnded && !isSilent && merge.newestNs() > atNs) {
+        isSilent = true;
+        String why = "its trace has been silent for " + SILENT_NS / Time.NS_PER_S + " s";
+        merge.add(new Fault(atNs, robot, Fault.CRASH, why), atNs, false);
+      }
+      return hasEnded;
+    }
+  }
+
   /** A file whose end is not the end: reading waits for more. */
   private final class Growing extends InputStream {
     private final InputStream file;
+    private BooleanSupplier whenWaiting = () -> false;
 
     Growing(InputStream file) {
       this.file = file;
@@ -202,7 +246,7 @@ public final class LiveTraces implements AutoCloseable {
     @Override
     public int read(byte[] into, int offset, int length) throws IOException {
       int count = file.read(into, offset, length);
-      while (count < 0 && !isClosed) {
+      while (count < 0 && !isClosed && !whenWaiting.getAsBoolean()) {
         pause();
         count = file.read(into, offset, length);
       }

@@ -115,7 +115,7 @@ public final class TraceMerge {
   }
 
   /** A phone writes only those settings that its deployment file has: compare the common ones. */
-  private static boolean isOfOneRun(TraceHeader a, TraceHeader b) {
+  static boolean isOfOneRun(TraceHeader a, TraceHeader b) {
     for (String setting : a.settings().keySet()) {
       String other = b.settings().get(setting);
       if (other != null && !other.equals(a.settings().get(setting))) {

@@ -126,7 +126,12 @@ final class FoxgloveFeed implements MessageSink {
 
   @Override
   public void message(int channel, long timeNs, byte[] json) {
-    latest.put(channel, new Latest(timeNs, ByteBuffer.wrap(json)));
+    Latest last = new Latest(timeNs, ByteBuffer.wrap(json));
+    latest.put(channel, last);
+    offer(channel, last);
+  }
+
+  private void offer(int channel, Latest message) {
     Long subscription = subscriptions.get(channel);
     if (subscription == null) {
       return;
@@ -135,8 +140,9 @@ final class FoxgloveFeed implements MessageSink {
       dropped++;
       return;
     }
-    ByteBuffer data = ByteBuffer.allocate(13 + json.length).order(ByteOrder.LITTLE_ENDIAN);
-    data.put(MESSAGE_DATA).putInt((int) (long) subscription).putLong(timeNs).put(json);
+    ByteBuffer json = message.json.duplicate();
+    ByteBuffer data = ByteBuffer.allocate(13 + json.remaining()).order(ByteOrder.LITTLE_ENDIAN);
+    data.put(MESSAGE_DATA).putInt((int) (long) subscription).putLong(message.timeNs).put(json);
     send(data.flip());
   }
 
@@ -172,7 +178,7 @@ final class FoxgloveFeed implements MessageSink {
     subscriptions.put(channel, subscription.path("id").asLong());
     Latest last = latest.get(channel);
     if (last != null) {
-      message(channel, last.timeNs, last.json.array());
+      offer(channel, last);
     }
   }
 

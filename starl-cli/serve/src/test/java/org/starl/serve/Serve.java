@@ -6,10 +6,12 @@ import java.io.PipedReader;
 import java.io.PipedWriter;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.cli.Main;
@@ -61,8 +63,11 @@ final class Serve implements AutoCloseable {
     return http.send(request, HttpResponse.BodyHandlers.ofString());
   }
 
-  String errors() {
-    return err.toString();
+  /** Sends a request as it is, and leaves the answer to the caller. */
+  Socket ask(String request) throws IOException {
+    Socket socket = new Socket(address.getHost(), address.getPort());
+    socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+    return socket;
   }
 
   @Override

@@ -17,6 +17,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -30,6 +32,17 @@ import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.browser.Browser;
 import org.starl.cli.Main;
+import org.starl.cli.PageServer;
+import org.starl.cli.Site;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.sim.record.Layer;
+import org.starl.sim.replay.Recording;
+import org.starl.sim.view.page.LivePage;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
 
 /** The pages of {@code starl serve} in a real browser. */
 @Tag("realtime")
@@ -66,32 +79,74 @@ class ServeTest {
   }
 
   @Test
-  void aRecordedTraceIsPlayedWithItsViolation() throws Exception {
-    String trace = folder.resolve("jump.trace").toString();
+  void aRecordedTraceIsPlayed() throws Exception {
+    String trace = folder.resolve("hello.trace").toString();
+    String picture = folder.resolve("hello.png").toString();
     PrintWriter none = new PrintWriter(new StringWriter());
-    Main.run(
-        none,
-        none,
-        "run",
-        "intersection",
-        "--set",
-        "scenario=figure7",
-        "--seed",
-        "7",
-        "--fault",
-        "jump(bot1,600mm,at=2s)",
-        "--for",
-        "40s",
-        "--trace",
-        trace,
-        "--png",
-        folder.resolve("x.png").toString());
+    Main.run(none, none, "run", "hello", "--seed", "7", "--trace", trace, "--png", picture);
     try (Serve serve = new Serve(trace);
         Browser browser = browser(serve.address)) {
-      browser.await("!document.getElementById('next').disabled");
-      browser.key("n");
-      browser.await("document.getElementById('message').className === 'alarm'");
+      browser.key("End");
+      browser.await("document.getElementById('message').textContent.startsWith('The run ended')");
       assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  /** One run, which a test records. */
+  private record OneRun(Shown shown) implements Site {
+
+    @Override
+    public Home home() {
+      return Home.RUN;
+    }
+
+    @Override
+    public Shown run(int number) {
+      return shown;
+    }
+
+    @Override
+    public Map<String, Object> overview() {
+      return Map.of();
+    }
+
+    @Override
+    public Map<String, Object> schema() {
+      return Map.of();
+    }
+
+    @Override
+    public int start(Map<String, ?> request) {
+      return 1;
+    }
+  }
+
+  @Test
+  void aViolationIsShownWhenItHappens() throws Exception {
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
+    Site site = new OneRun(new Site.Shown("made up", "", recording, new LivePage(recording, 1)));
+    PageServer.Access access = new PageServer.Access("127.0.0.1", 0, "", List.of());
+    RobotId bot = new RobotId("bot0");
+    try (PageServer.Running server = new WebServer().start(access, site)) {
+      recording.started(new TraceHeader("0", "made up", 7, 8, Map.of(), List.of(bot)));
+      recording.observed(new TraceEvent.Joined(0, bot, new Pose(0, 0, 0), 150));
+      recording.reached(2_000_000_000);
+      try (Browser browser = browser(URI.create("http://127.0.0.1:" + server.port() + "/"))) {
+        browser.await(nowMs() + " >= 1900");
+        assertThat(browser.evaluate("document.getElementById('next').disabled").asBoolean())
+            .isTrue();
+        recording.violated(
+            new SpecReport.Violation("Exclusive", 1_500_000_000, List.of(bot), "two in one zone"));
+        browser.await("document.getElementById('message').className === 'alarm'");
+        assertThat(browser.text("#message")).contains("two in one zone");
+        browser.evaluate("document.querySelector('#marks .VIOLATION').click()");
+        assertThat(browser.evaluate(nowMs()).asDouble()).isEqualTo(1500);
+        recording.over(3_000_000_000L);
+        browser.await("document.getElementById('live').hidden");
+        assertThat(browser.evaluate("document.getElementById('time').max").asText())
+            .isEqualTo("3000");
+        assertThat(browser.errors()).isEmpty();
+      }
     }
   }
 
@@ -99,7 +154,7 @@ class ServeTest {
   void aLinkOfThePlaygroundStartsTheSameRunsInAnotherBrowser() throws Exception {
     try (Serve serve = new Serve();
         Browser first = browser(serve.address);
-        Browser second = browser(serve.at("/api/overview"))) {
+        Browser second = browser(serve.address)) {
       first.evaluate(
           "{ document.getElementById('app').value = 'hello'; document.getElementById('app').onchange();"
               + " document.getElementById('seed').value = '3'; document.getElementById('run').click(); }");
@@ -110,7 +165,7 @@ class ServeTest {
               + " document.getElementById('beside').click(); }");
       first.await("document.querySelectorAll('iframe').length === 2");
       assertThat(first.text("article:last-child p"))
-          .isEqualTo("changed: robots: default \u2192 3, faults: default \u2192 crash(bot0,at=1s)");
+          .isEqualTo("changed: faults: default \u2192 crash(bot0,at=1s), robots: default \u2192 3");
       String link = first.evaluate("location.href").asText();
       second.open(URI.create(link));
       second.await("document.querySelectorAll('iframe').length === 2");
@@ -151,7 +206,7 @@ class ServeTest {
           .isEqualTo(3);
       browser.evaluate("document.querySelector('#bad button').click()");
       browser.await(
-          "document.querySelector('iframe')?.contentDocument?.getElementById('next')?.disabled === false");
+          "document.querySelector('iframe')?.contentDocument?.documentElement?.dataset.ready === 'true'");
       assertThat(browser.errors()).isEmpty();
     }
   }
@@ -182,9 +237,11 @@ class ServeTest {
 
   @Test
   void foreignRequestsAreRefusedAndBadOnesTold() throws Exception {
-    System.setProperty("jdk.httpclient.allowRestrictedHeaders", "host");
     try (Serve serve = new Serve()) {
-      assertThat(serve.get("/", "Host", "evil.example").statusCode()).isEqualTo(403);
+      try (Socket socket = serve.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n")) {
+        byte[] first = socket.getInputStream().readNBytes(12);
+        assertThat(new String(first, StandardCharsets.US_ASCII)).isEqualTo("HTTP/1.1 403");
+      }
       assertThat(serve.get("/", "Origin", "http://evil.example").statusCode()).isEqualTo(403);
       assertThat(serve.get("/run/1").statusCode()).isEqualTo(404);
       assertThat(serve.get("/run/x").statusCode()).isEqualTo(404);
@@ -229,19 +286,17 @@ class ServeTest {
 
   @Test
   void aRunSlowsForNoBrowserThatDoesNotRead() throws Exception {
-    try (Serve serve = new Serve("intersection", "--seed", "7", "--set", "speed=0")) {
-      try (var socket = new Socket(serve.address.getHost(), serve.address.getPort())) {
-        socket
-            .getOutputStream()
-            .write(
-                ("GET /run/1/parts HTTP/1.1\r\nHost: " + serve.address.getAuthority() + "\r\n\r\n")
-                    .getBytes(StandardCharsets.US_ASCII));
-        socket.getOutputStream().flush();
-        String state = "";
-        while (!state.startsWith("ended")) {
-          state = JSON.readTree(serve.get("/api/overview").body()).at("/runs/0/state").asText();
-          assertThat(state).doesNotContain("failed");
-        }
+    try (Serve serve = new Serve("intersection", "--seed", "7", "--set", "speed=0");
+        Socket reader =
+            serve.ask(
+                "GET /run/1/parts HTTP/1.1\r\nHost: "
+                    + serve.address.getAuthority()
+                    + "\r\n\r\n")) {
+      assertThat(reader.isConnected()).isTrue();
+      String state = "";
+      while (!state.startsWith("ended")) {
+        state = JSON.readTree(serve.get("/api/overview").body()).at("/runs/0/state").asText();
+        assertThat(state).doesNotContain("failed");
       }
     }
   }

@@ -172,7 +172,8 @@ class LivePageTest {
     goOn(recording, 200, 1);
     List<LivePage.Part> parts = new ArrayList<>();
     take(page, parts);
-    recording.observed(new TraceEvent.Moved(recording.endNs() + 1, BOT, new Pose(1e5, 0, 0), 10, 0));
+    recording.observed(
+        new TraceEvent.Moved(recording.endNs() + 1, BOT, new Pose(1e5, 0, 0), 10, 0));
     recording.reached(recording.endNs() + 300 * MS);
     take(page, parts);
     double before = JSON.readTree(parts.get(0).json()).get("box").get(2).asDouble();

@@ -1,0 +1,94 @@
+package org.starl.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.id.RobotId;
+import org.starl.robot.DeployedRobot;
+import org.starl.robot.trace.ProcessFact;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.sim.SimObserver;
+import org.starl.sim.Simulation;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceHeader;
+
+/** Traces are read while robots write them. */
+@Tag("realtime")
+class LiveTracesTest {
+
+  private static final long S = 1_000_000_000;
+  private static final RobotId A = new RobotId("bot0");
+  private static final RobotId B = new RobotId("bot1");
+  private static final TraceHeader HEADER =
+      new TraceHeader("0", "x", 7, 8, Map.of(), List.of(A, B));
+
+  @TempDir Path folder;
+
+  private final BlockingQueue<TraceEvent> seen = new LinkedBlockingQueue<>();
+
+  /** A robot's process that begins at {@code machineNs}. */
+  private ProcessTrace begun(RobotId robot, long machineNs) throws Exception {
+    OutputStream out = Files.newOutputStream(folder.resolve(robot + ".trace"));
+    ProcessTrace trace = new ProcessTrace(robot, HEADER, out);
+    ProcessFact clock = new ProcessFact.Clock("this machine", machineNs, machineNs);
+    trace.record(Action.of(0, robot, ProcessFact.SOURCE, ProcessFact.SHAPE, clock));
+    return trace;
+  }
+
+  private static TraceEvent event(RobotId robot, long atNs, String name) {
+    return new Fault(atNs, robot, name, "");
+  }
+
+  private Fault await(Predicate<Fault> wanted) throws InterruptedException {
+    while (true) {
+      TraceEvent next = seen.poll(60, TimeUnit.SECONDS);
+      assertThat(next).as("an event that was written").isNotNull();
+      if (next instanceof Fault fault && wanted.test(fault)) {
+        return fault;
+      }
+    }
+  }
+
+  @Test
+  void whatARobotWritesIsSeenAndItsSilenceToo() throws Exception {
+    ProcessTrace first = begun(A, 100 * S);
+    LiveMerge merge =
+        new LiveMerge(
+            Simulation.builder().build().plan(),
+            List.of(new SimObserver() {
+              @Override
+              public void observed(TraceEvent event) {
+                seen.add(event);
+              }
+            }));
+    try (LiveTraces traces =
+        new LiveTraces(
+            folder, header -> DeployedRobot.VOCABULARY, HEADER, merge, line -> {})) {
+      assertThat(traces).isNotNull();
+      first.record(event(A, S, "one"));
+      ProcessTrace second = begun(B, 101 * S); // begins later, on the same clock
+      second.record(event(B, S, "two"));
+      first.record(event(A, 3 * S, "three"));
+      assertThat(await(fault -> fault.name().equals("one")).timeNs()).isEqualTo(S);
+      assertThat(await(fault -> fault.name().equals("two")).timeNs()).isEqualTo(2 * S);
+      // The second is killed; the first goes on.
+      first.record(event(A, 9 * S, "four"));
+      first.record(event(A, 10 * S, "five"));
+      assertThat(await(fault -> fault.name().equals(Fault.CRASH)).robot()).isEqualTo(B);
+      first.end(11 * S);
+    }
+  }
+}
