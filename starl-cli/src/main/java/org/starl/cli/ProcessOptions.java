@@ -91,7 +91,7 @@ final class ProcessOptions {
     try (Launcher launcher =
         new Launcher(plan, command(words), vocabulary, settings, err::println)) {
       if (live != null) {
-        launcher.show(live);
+        launcher.show(live::accept);
       }
       return launcher.run();
     }

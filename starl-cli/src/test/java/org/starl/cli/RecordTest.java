@@ -112,7 +112,7 @@ class RecordTest {
       in.position(in.position() + length);
     }
     assertThat(in.remaining()).isEqualTo(magic.length);
-    assertThat(kinds.toString()).matches("167+f3+4+b8+e+2");
+    assertThat(kinds.toString()).matches("1c67+f3+4+b8+de+2");
     assertThat(new String(bytes, StandardCharsets.UTF_8))
         .contains("foxglove.SceneUpdate", "/pose/bot0");
   }

@@ -37,7 +37,6 @@ import org.starl.sim.net.NetStatistics;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
@@ -69,8 +68,7 @@ public final class Launcher implements AutoCloseable {
   private long originNs;
   private boolean isRunning;
   private boolean isEnding;
-  private @Nullable LiveMerge live;
-
+  private Consumer<TraceEvent> live = event -> {};
   // The values and actions since the last death, and the time of the last new one.
   private final Set<String> progress = new TreeSet<>();
   private long lastProgressNs;
@@ -107,9 +105,9 @@ public final class Launcher implements AutoCloseable {
     }
   }
 
-  /** Shows the robots' events to {@code merge} while they come; to be called before {@link #run}. */
-  public void show(LiveMerge merge) {
-    live = merge;
+  /** Shows the robots' events while they come; to be called before {@link #run}. */
+  public void show(Consumer<TraceEvent> observer) {
+    live = observer;
   }
 
   /**
@@ -364,9 +362,7 @@ public final class Launcher implements AutoCloseable {
     private void add(TraceEvent event) {
       events.add(event);
       bodies.observe(event);
-      if (live != null) {
-        live.add(event, event.timeNs(), true);
-      }
+      live.accept(event);
     }
 
     /** A value or action that is new since the last death; repeated attempts are no progress. */
@@ -393,9 +389,7 @@ public final class Launcher implements AutoCloseable {
         case ProcessFact.WantsPlace wish -> waitingForPlace.add(this);
         case ProcessFact.Alive alive -> {
           lastNs = Math.max(lastNs, action.timeNs());
-          if (live != null) {
-            live.reached(action.timeNs());
-          }
+          live.accept(action);
           count(alive.copies(), alive.lost());
           longestPauseNs = Math.max(longestPauseNs, alive.longestPauseNs());
         }
@@ -476,9 +470,7 @@ public final class Launcher implements AutoCloseable {
       lastNs = Math.max(lastNs, killedNs);
       Death death = new Death(id, process.pid(), lastNs, killedNs >= 0, status);
       deaths.add(death);
-      if (live != null) {
-        live.add(new Fault(lastNs, id, Fault.CRASH, ""), lastNs, true);
-      }
+      live.accept(new TraceEvent.Fault(lastNs, id, TraceEvent.Fault.CRASH, ""));
       progress.clear();
       lastProgressNs = isRunning ? nowNs() : 0;
       if (bodies.isOnFloor(id)) {

@@ -6,6 +6,7 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
+import org.starl.robot.trace.ProcessFact;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.RunObservers;
 import org.starl.sim.SimObserver;
@@ -63,6 +64,15 @@ public final class LiveMerge {
   public synchronized void add(TraceEvent event, long atNs, boolean hasTrueBodies) {
     held.add(new Held(Math.max(0, atNs), number++, event, hasTrueBodies));
     reached(atNs);
+  }
+
+  /** Takes an event of a process that has the clock of this run and knows its true body. */
+  public void accept(TraceEvent event) {
+    if (ProcessFact.isProcessEvent(event)) {
+      reached(event.timeNs());
+    } else {
+      add(event, event.timeNs(), true);
+    }
   }
 
   /** Tells that a process has come to this time. */

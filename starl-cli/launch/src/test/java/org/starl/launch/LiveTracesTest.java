@@ -68,15 +68,15 @@ class LiveTracesTest {
     LiveMerge merge =
         new LiveMerge(
             Simulation.builder().build().plan(),
-            List.of(new SimObserver() {
-              @Override
-              public void observed(TraceEvent event) {
-                seen.add(event);
-              }
-            }));
+            List.of(
+                new SimObserver() {
+                  @Override
+                  public void observed(TraceEvent event) {
+                    seen.add(event);
+                  }
+                }));
     try (LiveTraces traces =
-        new LiveTraces(
-            folder, header -> DeployedRobot.VOCABULARY, HEADER, merge, line -> {})) {
+        new LiveTraces(folder, header -> DeployedRobot.VOCABULARY, HEADER, merge, line -> {})) {
       assertThat(traces).isNotNull();
       first.record(event(A, S, "one"));
       ProcessTrace second = begun(B, 101 * S); // begins later, on the same clock

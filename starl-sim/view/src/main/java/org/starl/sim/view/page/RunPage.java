@@ -159,8 +159,7 @@ public final class RunPage {
   }
 
   /** The lanes of each robot, and the places of the first and the last picture in them. */
-  static Map<String, Object> lanes(
-      Recording recording, PageFrames frames, long fromNs, long toNs) {
+  static Map<String, Object> lanes(Recording recording, PageFrames frames, long fromNs, long toNs) {
     Lanes lanes = new Lanes();
     for (int i = 0; i < recording.size(); i++) {
       lanes.observe(recording.event(i));
