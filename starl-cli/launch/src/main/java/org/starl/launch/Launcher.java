@@ -1,3 +1,4 @@
+// Longer than 500 lines because the processes, their kills and the result of a run share its state.
 package org.starl.launch;
 
 import java.io.IOException;
