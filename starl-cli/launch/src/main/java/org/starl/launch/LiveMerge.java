@@ -49,7 +49,10 @@ public final class LiveMerge {
   public LiveMerge(SimulationPlan plan, List<? extends SimObserver> observers) {
     this.observers =
         new RunObservers(
-            Monitors.of(plan.monitors()), List.copyOf(observers), violation -> Diagnosis.NONE);
+            Monitors.of(plan.monitors()),
+            List.copyOf(observers),
+            violation -> Diagnosis.NONE,
+            plan.commands());
     this.observers.started(plan.header());
     // As in a trace that is merged later: a machine with other work guarantees no times.
     this.observers.record(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
