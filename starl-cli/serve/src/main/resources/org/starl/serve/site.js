@@ -121,6 +121,7 @@
     $('beside').onclick = () => run(read(), true);
     $('app').value = apps.enum.includes('intersection') ? 'intersection' : apps.enum[0];
     listParameters();
+    window.onhashchange = () => location.reload(); // a link that is opened in this tab
     const linked = new URLSearchParams(location.hash.slice(1)).getAll('run').map(request);
     if (linked.length) {
       if (apps.enum.includes(linked[0].app)) fill(linked[linked.length - 1]);

@@ -203,11 +203,6 @@ public final class Browser implements AutoCloseable {
     return List.copyOf(errors);
   }
 
-  /** Goes to another page, and waits until it is ready. */
-  public void open(URI page) throws Exception {
-    call("Page.navigate", Map.of("url", page.toString()));
-    awaitReady();
-  }
 
   /** The value of a JavaScript expression; of a promise, what it resolves to. */
   public JsonNode evaluate(String expression) throws Exception {
