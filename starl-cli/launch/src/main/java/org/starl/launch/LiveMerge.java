@@ -28,7 +28,7 @@ import org.starl.trace.TraceEvent.Moved;
 public final class LiveMerge {
 
   /** How long an event waits for earlier ones, in the time of the run. */
-  static final long HELD_NS = 400 * Time.NS_PER_MS;
+  static final long HELD_NS = Time.NS_PER_S;
 
   private record Held(long timeNs, long number, TraceEvent event, boolean isOfWorld) {}
 
