@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
-import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
@@ -42,7 +41,23 @@ abstract class BaseCommand {
   }
 
   final Demos demos() {
-    return ((Main) spec().root().userObject()).demos();
+    return main().demos();
+  }
+
+  /** What a signal does. */
+  final UntilStopped stop() {
+    return main().stop();
+  }
+
+  /** Shows progress of this command, which a signal tells if the command cannot end early. */
+  final ProgressLine progress(String units) {
+    ProgressLine line = new ProgressLine(err(), units);
+    stop().progress(line::stopped);
+    return line;
+  }
+
+  private Main main() {
+    return (Main) spec().root().userObject();
   }
 
   /**
@@ -50,10 +65,9 @@ abstract class BaseCommand {
    * do not change the result.
    */
   final List<String> words() {
-    CommandLine root = spec().root().commandLine();
     List<String> words = new ArrayList<>();
     boolean isValue = false;
-    for (String word : root.getParseResult().originalArgs()) {
+    for (String word : originalWords()) {
       String option = word.split("=", 2)[0];
       if (!isValue && !FLAGS_OF_OUTPUT.contains(word) && !OPTIONS_OF_OUTPUT.contains(option)) {
         words.add(word);
@@ -63,10 +77,14 @@ abstract class BaseCommand {
     return words;
   }
 
+  /** All words of the command line as the user typed it, after the launcher. */
+  final List<String> originalWords() {
+    return spec().root().commandLine().getParseResult().originalArgs();
+  }
+
   /** The command line as typed, with another value of an option that it has. */
   final String typedWith(String option, String value) {
-    List<String> words =
-        new ArrayList<>(spec().root().commandLine().getParseResult().originalArgs());
+    List<String> words = new ArrayList<>(originalWords());
     for (int i = 0; i < words.size(); i++) {
       if (words.get(i).equals(option)) {
         words.set(i + 1, value);

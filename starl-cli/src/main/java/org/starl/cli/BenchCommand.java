@@ -137,7 +137,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   private void showSpeed(Workload workload) {
     int planned = runs(5);
     int count = robots(256, 1, 10_000_000);
-    ProgressLine progress = new ProgressLine(err(), "runs");
+    ProgressLine progress = progress("runs");
     List<Measurement> taken =
         Measurement.take(
             workload,
@@ -209,7 +209,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
           .println(
               "starl: no rows of SUMO: netconvert and sumo (PyPI: eclipse-sumo) are not on the PATH");
     }
-    ProgressLine progress = new ProgressLine(err(), "rows");
+    ProgressLine progress = progress("rows");
     List<Map<String, Object>> rows =
         CrossingRules.take(
             ARRIVALS, Seeds.of(seed), runs(2), done -> progress.show(done, CrossingRules.rows()));
@@ -234,7 +234,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   private void showCheckSpeed() {
     Carriers.select(null, err());
     int planned = runs(100);
-    ProgressLine progress = new ProgressLine(err(), "runs");
+    ProgressLine progress = progress("runs");
     CheckSpeed.Speed speed =
         CheckSpeed.take(planned, Seeds.of(seed), done -> progress.show(done, 3L * planned));
     progress.end();
@@ -257,7 +257,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter out = out();
     int most = robots(64, 2, 256);
     int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
-    ProgressLine progress = new ProgressLine(err(), "sizes");
+    ProgressLine progress = progress("sizes");
     List<Map<String, Object>> rows =
         MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
     progress.end();

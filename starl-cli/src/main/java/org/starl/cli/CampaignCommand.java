@@ -159,38 +159,23 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       throws InterruptedException, IOException {
     CarrierKind carriers = Carriers.select(null, err());
     CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(work.points().getFirst()));
-    ProgressLine progress = new ProgressLine(err(), "runs");
-    Predicate<SeedRow> isLast = collector(work.ending(), tally, page);
-    if (engine.isOn()) {
-      engine.run(work, typed(), threads.count(), parquet, isLast, err());
-      return print(output(work, carriers, shrink, ""), tally, page);
-    }
-    UntilStopped stop = UntilStopped.interrupting();
-    try {
-      String interrupted = "";
-      try {
-        work.runSeeds(
-            work.numbers(),
-            new ShardWork.How(carriers, threads.count(), progress::show),
-            page != null,
-            row -> {
-              if (!row.outcome().isGood()) {
-                progress.note("bad so far: " + new FirstBad(work.points().getFirst(), row).line());
-              }
-              return isLast.test(row);
-            });
-      } catch (InterruptedException e) {
-        if (!stop.isStopped()) {
-          throw e;
-        }
-        interrupted = interrupted(work, tally);
-      }
-      progress.end();
-      return print(
-          output(work, carriers, shrink && interrupted.isEmpty(), interrupted), tally, page);
-    } finally {
-      stop.ended();
-    }
+    ProgressLine progress = progress("runs");
+    Predicate<SeedRow> collected = collector(work.ending(), tally, page);
+    Predicate<SeedRow> isLast =
+        row -> {
+          if (!row.outcome().isGood()) {
+            progress.note("bad so far: " + new FirstBad(work.points().getFirst(), row).line());
+          }
+          return collected.test(row);
+        };
+    ShardWork.How how = new ShardWork.How(carriers, threads.count(), progress::show);
+    boolean isWhole =
+        engine.isOn()
+            ? engine.run(this, work, threads.count(), parquet, isLast, progress)
+            : stop().completes(() -> work.runSeeds(work.numbers(), how, page != null, isLast));
+    progress.end();
+    String interrupted = isWhole ? "" : interrupted(work, tally);
+    return print(output(work, carriers, shrink && isWhole, interrupted), tally, page);
   }
 
   private Output output(SeedWork work, CarrierKind carriers, boolean shrinks, String interrupted) {
@@ -265,12 +250,39 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     SteeredRuns steered = steered(output, tally, err);
     SeedRow ofSeeds = tally.firstBad();
     FirstBad bad = ofSeeds == null ? steered.firstBad() : new FirstBad(request, ofSeeds);
+    if (!output.isJson()) {
+      table(request, tally).forEach(out::println);
+      SpecReport spec = monitors(request, range.first()).report();
+      spec.exceptions().forEach(out::println);
+      Outcome.inapplicable(spec).forEach(out::println);
+      tally.chances().lines().forEach(out::println);
+      output.ending().lines(tally).forEach(out::println);
+      steered.lines().forEach(out::println);
+      tally.coverage().lines().forEach(out::println);
+    }
+    if (!tally.neverChecked().isEmpty()) {
+      err.println(
+          "never checked in %d runs: %s%s"
+              .formatted(
+                  tally.runs(),
+                  String.join(" ", tally.neverChecked()),
+                  tally.leavesUnchecked() ? ": expected a check in some run" : ""));
+    }
+    if (bad != null) {
+      err.println(Colour.bad(bad.line()));
+      sentences(bad, tally.violated()).forEach(err::println);
+      err.println(bad.replay());
+    }
+    // What takes long follows the verdict.
     Shrinking.Shrunk shrunk =
         bad == null || !output.shrinks()
             ? null
             : new Shrinking(
                     output.command().demos(), bad.request(), bad.row().seed(), output.carriers())
-                .run(err);
+                .run(output.command());
+    if (shrunk != null) {
+      shrunk.lines().forEach(err::println);
+    }
     if (page != null) {
       page.write(
           ReportFile.description(request, output.typed(), range),
@@ -297,42 +309,15 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
         summary.put("report", output.report());
       }
       out.println(Json.line(summary));
-    } else {
-      table(request, tally).forEach(out::println);
-      SpecReport spec = monitors(request, range.first()).report();
-      spec.exceptions().forEach(out::println);
-      Outcome.inapplicable(spec).forEach(out::println);
-      tally.chances().lines().forEach(out::println);
-      output.ending().lines(tally).forEach(out::println);
-      steered.lines().forEach(out::println);
-      tally.coverage().lines().forEach(out::println);
-      if (output.report() != null) {
-        out.println("report: " + output.report());
-      }
+    } else if (output.report() != null) {
+      out.println("report: " + output.report());
     }
     if (!output.interrupted().isEmpty()) {
       err.println(output.interrupted());
     }
-    if (!tally.neverChecked().isEmpty()) {
-      err.println(
-          "never checked in %d runs: %s%s"
-              .formatted(
-                  tally.runs(),
-                  String.join(" ", tally.neverChecked()),
-                  tally.leavesUnchecked() ? ": expected a check in some run" : ""));
-    }
-    if (bad == null) {
-      return tally.leavesUnchecked() || output.ending().isMissed(tally)
-          ? ExitStatus.VIOLATED
-          : ExitStatus.GOOD;
-    }
-    err.println(bad.line());
-    sentences(bad, tally.violated()).forEach(err::println);
-    err.println(bad.replay());
-    if (shrunk != null) {
-      shrunk.lines().forEach(err::println);
-    }
-    return ExitStatus.VIOLATED;
+    return bad != null || tally.leavesUnchecked() || output.ending().isMissed(tally)
+        ? ExitStatus.VIOLATED
+        : ExitStatus.GOOD;
   }
 
   /**

@@ -66,14 +66,13 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     Wheelbase.Source wheels = wheels(deployment, entry);
     Console console = new Console(out()::println);
     RobotRun run = options.robot(deployment, entry, app, wheels, console);
-    UntilStopped stop = new UntilStopped(run::stop);
+    stop().calls(run::stop);
     int status = ExitStatus.VIOLATED;
     try {
       status = run.run() == null ? ExitStatus.GOOD : ExitStatus.VIOLATED;
       return status;
     } finally {
       console.close();
-      stop.ended();
       if (console.isStuck()) {
         // The caller would wait for the output, too.
         Runtime.getRuntime().halt(status);

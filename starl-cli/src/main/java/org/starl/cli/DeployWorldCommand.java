@@ -46,7 +46,7 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
     app.require();
     options.rounds();
     Console console = new Console(out()::println);
-    UntilStopped stop = new UntilStopped(() -> ends.add(""));
+    stop().calls(() -> ends.add(""));
     try (OutputStream trace = options.trace(WORLD);
         WorldServer world =
             new WorldServer(
@@ -63,7 +63,6 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
       return reason.isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     } finally {
       console.close();
-      stop.ended();
       if (console.isStuck()) {
         // The caller would wait for the output, too.
         Runtime.getRuntime().halt(ExitStatus.VIOLATED);

@@ -1,7 +1,6 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,8 +29,7 @@ final class DeterminismCommand extends BaseCommand implements Callable<Integer> 
   public Integer call() throws IOException {
     RunRequest request = options.request(demos());
     long seedNumber = seed.value();
-    PrintWriter err = err();
-    Determinism check = Determinism.verify(() -> plan(request, seedNumber, err));
+    Determinism check = Determinism.verify(() -> plan(request, seedNumber));
     Determinism.Difference difference = check.difference();
     Map<String, Object> result = new LinkedHashMap<>();
     result.put("app", request.demo().name());
@@ -51,9 +49,9 @@ final class DeterminismCommand extends BaseCommand implements Callable<Integer> 
     return check.holds() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  private static Simulation.Builder plan(RunRequest request, long seed, PrintWriter err) {
+  private Simulation.Builder plan(RunRequest request, long seed) {
     Simulation.Builder simulation = request.plan(seed).simulation();
-    RunProgress.of(simulation, err);
+    RunProgress.of(simulation, this);
     return simulation;
   }
 }

@@ -1,7 +1,6 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.SortedMap;
@@ -30,19 +29,20 @@ final class EngineOptions {
   /**
    * Runs all.
    *
-   * @param command as the user typed it
    * @param cores of this machine to use, if it is the only one
    * @param parquet the folder for the rows as Parquet; null without
    * @param isLast gets each row in order; after the first true the work ends
+   * @param progress shows it; the caller ends it
+   * @return false if a signal has ended it
    * @throws BadInput if an engine cannot run it
    */
-  <R> void run(
+  <R> boolean run(
+      BaseCommand command,
       ShardWork<R> work,
-      String command,
       int cores,
       @Nullable String parquet,
       Predicate<R> isLast,
-      PrintWriter err)
+      ProgressLine progress)
       throws InterruptedException, IOException {
     if (!work.isNumbered()) {
       throw new BadInput(
@@ -51,14 +51,29 @@ final class EngineOptions {
     String[] words = String.valueOf(engine).split("=", 2);
     String master = words.length == 1 ? "" : words[1];
     Seeds.Range numbers = work.numbers();
-    String header = ShardHeader.of(work, new Shard(1, 1), command).line();
+    String header = ShardHeader.of(work, new Shard(1, 1), command.typed()).line();
     SeedPart all = new SeedPart(header, numbers.first(), numbers.last());
-    ProgressLine progress =
-        new ProgressLine(err, work.unit().equals("schedule") ? "schedules" : "runs");
     InOrder<R> rows = new InOrder<>(work, isLast, progress);
-    named(words[0]).run(master, cores, all, parquet, rows);
-    progress.end();
+    CampaignEngine found = named(words[0]);
+    IOException[] failure = new IOException[1];
+    boolean isWhole =
+        command
+            .stop()
+            .completes(() -> {
+              try {
+                found.run(master, cores, all, parquet, rows);
+              } catch (IOException e) {
+                failure[0] = e;
+              }
+            });
+    if (command.stop().isStopped()) { // the engine stops at the signal, too, and then gives up
+      return isWhole && failure[0] == null;
+    }
+    if (failure[0] != null) {
+      throw failure[0];
+    }
     rows.requireAll();
+    return true;
   }
 
   private static CampaignEngine named(String name) {

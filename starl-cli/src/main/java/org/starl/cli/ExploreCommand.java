@@ -149,7 +149,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
               options.name(),
               spec().commandLine().getParseResult().matchedOptions(),
               options.sets())
-          .run(mostStates, json.isOn(), out(), err());
+          .run(mostStates, json.isOn(), this);
     }
     if (states != null) {
       throw new BadInput("--states: expected --strategy " + StateExploration.STRATEGY);
@@ -180,27 +180,38 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
   private int explore(ExploreWork work, @Nullable OutputFile file)
       throws InterruptedException, IOException {
     Output output = new Output(this, work, Carriers.select(null, err()), json.isOn(), chart, file);
-    if (engine.isOn()) {
-      ExplorationTally tally = new ExplorationTally(work.exploration());
-      engine.run(work, typed(), threads.count(), null, row -> tally.add(row.explored()), err());
-      return print(output, tally.result(false));
-    }
-    ProgressLine progress = new ProgressLine(err(), "schedules");
-    Explorer.Result result =
-        work.explorer(
-                new ShardWork.How(
-                    output.carriers(),
-                    threads.count(),
-                    (finished, planned, bad) -> progress.show(finished, planned)))
-            .run();
+    ExplorationTally tally = new ExplorationTally(work.exploration());
+    ProgressLine progress = progress("schedules");
+    boolean[] isAll = new boolean[1];
+    boolean isWhole =
+        engine.isOn()
+            ? engine.run(
+                this, work, threads.count(), null, row -> tally.add(row.explored()), progress)
+            : stop()
+                .completes(() ->
+                    isAll[0] =
+                        work.explorer(
+                                new ShardWork.How(
+                                    output.carriers(),
+                                    threads.count(),
+                                    (finished, planned, bad) -> progress.show(finished, planned)))
+                            .run(any -> true, List.of(), tally::add));
     progress.end();
-    if (!json.isOn()) {
+    Explorer.Result result = tally.result(isAll[0]);
+    if (!engine.isOn() && !json.isOn()) {
       err()
           .println(
               "%,.0f steps a second"
                   .formatted(result.steps() / Time.seconds(progress.elapsedNs())));
     }
-    return print(output, result);
+    int status = print(output, result);
+    if (!isWhole) {
+      err()
+          .println(
+              shards.interrupted(
+                  this, result.schedules(), work.exploration().mostSchedules(), "schedules"));
+    }
+    return status;
   }
 
   private Subject subject() {
@@ -294,18 +305,7 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter out = output.command().out();
     PrintWriter err = output.command().err();
     Explorer.Found found = result.found();
-    Shrinking.Shrunk shrunk =
-        found == null
-            ? null
-            : new Shrinking(
-                    output.command().demos(),
-                    work.request().withFaults(found.schedule()),
-                    work.seed(),
-                    output.carriers())
-                .run(err);
-    if (output.isJson()) {
-      out.println(Json.line(summary(work, result, shrunk)));
-    } else {
+    if (!output.isJson()) {
       out.println(
           "%s, seed %d: %,d schedules (%s, depth %d%s), %,d orders, %,d steps; %s"
               .formatted(
@@ -319,10 +319,25 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
                   result.steps(),
                   found == null ? "none went wrong" : "number " + found.number() + " went wrong"));
     }
-    if (found == null || shrunk == null) {
+    if (found != null) {
+      err.println(Colour.bad("schedule " + found.number() + ": " + found.outcome().detail()));
+    }
+    // Shrinking takes long; it follows the verdict.
+    Shrinking.Shrunk shrunk =
+        found == null
+            ? null
+            : new Shrinking(
+                    output.command().demos(),
+                    work.request().withFaults(found.schedule()),
+                    work.seed(),
+                    output.carriers())
+                .run(output.command());
+    if (output.isJson()) {
+      out.println(Json.line(summary(work, result, shrunk)));
+    }
+    if (shrunk == null) {
       return ExitStatus.GOOD;
     }
-    err.println("schedule " + found.number() + ": " + found.outcome().detail());
     shrunk.lines().forEach(err::println);
     if (output.file() != null) {
       output.file().stream().write(shrunk.chart().getBytes(StandardCharsets.UTF_8));

@@ -70,6 +70,7 @@ public final class Main implements Runnable {
           ReplayCommand.class,
           ServeCommand.class,
           SchemaCommand.class,
+          CompletionCommand.class,
           CompileCommand.class,
           LanguageServerCommand.class,
           NewCommand.class,
@@ -89,19 +90,31 @@ public final class Main implements Runnable {
   @Spec private @Nullable CommandSpec spec;
 
   private final Demos demos;
+  private final UntilStopped stop;
 
-  private Main(Demos demos) {
+  private Main(Demos demos, UntilStopped stop) {
     this.demos = demos;
+    this.stop = stop;
   }
 
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
     PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
-    System.exit(run(out, err, args));
+    UntilStopped stop =
+        new UntilStopped(
+            done -> err.println("starl: interrupted" + (done.isEmpty() ? "" : " after " + done)));
+    stop.listen();
+    int status = run(stop, out, err, args);
+    stop.ended();
+    System.exit(status);
   }
 
   /** Runs a command line, including the apps on the class path; returns its exit status. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
+    return run(new UntilStopped(done -> {}), out, err, args);
+  }
+
+  private static int run(UntilStopped stop, PrintWriter out, PrintWriter err, String... args) {
     Demos demos;
     try {
       demos = installed();
@@ -109,7 +122,7 @@ public final class Main implements Runnable {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }
-    return run(demos, out, err, args);
+    return run(demos, stop, out, err, args);
   }
 
   /**
@@ -123,19 +136,37 @@ public final class Main implements Runnable {
 
   /** Runs a command line with these apps. */
   static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
-    Main main = new Main(demos);
-    CommandLine commandLine = new CommandLine(main);
-    commands(args).forEach(commandLine::addSubcommand);
+    return run(demos, new UntilStopped(done -> {}), out, err, args);
+  }
+
+  private static int run(
+      Demos demos, UntilStopped stop, PrintWriter out, PrintWriter err, String... args) {
+    Main main = new Main(demos, stop);
+    CommandLine commandLine = commandLine(main, commands(args));
     commandLine.setOut(out).setErr(err);
-    addHelp(commandLine);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setParameterExceptionHandler(Main::refuse);
     commandLine.setExecutionExceptionHandler(
         (error, command, parsed) -> main.report(error, command.getErr()));
     int status = commandLine.execute(args);
-    out.flush();
+    if (out.checkError()) { // flushes, too
+      err.println("starl: standard output cannot be written; expected a file or a pipe with room");
+      status = ExitStatus.BAD_INPUT;
+    }
     err.flush();
     return status;
+  }
+
+  /** All commands. */
+  static CommandLine commandLine(Demos demos) {
+    return commandLine(new Main(demos, new UntilStopped(done -> {})), COMMANDS);
+  }
+
+  private static CommandLine commandLine(Main main, List<Class<?>> commands) {
+    CommandLine commandLine = new CommandLine(main);
+    commands.forEach(commandLine::addSubcommand);
+    addHelp(commandLine);
+    return commandLine;
   }
 
   /**
@@ -163,6 +194,11 @@ public final class Main implements Runnable {
     command.getSubcommands().values().forEach(Main::addHelp);
   }
 
+  /** What a signal does. */
+  UntilStopped stop() {
+    return stop;
+  }
+
   /** The apps that this command line knows. */
   Demos demos() {
     return demos;
@@ -171,7 +207,9 @@ public final class Main implements Runnable {
   @Override
   public void run() {
     if (spec != null) {
-      throw new ParameterException(spec.commandLine(), "no command");
+      throw new ParameterException(
+          spec.commandLine(),
+          "no command; begin with 'starl run hello', 'starl list' or 'starl new my-robots'");
     }
   }
 

@@ -98,7 +98,7 @@ final class MergeCommand extends BaseCommand implements Callable<Integer> {
   private int swept(ShardMerge merge, SeedWork work, SweepFile file) throws IOException {
     try (SweepCommand.Output output = new SweepCommand.Output(this, file, work, csv, report)) {
       merge.read(work, output::add);
-      return differs(merge) ? ExitStatus.VIOLATED : output.print();
+      return differs(merge) ? ExitStatus.VIOLATED : output.print(true);
     }
   }
 

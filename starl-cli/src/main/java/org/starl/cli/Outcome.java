@@ -120,7 +120,7 @@ final class Outcome {
     Failure failure = result.failure();
     for (SpecReport.Violation violation : spec.violations()) {
       boolean isFirst = violation.equals(spec.violations().getFirst());
-      lines.add("VIOLATED: " + violation);
+      lines.add(Colour.bad("VIOLATED: " + violation));
       addReasons(lines, isFirst ? failure : null, result.diagnosis(violation));
     }
     spec.lemmas()
@@ -130,7 +130,7 @@ final class Outcome {
           }
         });
     if (!result.isFinished()) {
-      lines.add("NOT FINISHED: " + result.unfinished());
+      lines.add(Colour.bad("NOT FINISHED: " + result.unfinished()));
       addReasons(lines, spec.holds() ? failure : null, result.diagnosis());
     }
     return lines;

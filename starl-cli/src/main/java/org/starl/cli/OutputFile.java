@@ -11,6 +11,9 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 
@@ -21,14 +24,35 @@ import org.starl.input.BadInput;
  */
 final class OutputFile implements Closeable {
 
+  /** The endings of the options' files. */
+  private static final Map<String, String> ENDINGS =
+      Map.ofEntries(
+          Map.entry("--chart", "svg"),
+          Map.entry("--csv", "csv"),
+          Map.entry("--csv-messages", "csv"),
+          Map.entry("--csv-variables", "csv"),
+          Map.entry("--png", "png"),
+          Map.entry("--pvs", "pvs"),
+          Map.entry("--report", "html"),
+          Map.entry("--trace", "trace"));
+
+  /** Endings that promise a kind of file. Any other promises nothing. */
+  private static final Set<String> KINDS =
+      Set.of("csv", "gif", "html", "jpg", "json", "mcap", "mp4", "pdf", "png", "pvs", "svg");
+
   private final Path target;
   private final Path written;
   private final RecordingStream out;
 
   /**
    * @param option the option's name, for errors: {@code --trace}
+   * @throws BadInput if the file cannot be written, or its name promises another kind of file
    */
   OutputFile(String option, String name) {
+    String ending = ENDINGS.get(option);
+    if (ending != null) {
+      requireEnding(option, name, ending);
+    }
     try {
       Path path = Path.of(name).toAbsolutePath();
       boolean isDevice =
@@ -57,6 +81,18 @@ final class OutputFile implements Closeable {
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
       throw unwritable(option, name, e);
+    }
+  }
+
+  /**
+   * Checks that the name of a file does not promise another kind than it will have.
+   *
+   * @throws BadInput with the name and the ending
+   */
+  static void requireEnding(String option, String name, String ending) {
+    String last = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    if (KINDS.contains(last) && !last.equals(ending)) {
+      throw bad(option, name, "expected a name that ends with ." + ending);
     }
   }
 

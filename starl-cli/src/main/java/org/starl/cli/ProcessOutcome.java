@@ -41,7 +41,7 @@ final class ProcessOutcome {
       lines.addAll(Outcome.unknown(run.spec()));
     }
     lines.addAll(run.spec().exceptions());
-    run.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
+    run.spec().violations().forEach(violation -> lines.add(Colour.bad("VIOLATED: " + violation)));
     result.errors().forEach(error -> lines.add("FAILED: " + error));
     if (!result.isGood() && result.deaths().isEmpty() && !run.isFinished()) {
       lines.add("NOT FINISHED: " + run.unfinished());

@@ -34,6 +34,8 @@ final class ProgressLine {
   private long shownTenths;
   private long shownNs;
   private int drawnWidth;
+  private volatile String done = "";
+  private volatile boolean isStopped;
 
   /**
    * @param units the units of work, in the plural: {@code runs}
@@ -72,6 +74,10 @@ final class ProgressLine {
   }
 
   private void show(long finished, long planned, String rest) {
+    done = finished + " of " + planned + " " + units;
+    if (isStopped) {
+      return;
+    }
     long nowNs = wallNs.getAsLong();
     boolean isLast = finished == planned;
     if (isTerminal) {
@@ -107,6 +113,13 @@ final class ProgressLine {
     }
   }
 
+  /** Ends the line for good, from another thread; returns what is done, empty if nothing is. */
+  String stopped() {
+    isStopped = true;
+    end();
+    return done;
+  }
+
   /** A bar and a text, in one line: the bar is shorter if the terminal is narrow. */
   private String bar(long finished, long planned, String text) {
     int width = Math.min(BAR_WIDTH, columns - 1 - "[] ".length() - text.length());
@@ -131,7 +144,7 @@ final class ProgressLine {
   }
 
   private String text(long finished, long planned, String rest, long nowNs) {
-    String text = finished + " of " + planned + " " + units + rest;
+    String text = done + rest;
     long elapsedNs = nowNs - startNs;
     if (finished == 0 || elapsedNs < RATE_FROM_NS) {
       return text;

@@ -114,7 +114,9 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "The file to write (default: out/APP-SEED.png, .gif, .html, .mcap or .csv).")
+      description =
+          "The file to write (default: out/APP-SEED.png, .gif, .html, .mcap or .csv; with settings,"
+              + " a number that depends on them follows SEED).")
   private @Nullable String file;
 
   @Override
@@ -123,8 +125,11 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     String wanted = when();
     PictureTime moment =
         OptionValues.read(when == null ? "--png" : "--when", wanted, RecordCommand::moment);
-    Source source = source();
     String named = fileName();
+    if (named != null) {
+      OutputFile.requireEnding(file == null ? "--html" : "--out", named, suffix);
+    }
+    Source source = source();
     String target = named == null ? source.request().file(source.seed(), suffix) : named;
     ObserverFile written =
         switch (suffix) {
@@ -145,6 +150,12 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     }
     String name = source.request().demo().name() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
+    if (moment instanceof PictureTime.At at && at.timeNs() > result.endNs()) {
+      err()
+          .println(
+              "%s: the run ended before, at %s; the picture shows its end"
+                  .formatted(wanted, Time.text(result.endNs(), 1)));
+    }
     Outcome.leftOut(result.spec()).forEach(out()::println);
     if (Outcome.isGood(result)) {
       return ExitStatus.GOOD;
@@ -205,7 +216,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     specs.apply(plan.simulation());
     request.unusedRobots(seedNumber).ifPresent(err()::println);
     plan.simulation().carriers(Carriers.select(null, err()));
-    RunProgress.of(plan.simulation(), err());
+    RunProgress.of(plan.simulation(), this);
     return new Source(
         request,
         seedNumber,

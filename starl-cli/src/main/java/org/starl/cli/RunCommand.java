@@ -73,7 +73,9 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--png",
       paramLabel = "FILE",
-      description = "Write the picture to FILE (default: out/APP-SEED.png).")
+      description =
+          "Write the picture to FILE (default: out/APP-SEED.png; with settings, a number that"
+              + " depends on them follows SEED).")
   private @Nullable String png;
 
   @Option(
@@ -224,7 +226,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
         return Ran.simulated(
             app, watched.result(), plan.story().measures(), watched.isStopped(), explain);
       }
-      RunProgress progress = RunProgress.of(plan.simulation(), err());
+      RunProgress progress = RunProgress.of(plan.simulation(), this);
       try {
         SimResult simulated = plan.simulation().build().run();
         return Ran.simulated(app, simulated, plan.story().measures(), false, explain);

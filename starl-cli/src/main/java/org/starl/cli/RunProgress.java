@@ -1,6 +1,5 @@
 package org.starl.cli;
 
-import java.io.PrintWriter;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
@@ -28,8 +27,8 @@ final class RunProgress implements SimObserver {
   }
 
   /** The progress of the run that {@code simulation} will build. */
-  static RunProgress of(Simulation.Builder simulation, PrintWriter err) {
-    ProgressLine line = new ProgressLine(err, "simulated seconds at most");
+  static RunProgress of(Simulation.Builder simulation, BaseCommand command) {
+    ProgressLine line = command.progress("simulated seconds at most");
     RunProgress progress = new RunProgress(line, simulation.endNs());
     simulation.observer(progress);
     return progress;

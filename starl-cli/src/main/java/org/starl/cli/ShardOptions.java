@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -100,27 +101,57 @@ final class ShardOptions {
           counts.add(work.isGood(row));
           return runs.keep(row);
         };
-    ProgressLine progress =
-        new ProgressLine(command.err(), work.unit().equals("schedule") ? "schedules" : "runs");
+    String units = work.unit().equals("schedule") ? "schedules" : "runs";
+    ProgressLine progress = command.progress(units);
+    boolean isWhole;
     try (ShardFile file =
         resume ? ShardFile.resume(name, header, work, kept) : ShardFile.create(name, header)) {
-      runs.run(
-          new ShardWork.How(Carriers.select(null, command.err()), workers, progress::show),
-          row -> {
-            try {
-              file.append(work.line(row));
-            } catch (IOException e) {
-              throw new UncheckedIOException(e);
-            }
-            counts.add(work.isGood(row));
-            return false;
-          });
+      ShardWork.How how =
+          new ShardWork.How(Carriers.select(null, command.err()), workers, progress::show);
+      isWhole =
+          command
+              .stop()
+              .completes(() ->
+                  runs.run(
+                      how,
+                      row -> {
+                        try {
+                          file.append(work.line(row));
+                        } catch (IOException e) {
+                          throw new UncheckedIOException(e);
+                        }
+                        counts.add(work.isGood(row));
+                        return false;
+                      }));
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
     progress.end();
     print(command, work, part, counts, name, json);
+    if (!isWhole) {
+      long planned = work.isNumbered() ? part.seeds(work.numbers()).size() : work.numbers().size();
+      command.err().println(interrupted(command, counts.rows, planned, units));
+    }
     return ExitStatus.GOOD;
+  }
+
+  /**
+   * A line after a signal: how much was done, and how to go on. Only rows that are kept in a file
+   * can be gone on from.
+   */
+  String interrupted(BaseCommand command, long done, long planned, String units) {
+    List<String> words = new ArrayList<>(command.originalWords());
+    if (out != null && !resume) {
+      words.add("--resume");
+    }
+    return "interrupted after %d of %d %s; %s"
+        .formatted(
+            done,
+            planned,
+            units,
+            out == null
+                ? "to be able to go on, begin with --out FILE, which --resume continues"
+                : "to go on: " + Shell.starl(words));
   }
 
   private static void print(

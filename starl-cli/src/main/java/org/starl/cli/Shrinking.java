@@ -116,14 +116,8 @@ final class Shrinking {
   }
 
   /** Shrinks the run, with a line for each trial; then checks the printed command by running it. */
-  Shrunk run(PrintWriter err) throws InterruptedException {
-    Shrink shrink =
-        new Shrink(
-            trial -> outcome(request(trial).plan(seed), trial),
-            MOST_RUNS,
-            (run, trial, outcome, isKept) ->
-                err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept)));
-    Shrink.Result result = shrink.shrink(from);
+  Shrunk run(BaseCommand command) throws InterruptedException {
+    Shrink.Result result = shrunk(command.err(), command.stop());
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(request(result.trial()).words(seed));
     Plan plan = parsed(words);
@@ -135,7 +129,36 @@ final class Shrinking {
       throw new IllegalStateException(
           "'" + String.join(" ", words) + "' ends differently: " + again.detail());
     }
-    return new Shrunk(from, result, words, why(result), chart.svg());
+    List<String> why = command.stop().isStopped() ? List.of() : why(result);
+    return new Shrunk(from, result, words, why, chart.svg());
+  }
+
+  /** A signal has come. */
+  private static final class Stopped extends RuntimeException {
+    private static final long serialVersionUID = 1;
+  }
+
+  /** The smallest run, or the smallest up to a signal. */
+  private Shrink.Result shrunk(PrintWriter err, UntilStopped stop) {
+    stop.endsWhenAsked();
+    Shrink.Result[] smallest = new Shrink.Result[1];
+    try {
+      return new Shrink(
+              trial -> outcome(request(trial).plan(seed), trial),
+              MOST_RUNS,
+              (run, trial, outcome, isKept) -> {
+                err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept));
+                if (isKept) {
+                  smallest[0] = new Shrink.Result(trial, outcome, run, false);
+                }
+                if (stop.isStopped()) {
+                  throw new Stopped();
+                }
+              })
+          .shrink(from);
+    } catch (Stopped e) {
+      return smallest[0];
+    }
   }
 
   private List<String> why(Shrink.Result result) throws InterruptedException {

@@ -54,7 +54,7 @@ final class SplitRuns {
   /** Runs all seeds and prints the estimate; returns the exit status. */
   int run(BaseCommand command, int workers, boolean isJson) throws InterruptedException {
     CarrierKind carriers = Carriers.select(null, command.err());
-    ProgressLine progress = new ProgressLine(command.err(), "seeds");
+    ProgressLine progress = command.progress("seeds");
     new Campaign(seeds.first(), seeds.last(), workers, false)
         .run(
             seed -> {

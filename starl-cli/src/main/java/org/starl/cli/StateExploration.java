@@ -88,8 +88,10 @@ final class StateExploration {
   }
 
   /** Visits the states and prints what was found; returns the exit status. */
-  int run(int mostStates, boolean isJson, PrintWriter out, PrintWriter err) {
-    ProgressLine progress = new ProgressLine(err, "states");
+  int run(int mostStates, boolean isJson, BaseCommand command) {
+    PrintWriter out = command.out();
+    PrintWriter err = command.err();
+    ProgressLine progress = command.progress("states");
     StateSearch.Outcome outcome =
         space
             .search()

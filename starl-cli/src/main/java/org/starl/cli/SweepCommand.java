@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.cli.report.SweepPage;
@@ -68,17 +69,26 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
       return shards.run(this, work, threads.count(), new JsonOption());
     }
     try (Output output = new Output(this, file, work, csv, report)) {
-      if (engine.isOn()) {
-        engine.run(work, typed(), threads.count(), null, work.checked(output::add), err());
-      } else {
-        ProgressLine progress = new ProgressLine(err(), "runs");
-        ShardWork.How how =
-            new ShardWork.How(Carriers.select(null, err()), threads.count(), progress::show);
-        // All runs of all points are one campaign, so that no core waits at the end of a point.
-        work.runSeeds(work.numbers(), how, false, work.checked(output::add));
-        progress.end();
+      ProgressLine progress = progress("runs");
+      Predicate<SeedRow> rows = work.checked(output::add);
+      // All runs of all points are one campaign, so that no core waits at the end of a point.
+      boolean isWhole =
+          engine.isOn()
+              ? engine.run(this, work, threads.count(), null, rows, progress)
+              : stop()
+                  .completes(() ->
+                      work.runSeeds(
+                          work.numbers(),
+                          new ShardWork.How(
+                              Carriers.select(null, err()), threads.count(), progress::show),
+                          false,
+                          rows));
+      progress.end();
+      int status = output.print(isWhole);
+      if (!isWhole) {
+        err().println(shards.interrupted(this, output.table.runs(), work.numbers().size(), "runs"));
       }
-      return output.print();
+      return status;
     }
   }
 
@@ -118,17 +128,22 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
       return false;
     }
 
-    /** Prints the table and writes the files; returns the exit status. */
-    int print() throws IOException {
-      file.requireShown(table.measures());
+    /**
+     * Prints the table and writes the files; returns the exit status.
+     *
+     * @param isWhole whether all runs have ended
+     */
+    int print(boolean isWhole) throws IOException {
+      if (isWhole) {
+        file.requireShown(table.measures());
+      }
       List<String> shown =
-          file.show().isEmpty()
-              ? STANDARD.stream().filter(name -> table.measures().contains(name)).toList()
-              : file.show();
+          (file.show().isEmpty() ? STANDARD : file.show())
+              .stream().filter(name -> table.measures().contains(name)).toList();
       table.lines(shown).forEach(command.out()::println);
       if (firstBad != null) {
         PrintWriter err = command.err();
-        err.println("seed " + firstBad.seed() + ": " + firstBad.outcome().detail());
+        err.println(Colour.bad("seed " + firstBad.seed() + ": " + firstBad.outcome().detail()));
         err.println("replay: " + work.points().get(firstBad.point()).replay(firstBad.seed()));
       }
       if (csv != null) {

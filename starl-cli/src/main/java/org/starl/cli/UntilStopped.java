@@ -2,40 +2,62 @@ package org.starl.cli;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
- * Ends work in order when this process is stopped by a signal: Ctrl-C, SIGTERM. The exit status is
- * then the JVM's, 130 or 143.
+ * What a signal that stops this process (Ctrl-C, SIGTERM) does to the command that runs. The exit
+ * status is then the JVM's, 130 or 143. A command whose work cannot end early is told of in a line;
+ * others end in order, and print what they have.
  */
 final class UntilStopped {
 
   private static final long LIMIT_S = 10;
 
+  /** Work that ends when its thread is interrupted. */
+  @FunctionalInterface
+  interface Work {
+    void run() throws InterruptedException;
+  }
+
   private final CountDownLatch ended = new CountDownLatch(1);
-  private final Thread hook;
+  private final Runnable otherwise;
+  private volatile Runnable stop;
+  private volatile Supplier<String> progress = () -> "";
   private volatile boolean isStopped;
 
   /**
-   * @param stop tells the work to end; called from another thread
+   * @param otherwise called from another thread if the command cannot end early, with what was done;
+   *     the process then ends at once
    */
-  UntilStopped(Runnable stop) {
-    hook = new Thread(() -> end(stop), "stopped");
-    Runtime.getRuntime().addShutdownHook(hook);
+  UntilStopped(Consumer<String> otherwise) {
+    this.otherwise = () -> otherwise.accept(progress.get());
+    stop = this.otherwise;
   }
 
-  /** Interrupts the calling thread. */
-  static UntilStopped interrupting() {
-    return new UntilStopped(Thread.currentThread()::interrupt);
+  /**
+   * Tells what a command that cannot end early has done.
+   *
+   * @param done {@code 3 of 5 runs}, or empty; asked from another thread
+   */
+  void progress(Supplier<String> done) {
+    progress = done;
   }
 
-  private void end(Runnable stop) {
+  /** Waits for signals; without this, none comes. */
+  void listen() {
+    Runtime.getRuntime().addShutdownHook(new Thread(this::signal, "stopped"));
+  }
+
+  private void signal() {
     if (ended.getCount() == 0) {
       return;
     }
     isStopped = true;
-    stop.run();
+    Runnable action = stop;
+    action.run();
     try {
-      if (!ended.await(LIMIT_S, TimeUnit.SECONDS)) {
+      if (action != otherwise && !ended.await(LIMIT_S, TimeUnit.SECONDS)) {
         Runtime.getRuntime().halt(ExitStatus.VIOLATED);
       }
     } catch (InterruptedException e) {
@@ -43,12 +65,46 @@ final class UntilStopped {
     }
   }
 
-  /** Whether a signal has come before the work ended. */
+  /** Whether a signal has come before the command ended. */
   boolean isStopped() {
     return isStopped;
   }
 
-  /** Call this when the work has ended, and all is printed. */
+  /**
+   * From now on, a signal calls {@code action} from another thread, and the process ends when the
+   * command has ended.
+   */
+  void calls(Runnable action) {
+    stop = action;
+  }
+
+  /** From now on, the command asks {@link #isStopped} between steps, and then ends. */
+  void endsWhenAsked() {
+    calls(() -> {});
+  }
+
+  /**
+   * Does work that a signal interrupts; afterwards the command asks {@link #isStopped}.
+   *
+   * @return false if a signal has interrupted it
+   */
+  boolean completes(Work work) throws InterruptedException {
+    calls(Thread.currentThread()::interrupt);
+    try {
+      work.run();
+      return true;
+    } catch (InterruptedException e) {
+      if (!isStopped) {
+        throw e;
+      }
+      return false;
+    } finally {
+      endsWhenAsked();
+      Thread.interrupted(); // a signal may come just after the work
+    }
+  }
+
+  /** Call this when the command has ended, and all is printed. */
   void ended() {
     ended.countDown();
   }

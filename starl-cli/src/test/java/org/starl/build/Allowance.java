@@ -99,6 +99,10 @@ record Allowance(String rule, String path, String reason) {
             "pipes, sockets and robots in real time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-cli" + MAIN + "cli/ProgressLine.java",
+            "a signal asks from another thread how far the work is"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-cli" + MAIN + "cli/UntilStopped.java",
             "the process is stopped from outside, and its wheels first"),
         new Allowance(

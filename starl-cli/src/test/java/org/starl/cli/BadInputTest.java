@@ -98,6 +98,17 @@ class BadInputTest {
       record hello --gif --out /dev/full | --out: '/dev/full': cannot be written | No space left
       record hello --mcap --out /dev/full | --out: '/dev/full': cannot be written | No space left
       record hello --csv positions --out /dev/full | --out: '/dev/full': cannot be written | No space left
+      record hello --out x.mcap | --out: 'x.mcap': expected a name that ends with .png
+      record hello --out x.PNG.gif | --out: 'x.PNG.gif': expected a name that ends with .png
+      record hello --mcap --out x.png | --out: 'x.png': expected a name that ends with .mcap
+      record hello --gif --out x.html | --out: 'x.html': expected a name that ends with .gif
+      record hello --csv --out x.mcap | --out: 'x.mcap': expected a name that ends with .csv
+      record hello --html x.png | --html: 'x.png': expected a name that ends with .html
+      run hello --png x.gif | --png: 'x.gif': expected a name that ends with .png
+      run hello --trace x.html | --trace: 'x.html': expected a name that ends with .trace
+      run hello --csv x.png | --csv: 'x.png': expected a name that ends with .csv
+      campaign hello --seeds 1..2 --report x.csv | --report: 'x.csv': expected a name that ends with .html
+      explore mutex --seed 1 --chart x.png | --chart: 'x.png': expected a name that ends with .svg
       run intersection --set arrivals=601/min | arrivals: '601/min' | at most 600/min
       run hello --fault datagram(bot0,1,lost) | 'bot0' | expected a sender and a recipient
       run hello --fault datagram(bot0>bot1,-1,lost) | the number of a datagram | '-1'
@@ -195,7 +206,8 @@ class BadInputTest {
 
   @Test
   void noCommandIsRefused() {
-    assertRefused(Cli.run(), "no command", "starl --help");
+    assertRefused(
+        Cli.run(), "no command", "starl run hello", "starl list", "starl new", "starl --help");
   }
 
   static Stream<String> badFiles() {

@@ -34,6 +34,7 @@ class HelpTest {
         "replay",
         "serve",
         "schema",
+        "completion",
         "compile",
         "language-server",
         "new",

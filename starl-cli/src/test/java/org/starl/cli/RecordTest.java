@@ -8,6 +8,10 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -115,5 +119,43 @@ class RecordTest {
     assertThat(kinds.toString()).matches("1c67+f3+4+b8+de+2");
     assertThat(new String(bytes, StandardCharsets.UTF_8))
         .contains("foxglove.SceneUpdate", "/pose/bot0");
+  }
+
+  @Test
+  void aPictureAfterTheEndOfTheRunSaysSo() {
+    for (String moment : new String[] {"--png", "--when"}) {
+      Path file = folder.resolve("late.png");
+      Cli cli = Cli.run("record", "hello", "--seed", "1", moment, "t=400s", "--out", "" + file);
+      assertThat(cli.status()).isZero();
+      assertThat(file).exists();
+      assertThat(cli.messages())
+          .singleElement()
+          .asString()
+          .matches("t=400s: the run ended before, at [0-9.]+ s; the picture shows its end");
+    }
+    Path file = folder.resolve("early.png");
+    assertThat(Cli.run("record", "hello", "--seed", "1", "--png", "t=1s", "--out", "" + file).err())
+        .isEmpty();
+  }
+
+  @Test
+  void runsOfOtherSettingsHaveOtherFiles() {
+    assertThat(file()).isEqualTo("out/hello-7.png");
+    Set<String> files = new TreeSet<>();
+    for (int robots = 1; robots <= 9; robots++) {
+      String file = file("--robots", "" + robots);
+      assertThat(file)
+          .matches("out/hello-7-[0-9a-f]{8}[.]png")
+          .isEqualTo(file("--robots", "" + robots));
+      files.add(file);
+    }
+    files.add(file("--fault", "crash(bot1,at=2s)"));
+    assertThat(files).hasSize(10);
+  }
+
+  private static String file(String... words) {
+    List<String> all = new ArrayList<>(List.of("hello"));
+    all.addAll(List.of(words));
+    return RunRequestTest.request(all).file(7, "png");
   }
 }

@@ -19,7 +19,7 @@ final class RunRequestTest {
 
   @TempDir private Path folder;
 
-  private static RunRequest request(List<String> words) {
+  static RunRequest request(List<String> words) {
     RunOptions.OfApp options = new RunOptions.OfApp();
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());

@@ -155,6 +155,11 @@ public final class SweepTable {
     return names;
   }
 
+  /** Runs of all points. */
+  public int runs() {
+    return points.stream().mapToInt(Point::runs).sum();
+  }
+
   /** Bad runs of all points. */
   public int bad() {
     return points.stream().mapToInt(point -> point.runs() - point.count(Verdict.GOOD)).sum();
