@@ -288,7 +288,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           ReportFile.description(request, output.typed(), range),
           seed -> SeedRuns.plan(request, seed, output.carriers()),
           shrunk == null ? List.of() : shrunk.lines(),
-          steered.story(),
+          steered,
           tally,
           err);
     }

@@ -74,13 +74,14 @@ final class ReportFile implements Closeable {
    * Writes the page. Runs some seeds again for their pictures.
    *
    * @param tally the sums over the same rows
+   * @param steered the steered runs
    * @param plans makes the plan of a seed, including its carriers
    */
   void write(
       CampaignDescription description,
       LongFunction<Plan> plans,
       List<String> shrunk,
-      List<String> steered,
+      SteeredRuns steered,
       CampaignTally tally,
       PrintWriter err)
       throws IOException {
@@ -110,7 +111,8 @@ final class ReportFile implements Closeable {
             example,
             illustrated,
             shrunk,
-            steered);
+            steered.story(),
+            steered.replay());
     file.stream().write(new Page(report).write().getBytes(StandardCharsets.UTF_8));
   }
 

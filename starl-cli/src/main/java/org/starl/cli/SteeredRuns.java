@@ -99,9 +99,13 @@ final class SteeredRuns {
     List<String> story = new ArrayList<>(lines());
     if (firstBad != null) {
       story.add(firstBad.line());
-      story.add(firstBad.replay());
     }
     return story;
+  }
+
+  /** The command of the first bad one; empty if there is none. */
+  String replay() {
+    return firstBad == null ? "" : firstBad.request().replay(firstBad.row().seed());
   }
 
   /** Empty if there were none. */

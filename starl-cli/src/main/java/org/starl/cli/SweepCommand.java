@@ -128,12 +128,19 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
       return false;
     }
 
+    private String replay(SeedRow row) {
+      return work.points().get(row.point()).replay(row.seed());
+    }
+
     /**
      * Prints the table and writes the files; returns the exit status.
      *
      * @param isWhole whether all runs have ended
      */
     int print(boolean isWhole) throws IOException {
+      if (table.runs() == 0) {
+        return ExitStatus.VIOLATED;
+      }
       if (isWhole) {
         file.requireShown(table.measures());
       }
@@ -144,13 +151,14 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
       if (firstBad != null) {
         PrintWriter err = command.err();
         err.println(Colour.bad("seed " + firstBad.seed() + ": " + firstBad.outcome().detail()));
-        err.println("replay: " + work.points().get(firstBad.point()).replay(firstBad.seed()));
+        err.println("replay: " + replay(firstBad));
       }
       if (csv != null) {
         csv.stream().write(table.csv().getBytes(StandardCharsets.UTF_8));
       }
       if (page != null) {
-        String html = new SweepPage(work.app(), description(file), table, shown).write();
+        String html =
+            new SweepPage(work.app(), description(file), table, shown, this::replay).write();
         page.stream().write(html.getBytes(StandardCharsets.UTF_8));
       }
       return table.bad() == 0 ? ExitStatus.GOOD : ExitStatus.VIOLATED;

@@ -209,7 +209,7 @@ class ReportTest {
           requireHarmless(value);
         }
         if (name.equals("href")) {
-          assertThat(value).startsWith("#seed");
+          assertThat(value).matches("#[a-z0-9-]+");
         }
       }
     }
@@ -221,6 +221,32 @@ class ReportTest {
         .contains("Times of " + HOSTILE)
         .contains("Sizes of " + HOSTILE)
         .contains("IllegalStateException: " + HOSTILE);
+  }
+
+  @Test
+  void everySectionIsInTheContentsAndEveryDrawingHasATitle() throws Exception {
+    campaign(HOSTILE_APP, "hostile<b>", "1..7");
+    Document page = Parsed.page(Files.readString(file()));
+    List<Element> sections = Parsed.elements(page, "section");
+    Element contents = Parsed.elements(page, "nav").getFirst();
+    NodeList links = contents.getElementsByTagName("a");
+    assertThat(links.getLength()).isEqualTo(sections.size()).isGreaterThan(5);
+    for (int i = 0; i < links.getLength(); i++) {
+      Element section = sections.get(i);
+      assertThat(((Element) links.item(i)).getAttribute("href"))
+          .isEqualTo("#" + section.getAttribute("id"));
+      assertThat(links.item(i).getTextContent())
+          .isEqualTo(section.getElementsByTagName("h2").item(0).getTextContent());
+    }
+    for (Element drawing : Parsed.elements(page, "svg")) {
+      boolean isSkipped =
+          ((Element) drawing.getParentNode()).getAttribute("aria-hidden").equals("true");
+      Node first = drawing.getFirstChild();
+      while (first != null && !(first instanceof Element)) {
+        first = first.getNextSibling();
+      }
+      assertThat(isSkipped || (first != null && first.getNodeName().equals("title"))).isTrue();
+    }
   }
 
   @Test

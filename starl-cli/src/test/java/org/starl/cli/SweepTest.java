@@ -172,6 +172,19 @@ class SweepTest {
   }
 
   @Test
+  void thePageHasAVerdictAndAReplayOfEachPoint() throws IOException {
+    Path sweep = file(HELLO.replace("robots: 1..3 in 3", "duration: [60s, 100ms]"));
+    Path page = folder.resolve("page.html");
+    Cli cli = sweep(sweep, "--report", page);
+    assertThat(cli.status()).as("%s", cli).isEqualTo(ExitStatus.VIOLATED);
+    String text = Files.readString(page).replaceAll("</?span[^>]*>", "");
+    assertThat(text).containsPattern("class=\"verdict bad\">.{1,40}of .{1,9}runs did not go well");
+    assertThat(text).containsPattern("run hello --seed [0-9]+ --for 100ms");
+    assertThat(text).containsPattern("run hello --seed [0-9]+ --for 60s");
+    assertThat(text).contains("<a href=\"#points\">Points</a>");
+  }
+
+  @Test
   void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
     String line = "sweep " + file(HELLO) + " --shard 2/2";
     Path part = folder.resolve("part");

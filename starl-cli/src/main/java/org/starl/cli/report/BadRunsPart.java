@@ -34,7 +34,7 @@ final class BadRunsPart {
 
   void write() {
     int bad = report.bad().size();
-    html.open("section").element("h2", "Bad runs");
+    html.section("Bad runs");
     if (report.illustrated().size() < bad) {
       html.element(
           "p",

@@ -52,7 +52,7 @@ final class CampaignTables {
     int runs = report.facts().size();
     long delivered = sum(NetStatistics::delivered);
     long lost = sum(NetStatistics::lost);
-    html.open("section").element("h2", "Messages");
+    html.section("Messages");
     html.element(
         "p",
         ("%s datagrams were sent in %s (%s a run, %s each). Each recipient of a datagram has its"
@@ -115,7 +115,7 @@ final class CampaignTables {
 
   /** The upper bounds of the probability that a run is bad. */
   void chances() {
-    html.open("section").element("h2", "Error rates");
+    html.section("Error rates");
     html.element(
         "p",
         "A run of this campaign's kind is bad with a probability below the bound, at 95\u00A0%"
@@ -144,7 +144,7 @@ final class CampaignTables {
     if (report.lemmas().isEmpty()) {
       return;
     }
-    html.open("section").element("h2", "Specifications");
+    html.section("Specifications");
     SortedSet<String> never = report.result().neverChecked();
     if (!never.isEmpty()) {
       String text = "Never checked, so unknown: " + String.join(", ", never) + ".";
@@ -181,7 +181,7 @@ final class CampaignTables {
   /** Each figure's distribution over the runs, totals, and all settings. */
   void figures() {
     CampaignResult result = report.result();
-    html.open("section").element("h2", "Figures per run");
+    html.section("Figures per run");
     html.open("div", "class", "charts");
     if (!result.figures().isEmpty()) {
       html.table(
@@ -216,7 +216,7 @@ final class CampaignTables {
   void runs() {
     List<Run> all = report.result().runs();
     List<Run> shown = shownRuns();
-    html.open("section").element("h2", "Every run");
+    html.section("Every run");
     html.open("p").text("To repeat one run: ");
     html.command(report.description().replay().apply(all.get(0).seed())).close();
     if (shown.size() < all.size()) {

@@ -22,7 +22,7 @@ final class CoverageTables {
 
   void write() {
     if (!coverage.theories().isEmpty()) {
-      html.open("section").element("h2", "Coverage of the theories");
+      html.section("Coverage of the theories");
       note(
           "Each action of the automata, and how often each conjunct of its guard was true or false"
               + " when it was evaluated: for each action taken, and for a sample of actions at other"
@@ -34,7 +34,7 @@ final class CoverageTables {
     }
     List<Deliveries.Table> deliveries = coverage.deliveries();
     if (!deliveries.isEmpty()) {
-      html.open("section").element("h2", "Deliveries by phase and location");
+      html.section("Deliveries by phase and location");
       note(
           "How many messages of each type were delivered while the receiving robot's primitive was in"
               + " a phase, and its app at a location.");

@@ -2,7 +2,10 @@ package org.starl.cli.report;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -23,6 +26,8 @@ final class Html {
 
   private final StringBuilder page = new StringBuilder("<!DOCTYPE html>");
   private final Deque<String> open = new ArrayDeque<>();
+  private final Map<String, String> sections = new LinkedHashMap<>();
+  private int contentsAt;
 
   /**
    * Opens an element; {@link #close} closes it.
@@ -39,6 +44,19 @@ final class Html {
   /** Closes the element that was opened last. */
   Html close() {
     page.append("</").append(open.pop()).append('>');
+    return this;
+  }
+
+  /** Opens a section with a title, which the contents link. */
+  Html section(String title) {
+    String id = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+    sections.put(id, title);
+    return open("section", "id", id).element("h2", title);
+  }
+
+  /** The place of links to all sections, also those that follow. */
+  Html contents() {
+    contentsAt = page.length();
     return this;
   }
 
@@ -118,6 +136,15 @@ final class Html {
   String page() {
     if (!open.isEmpty()) {
       throw new IllegalStateException("still open: " + open);
+    }
+    if (contentsAt > 0) {
+      Html links = new Html();
+      links.page.setLength(0);
+      links.open("nav", "class", "contents", "aria-label", "Contents").open("ul");
+      sections.forEach(
+          (id, title) -> links.open("li").element("a", title, "href", "#" + id).close());
+      links.close().close();
+      page.insert(contentsAt, links.page);
     }
     return page + "\n";
   }

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToLongFunction;
 import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.view.page.RunPage;
@@ -34,7 +35,7 @@ public final class Page {
     head(html, report.description().app() + ": " + verdict());
     html.open("body");
     header();
-    html.open("main");
+    html.contents().open("main");
     if (!report.bad().isEmpty()) {
       new BadRunsPart(html, report).write();
     }
@@ -54,8 +55,11 @@ public final class Page {
 
   private void steered() {
     if (!report.steered().isEmpty()) {
-      html.open("section").element("h2", "Steered runs");
-      report.steered().forEach(line -> html.element("p", line, "class", "note"));
+      html.section("Steered runs");
+      report.steered().forEach(line -> html.element("p", line));
+      if (!report.steeredReplay().isEmpty()) {
+        html.open("p").command(report.steeredReplay()).close();
+      }
       html.close();
     }
   }
@@ -94,15 +98,23 @@ public final class Page {
 
   /** {@code all 200 runs went well}. */
   private String verdict() {
-    int runs = report.result().runs().size();
-    int bad = report.bad().size();
+    return verdict(report.result().runs().size(), report.result()::count);
+  }
+
+  /**
+   * How the runs went, in words.
+   *
+   * @param counts the number of runs that ended so
+   */
+  static String verdict(long runs, ToLongFunction<Verdict> counts) {
+    long bad = runs - counts.applyAsLong(Verdict.GOOD);
     if (bad == 0) {
       return runs == 1 ? "its run went well" : "all " + count(runs) + " runs went well";
     }
     List<String> kinds = new ArrayList<>();
     for (Verdict verdict : List.of(Verdict.VIOLATED, Verdict.FAILED, Verdict.UNFINISHED)) {
-      if (report.result().count(verdict) > 0) {
-        kinds.add(count(report.result().count(verdict)) + " " + of(verdict));
+      if (counts.applyAsLong(verdict) > 0) {
+        kinds.add(count(counts.applyAsLong(verdict)) + " " + of(verdict));
       }
     }
     return "%s of %s did not go well (%s)"
@@ -111,16 +123,19 @@ public final class Page {
 
   /** The verdict, the campaign's description, the key figures and a picture. */
   private void header() {
-    boolean isGood = report.bad().isEmpty();
     html.open("header").element("h1", report.description().app());
     html.element("p", report.description().summary(), "class", "summary");
-    html.open("p", "class", isGood ? "verdict good" : "verdict bad");
-    html.element("span", isGood ? "\u2713" : "\u2717", "aria-hidden", "true", "class", "sign");
-    html.text(" " + NumberFormats.capitalized(verdict()) + ".").close();
+    verdict(html, verdict(), report.bad().isEmpty());
     description();
     keyFigures();
     example();
     html.close();
+  }
+
+  static void verdict(Html html, String verdict, boolean isGood) {
+    html.open("p", "class", isGood ? "verdict good" : "verdict bad");
+    html.element("span", isGood ? "\u2713" : "\u2717", "aria-hidden", "true", "class", "sign");
+    html.text(" " + NumberFormats.capitalized(verdict) + ".").close();
   }
 
   private void description() {
@@ -202,7 +217,7 @@ public final class Page {
       if (sampled.isEmpty()) {
         continue;
       }
-      html.open("section").element("h2", NumberFormats.capitalized(sampled.name()));
+      html.section(NumberFormats.capitalized(sampled.name()));
       switch (sampled.kind()) {
         case SIZES ->
             new SizeCharts(html, sampled.name(), sampled.unit(), Distribution.ofAll(sampled.runs()))

@@ -38,6 +38,7 @@ final class Plot {
         "%s. Horizontal: %s. Vertical: %s. %s".formatted(title, x.label(), y.label(), note);
     String viewBox = "0 0 " + WIDTH + " " + HEIGHT;
     html.open("svg", "viewBox", viewBox, "role", "img", "aria-label", label);
+    html.element("title", title);
     axes();
   }
 

@@ -28,6 +28,7 @@ import org.starl.spec.Monitor;
  * @param illustrated some of the bad runs, with stories and pictures
  * @param shrunk lines about the shrunk first bad run; empty if it was not shrunk
  * @param steered lines about the steered runs; empty if there were none
+ * @param steeredReplay the command of the first bad steered run; empty if there was none
  */
 public record Report(
     CampaignDescription description,
@@ -39,7 +40,8 @@ public record Report(
     @Nullable IllustratedRun example,
     List<IllustratedRun> illustrated,
     List<String> shrunk,
-    List<String> steered) {
+    List<String> steered,
+    String steeredReplay) {
 
   /** At most this many bad runs have a story and pictures on the page. */
   public static final int MAX_ILLUSTRATED = 10;

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.starl.cli.report.SweepTable.Point;
 import org.starl.cli.report.SweepTable.Varied;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -25,13 +26,20 @@ public final class SweepPage {
   private final Map<String, String> description;
   private final SweepTable table;
   private final List<String> shown;
+  private final Function<SeedRow, String> replay;
 
   /**
    * @param description what was run, for the head of the page, by headings
    * @param shown the measures to show
+   * @param replay the command that repeats a run
    */
   public SweepPage(
-      String app, Map<String, String> description, SweepTable table, List<String> shown) {
+      String app,
+      Map<String, String> description,
+      SweepTable table,
+      List<String> shown,
+      Function<SeedRow, String> replay) {
+    this.replay = replay;
     this.app = app;
     this.description = new LinkedHashMap<>(description);
     this.table = table;
@@ -43,6 +51,7 @@ public final class SweepPage {
     html.open("html", "lang", "en");
     Page.head(html, app + ": sweep");
     html.open("body").open("header").element("h1", app + ": sweep");
+    Page.verdict(html, Page.verdict(table.runs(), this::runsThatEnded), table.bad() == 0);
     html.open("dl", "class", "ran");
     description.forEach((name, text) -> {
       html.element("dt", name);
@@ -52,9 +61,9 @@ public final class SweepPage {
         html.element("dd", text);
       }
     });
-    html.close().close().open("main");
+    html.close().close().contents().open("main");
     for (String measure : shown) {
-      html.open("section").element("h2", measure).open("div", "class", "charts");
+      html.section(measure).open("div", "class", "charts");
       for (int i = 0; i < table.varied().size(); i++) {
         chart(measure, i);
       }
@@ -64,6 +73,10 @@ public final class SweepPage {
     html.close();
     Page.footer(html);
     return html.page();
+  }
+
+  private long runsThatEnded(Verdict verdict) {
+    return table.points().stream().mapToInt(point -> point.count(verdict)).sum();
   }
 
   /** The points of one line: those whose other keys have the same values. */
@@ -209,14 +222,20 @@ public final class SweepPage {
     table.varied().forEach(varied -> headings.add(varied.heading()));
     headings.addAll(List.of("runs", "good"));
     headings.addAll(shown);
-    html.open("section").element("h2", "Points");
+    headings.add("replay: the first bad run, else the first");
+    html.section("Points");
     html.table("numbers", "Median of the runs, and the middle 80 %", headings);
     for (Point point : table.points()) {
       html.open("tr");
       table.cells(point).forEach(cell -> html.element("td", cell));
       html.element("td", count(point.runs())).element("td", count(point.count(Verdict.GOOD)));
       shown.forEach(name -> html.element("td", SweepTable.spread(point.measure(name))));
-      html.close();
+      SeedRow run = point.shown();
+      html.open("td", "class", "replay");
+      if (run != null) {
+        html.command(replay.apply(run));
+      }
+      html.close().close();
     }
     html.endTable().close();
   }

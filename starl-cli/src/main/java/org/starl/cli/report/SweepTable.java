@@ -72,12 +72,16 @@ public final class SweepTable {
     private final List<String> values;
     private final Map<Verdict, Integer> verdicts = new EnumMap<>(Verdict.class);
     private final SortedMap<String, List<Double>> measures = new TreeMap<>();
+    private @Nullable SeedRow shown;
 
     private Point(List<String> values) {
       this.values = List.copyOf(values);
     }
 
     private void add(SeedRow row) {
+      if (shown == null || (shown.outcome().isGood() && !row.outcome().isGood())) {
+        shown = row;
+      }
       verdicts.merge(row.outcome().verdict(), 1, Integer::sum);
       measuresOf(row)
           .forEach(
@@ -91,6 +95,11 @@ public final class SweepTable {
 
     int count(Verdict verdict) {
       return verdicts.getOrDefault(verdict, 0);
+    }
+
+    /** The run to look at: the first bad one, else the first; null before any. */
+    @Nullable SeedRow shown() {
+      return shown;
     }
 
     public int runs() {

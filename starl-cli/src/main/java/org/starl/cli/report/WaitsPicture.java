@@ -67,6 +67,7 @@ final class WaitsPicture {
     html.open("figure", "class", "waits");
     String box = "0 0 " + number(WIDTH_PX) + " " + number(HEIGHT_PX);
     html.open("svg", "viewBox", box, "role", "img", "aria-label", "Which robot waits for which");
+    html.element("title", "Which robot waits for which");
     for (RobotId from : robots) {
       graph.of(from).stream().filter(robots::contains).forEach(to -> arrow(from, to));
     }

@@ -22,7 +22,14 @@
     code.after(button);
   });
 
+  addEventListener("beforeprint", () => {
+    document.querySelectorAll("details").forEach(details => { details.open = true; });
+  });
+
   const table = document.getElementById("runs");
+  if (table === null) { // a sweep has points instead
+    return;
+  }
   const body = table.tBodies[0];
   const value = (row, column) => Number(row.cells[column].dataset.v);
   const sort = head => {
@@ -55,8 +62,4 @@
   box.addEventListener("change", () => table.parentElement.classList.toggle("some", box.checked));
   label.append(box, " only those that did not go well (" + bad + ")");
   table.parentElement.before(label);
-
-  addEventListener("beforeprint", () => {
-    document.querySelectorAll("details").forEach(details => { details.open = true; });
-  });
 })();

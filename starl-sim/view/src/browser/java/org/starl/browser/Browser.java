@@ -19,6 +19,7 @@ import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
@@ -94,6 +95,7 @@ public final class Browser implements AutoCloseable {
         http.newWebSocketBuilder()
             .buildAsync(URI.create(address), new Answers())
             .get(PATIENCE_S, TimeUnit.SECONDS);
+    // The browser then tells also what was before.
     call("Runtime.enable", Map.of());
     call("Log.enable", Map.of());
     awaitReady();
@@ -203,7 +205,6 @@ public final class Browser implements AutoCloseable {
     return List.copyOf(errors);
   }
 
-
   /** The value of a JavaScript expression; of a promise, what it resolves to. */
   public JsonNode evaluate(String expression) throws Exception {
     Map<String, Object> parameters =
@@ -245,12 +246,20 @@ public final class Browser implements AutoCloseable {
     return ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
   }
 
-  /** Ends the browser and waits for its end, so that its profile can be deleted. */
+  /**
+   * Ends the browser and waits for its end, so that its profile can be deleted.
+   *
+   * @throws AssertionError if a page has had an error
+   */
   @Override
-  public void close() {
+  public void close() throws Exception {
+    List<String> had = errors();
     process.descendants().forEach(ProcessHandle::destroy);
     process.destroy();
     process.onExit().join();
     http.close();
+    if (!had.isEmpty()) {
+      throw new AssertionError("a page's console has errors: " + had);
+    }
   }
 }
