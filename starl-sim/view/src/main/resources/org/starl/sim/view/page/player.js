@@ -31,6 +31,7 @@
   const FIRST = [2, 2, 4, 4, 5]; // of the coordinates in an item of each kind
   const BODIES = run.sections.length, STATES = BODIES + 1;
   const KEPT_EVERY = 64;
+  const MANY = 9; // robots from which one is searched for
   const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50];
   const PARTS = { App: ['FLOOR', 'OVER'], Obstacles: ['OBSTACLES'], Trails: ['TRAILS'], Robots: ['ROBOTS', 'SELECTION'],
     Names: ['LABELS'], Bumps: ['BUMPS'], Beliefs: ['BELIEFS'], 'What went wrong': ['FAILURE'], Messages: ['MESSAGES'] };
@@ -361,14 +362,36 @@
       row.firstChild.onclick = () => select(Number(row.dataset.robot));
       return row;
     });
+    $('find').hidden = bodies.length < MANY;
+    const wanted = $('find').hidden ? '' : $('find').value.trim().toLowerCase();
+    let stop = null;
     bodies.forEach((body, i) => {
       const button = rows[i].firstChild;
+      rows[i].hidden = !(run.texts[body[1]] + ' ' + run.texts[body[3]]).toLowerCase().includes(wanted);
+      if (!rows[i].hidden && (stop === null || body[1] === selected)) stop = button;
       rows[i].dataset.robot = body[1];
       button.setAttribute('aria-pressed', body[1] === selected);
       button.children[0].style.background = run.styles[body[2]][isDark ? 1 : 0];
       tell(button.children[1], run.texts[body[1]]);
       tell(button.children[2], run.texts[body[3]]);
     });
+    // The list is one stop of the tab key; arrows lead from robot to robot.
+    for (const row of rows) {
+      const index = row.firstChild === stop ? 0 : -1;
+      if (row.firstChild.tabIndex !== index) row.firstChild.tabIndex = index;
+    }
+  }
+
+  function walkRobots(event) {
+    const shown = [...$('robots').children].filter(row => !row.hidden);
+    const at = shown.indexOf(event.target.closest('li'));
+    const to = { ArrowUp: at - 1, ArrowDown: at + 1, Home: 0, End: shown.length - 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const row = shown[Math.max(0, Math.min(shown.length - 1, to))];
+    row.firstChild.focus();
+    select(Number(row.dataset.robot));
   }
 
   function listState(state) {
@@ -531,7 +554,7 @@
       }
       return;
     }
-    const isOwn = event.target.matches('select, summary') || (event.target.matches('button, input') && event.key === ' ');
+    const isOwn = event.target.matches('select, summary, [type=search]') || (event.target.matches('button, input') && event.key === ' ');
     const act = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act && !isOwn && !event.altKey && !event.metaKey && (!event.ctrlKey || event.key.startsWith('Arrow'))) {
       event.preventDefault();
@@ -559,6 +582,8 @@
   $('time').step = 'any';
   $('time').oninput = () => { pause(); seek(Number($('time').value)); };
   $('time').onchange = link;
+  $('find').oninput = show;
+  $('robots').onkeydown = walkRobots;
   $('play').onclick = KEYS[' '];
   $('back').onclick = () => step(-1);
   $('forward').onclick = () => step(1);
