@@ -114,7 +114,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
     CarrierKind carriers = Carriers.select(null, err());
     try (LiveSite site = new LiveSite(demos(), home(), carriers)) {
       Work work = prepare(site, carriers);
-      UntilStopped stop = UntilStopped.interrupting();
+      stop().calls(Thread.currentThread()::interrupt);
       try (PageServer.Running server = server().start(access, site)) {
         out().println(address(access, server.port()) + " (Ctrl-C ends it)");
         work.run();
@@ -122,7 +122,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
       } catch (InterruptedException e) {
         err().println("stopped");
       } finally {
-        stop.ended();
+        stop().endsWhenAsked();
       }
     }
     return ExitStatus.GOOD;

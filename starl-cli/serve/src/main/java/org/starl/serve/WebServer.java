@@ -218,7 +218,7 @@ public final class WebServer implements PageServer {
       socket.onConnect(client -> {
         Site.Shown shown = site.run(Integer.parseInt(client.pathParam("number")));
         String wanted = String.valueOf(client.header("Sec-WebSocket-Protocol"));
-        if (FoxgloveFeed.PROTOCOLS.stream().noneMatch(wanted.split(",")[0].strip()::equals)) {
+        if (FoxgloveFeed.PROTOCOLS.stream().noneMatch(wanted.split(",", -1)[0].strip()::equals)) {
           client.closeSession(PROTOCOL_ERROR, "expected one of " + FoxgloveFeed.PROTOCOLS);
         } else if (shown == null || !streams.tryAcquire()) {
           client.closeSession(TRY_LATER, shown == null ? "no such run" : "too many connections");

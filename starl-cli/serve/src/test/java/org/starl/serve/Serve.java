@@ -71,9 +71,15 @@ final class Serve implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     command.interrupt();
-    command.join();
-    http.close();
+    try {
+      command.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new AssertionError("interrupted while the command ends", e);
+    } finally {
+      http.close();
+    }
   }
 }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.browser.Browser;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -49,7 +50,8 @@ class ManyRobotsPageTest {
     try (OutputStream out = Files.newOutputStream(page)) {
       new RunPage(run).write(out);
     }
-    return new Browser(Files.createDirectory(folder.resolve("profile")), page, widthPx, heightPx);
+    return new Browser(
+        Files.createDirectory(folder.resolve("profile")), page.toUri(), widthPx, heightPx);
   }
 
   private static List<String> listed(Browser browser) throws Exception {
