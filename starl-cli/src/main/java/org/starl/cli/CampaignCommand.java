@@ -345,7 +345,10 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       return steered;
     }
     ProgressLine progress = new ProgressLine(err, "steered runs");
-    steered.run(tally, output.carriers(), output.workers(), progress::show);
+    output
+        .command()
+        .stop()
+        .completes(() -> steered.run(tally, output.carriers(), output.workers(), progress::show));
     progress.end();
     return steered;
   }

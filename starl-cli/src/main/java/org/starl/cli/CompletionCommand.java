@@ -108,7 +108,8 @@ final class CompletionCommand extends BaseCommand implements Runnable {
   private List<String> values(ArgSpec arg) {
     List<String> values = new ArrayList<>();
     switch (arg.paramLabel()) {
-      case "APP", "APP|PRIMITIVE", "APP|PRIMITIVE|FILE.yaml" -> values.addAll(demos().names());
+      case "APP", "APP|PRIMITIVE", "APP|PRIMITIVE|FILE.yaml", "APP|PRIMITIVE|FILE.yaml|TRACE" ->
+          values.addAll(demos().names());
       case "FAULT" -> FaultGrammar.kinds().forEach(kind -> values.add(kind.usage()));
       case "KEY=VALUE" -> {
         TreeSet<String> keys = new TreeSet<>();

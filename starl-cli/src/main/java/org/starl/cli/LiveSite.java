@@ -140,17 +140,21 @@ final class LiveSite implements Site, AutoCloseable {
             text(wanted, "seed"),
             text -> Quantities.whole(text, Long.MIN_VALUE, Long.MAX_VALUE));
     RunRequest request = known == null ? request(wanted) : known;
-    // First what is cheap to refuse.
-    makeRoom();
+    requireRoom(); // first what is cheap to refuse
     Plan plan = request.plan(seed);
     plan.simulation().build();
+    makeRoom();
     return start(request, seed, plan, false);
   }
 
-  private void makeRoom() {
+  private void requireRoom() {
     if (runs.values().stream().filter(run -> !run.isOver()).count() >= MOST_AT_ONCE) {
       throw new BadInput(MOST_AT_ONCE + " runs go on; expected one of them to end first");
     }
+  }
+
+  /** Forgets the oldest run that is over, if there are too many. */
+  private void makeRoom() {
     List<Integer> over =
         runs.keySet().stream().filter(n -> Objects.requireNonNull(runs.get(n)).isOver()).toList();
     if (runs.size() >= MOST_RUNS && !over.isEmpty()) {

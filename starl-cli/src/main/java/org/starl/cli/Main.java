@@ -104,8 +104,12 @@ public final class Main implements Runnable {
         new UntilStopped(
             done -> err.println("starl: interrupted" + (done.isEmpty() ? "" : " after " + done)));
     stop.listen();
-    int status = run(stop, out, err, args);
-    stop.ended();
+    int status;
+    try {
+      status = run(stop, out, err, args);
+    } finally {
+      stop.ended();
+    }
     System.exit(status);
   }
 

@@ -57,8 +57,10 @@ final class UntilStopped {
     Runnable action = stop;
     action.run();
     try {
-      if (action != otherwise && !ended.await(LIMIT_S, TimeUnit.SECONDS)) {
-        Runtime.getRuntime().halt(ExitStatus.VIOLATED);
+      // After that the process ends as it is, with the signal's status.
+      boolean hasEnded = action == otherwise || ended.await(LIMIT_S, TimeUnit.SECONDS);
+      if (!hasEnded) {
+        otherwise.run();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -38,6 +38,7 @@ public final class LiveMerge {
   private final Set<RobotId> simulated = new TreeSet<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
   private long number;
+  private int behind;
   private long newestNs;
   private long shownNs;
 
@@ -78,10 +79,23 @@ public final class LiveMerge {
     }
   }
 
+  /** A trace with events of the past follows: nothing is shown until {@link #caughtUp}. */
+  synchronized void follows() {
+    behind++;
+  }
+
+  /** A trace that followed has told its past. */
+  synchronized void caughtUp() {
+    behind--;
+    reached(newestNs);
+  }
+
   /** Tells that a process has come to this time. */
   public synchronized void reached(long atNs) {
     newestNs = Math.max(newestNs, atNs);
-    showUntil(newestNs - HELD_NS);
+    if (behind == 0) {
+      showUntil(newestNs - HELD_NS);
+    }
   }
 
   /** The latest time that a process has come to. */

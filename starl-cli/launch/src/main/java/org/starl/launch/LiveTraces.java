@@ -2,6 +2,7 @@ package org.starl.launch;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -91,7 +92,7 @@ public final class LiveTraces implements AutoCloseable {
     TreeSet<Path> files = new TreeSet<>();
     try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*.trace")) {
       all.forEach(files::add);
-    } catch (IOException e) {
+    } catch (IOException | DirectoryIteratorException e) {
       throw new BadInput(folder + ": cannot be read: " + e.getMessage());
     }
     return files;
@@ -127,13 +128,20 @@ public final class LiveTraces implements AutoCloseable {
   private void scan() {
     for (int look = 0; !isClosed; look++) {
       if (look % LOOKS_PER_SCAN == 0) {
-        for (Path file : files(folder)) {
-          if (known.put(file, true) == null) {
-            Daemons.of(file.getFileName() + " reader", () -> follow(file)).start();
-          }
+        try {
+          files(folder).forEach(this::begin);
+        } catch (BadInput e) {
+          console.accept(e.getMessage());
         }
       }
       pause();
+    }
+  }
+
+  private void begin(Path file) {
+    if (known.put(file, true) == null) {
+      merge.follows();
+      Daemons.of(file.getFileName() + " reader", () -> follow(file)).start();
     }
   }
 
@@ -149,7 +157,8 @@ public final class LiveTraces implements AutoCloseable {
   }
 
   private void follow(Path file) {
-    try (Growing in = new Growing(Files.newInputStream(file));
+    CaughtUp past = new CaughtUp();
+    try (Growing in = new Growing(Files.newInputStream(file), past);
         TraceReader reader = new TraceReader(file.toString(), in, vocabularyOf)) {
       if (!TraceMerge.isOfOneRun(reader.header(), header)) {
         console.accept(file + ": not shown: its header differs from that of the first trace");
@@ -174,10 +183,12 @@ public final class LiveTraces implements AutoCloseable {
           merge.add(event, atNs, isOfWorld);
         }
       }
-    } catch (IOException e) {
+    } catch (IOException | BadInput e) {
       if (!isClosed) {
         console.accept(file + ": shown up to here: " + e.getMessage());
       }
+    } finally {
+      past.tell();
     }
   }
 
@@ -193,6 +204,18 @@ public final class LiveTraces implements AutoCloseable {
   public void close() {
     isClosed = true;
     closing.countDown();
+  }
+
+  /** Whether a trace has told what was in it when it was opened. */
+  private final class CaughtUp {
+    private boolean hasTold;
+
+    void tell() {
+      if (!hasTold) {
+        hasTold = true;
+        merge.caughtUp();
+      }
+    }
   }
 
   /** Whether a robot's process still writes: a killed one leaves a trace without an end. */
@@ -231,10 +254,12 @@ public final class LiveTraces implements AutoCloseable {
   /** A file whose end is not the end: reading waits for more. */
   private final class Growing extends InputStream {
     private final InputStream file;
+    private final CaughtUp past;
     private BooleanSupplier whenWaiting = () -> false;
 
-    Growing(InputStream file) {
+    Growing(InputStream file, CaughtUp past) {
       this.file = file;
+      this.past = past;
     }
 
     @Override
@@ -246,7 +271,11 @@ public final class LiveTraces implements AutoCloseable {
     @Override
     public int read(byte[] into, int offset, int length) throws IOException {
       int count = file.read(into, offset, length);
-      while (count < 0 && !isClosed && !whenWaiting.getAsBoolean()) {
+      while (count < 0 && !isClosed) {
+        past.tell();
+        if (whenWaiting.getAsBoolean()) {
+          break;
+        }
         pause();
         count = file.read(into, offset, length);
       }

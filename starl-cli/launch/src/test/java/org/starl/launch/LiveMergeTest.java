@@ -79,6 +79,19 @@ class LiveMergeTest {
   }
 
   @Example
+  void thePastOfAllTracesIsKnownBeforeAnyIsShown() {
+    merge.follows();
+    merge.follows();
+    merge.add(event(50_000 * MS), 50_000 * MS, false);
+    merge.caughtUp();
+    merge.add(event(1_000 * MS), 1_000 * MS, false);
+    assertThat(seen).isEmpty();
+    merge.caughtUp();
+    merge.end();
+    assertThat(seen.stream().map(TraceEvent::timeNs)).containsExactly(1_000 * MS, 50_000 * MS);
+  }
+
+  @Example
   void trueBodiesReplaceMeasuredOnesAndABodyJoinsOnce() {
     Joined truth = new Joined(0, BOT, new Pose(1, 0, 0), 150);
     Joined measured = new Joined(1, BOT, new Pose(2, 0, 0), 150);

@@ -216,7 +216,8 @@ public final class WebServer implements PageServer {
     private void foxglove(WsConfig socket) {
       SortedMap<String, FoxgloveFeed> feeds = new ConcurrentSkipListMap<>();
       socket.onConnect(client -> {
-        Site.Shown shown = site.run(Integer.parseInt(client.pathParam("number")));
+        String number = client.pathParam("number");
+        Site.Shown shown = number.matches("[0-9]{1,9}") ? site.run(Integer.parseInt(number)) : null;
         String wanted = String.valueOf(client.header("Sec-WebSocket-Protocol"));
         if (FoxgloveFeed.PROTOCOLS.stream().noneMatch(wanted.split(",", -1)[0].strip()::equals)) {
           client.closeSession(PROTOCOL_ERROR, "expected one of " + FoxgloveFeed.PROTOCOLS);

@@ -118,10 +118,8 @@ class MutexProtocol {
   private final TreeMap<ProcessId, SortedSet<String>> asked = new TreeMap<>();
   private final RequestTimers timers;
 
-  // What it takes over; the requests that come before its own though they are later, as they told;
-  // and
-  // those before which its own one comes so, as it told them. Each is valid for one request of
-  // each.
+  // What it takes over. Requests of others that come before its own, as these told; and requests
+  // that its own one comes before, as it told. Each for one request of both.
   private Resume resume;
   private final TreeMap<ProcessId, Long> ahead = new TreeMap<>();
   private final TreeMap<ProcessId, Long> behind = new TreeMap<>();
@@ -475,7 +473,8 @@ class MutexProtocol {
       withdraw(MutexFailure.LATE);
     } else if (resumes()
         && !theirs.equals(behind.get(noted.from())) // each is in the way of the other
-        && !theirs.equals(ahead.put(noted.from(), theirs))) {
+        && theirs > ahead.getOrDefault(noted.from(), 0L)) {
+      ahead.put(noted.from(), theirs);
       answerPending();
     }
   }

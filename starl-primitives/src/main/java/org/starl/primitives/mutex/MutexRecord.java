@@ -167,7 +167,7 @@ final class MutexRecord {
     return ghost == null ? Sections.NONE : ghost.sections();
   }
 
-  /** The sections that it may still enter: who was removed never enters, but as a ghost. */
+  /** The sections that it may still enter: a removed process enters only what its ghost has. */
   private SortedSet<String> mayGet(Requests.Request request) {
     boolean isRemoved = listed.contains(request.who) && !last.contains(request.who);
     return isRemoved ? Sections.common(request.want, asGhost(request.who)) : request.want;

@@ -118,18 +118,19 @@ public final class LivePage {
       return;
     }
     List<Long> due = due(endNs, isOver);
-    List<Mark> newMarks = recording.marks().subList(marks, recording.marks().size());
+    List<Mark> allMarks = recording.marks();
+    List<Mark> newMarks = allMarks.subList(marks, allMarks.size());
     boolean isLast = isOver && isChecked && nextNs == Long.MAX_VALUE;
     if (due.isEmpty() && newMarks.isEmpty() && !isLast) {
       return;
     }
-    boolean isFirst = frames == null || pictures > mostPictures;
+    boolean isFirst = frames == null || (pictures > mostPictures && !due.isEmpty());
     if (isFirst && due.isEmpty()) {
       return;
     }
     if (isFirst) {
       begin(due.get(0));
-      newMarks = recording.marks();
+      newMarks = allMarks;
     }
     isWhole = isLast;
     add(isFirst, due, newMarks);
