@@ -22,8 +22,12 @@ class ChartsTest {
     return Parsed.page(html.close().page());
   }
 
+  /** The titles of bars and points, without those of whole drawings. */
   private static List<String> tips(Document page) {
-    return Parsed.elements(page, "title").stream().map(Element::getTextContent).toList();
+    return Parsed.elements(page, "title").stream()
+        .filter(title -> !title.getParentNode().getNodeName().equals("svg"))
+        .map(Element::getTextContent)
+        .toList();
   }
 
   private static List<String> cells(Document page) {

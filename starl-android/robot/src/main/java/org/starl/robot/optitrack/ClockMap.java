@@ -67,12 +67,6 @@ final class ClockMap {
       return;
     }
     advanceTo(receivedNs);
-    if (!isSettled(receivedNs) && !hasAnswer && mostOffNs < leastNs) {
-      // The first datagram waited, as at the start of a program: nobody has used this clock yet.
-      begin(mostOffNs - maxDelayNs, mostOffNs, sinceNs);
-      newestSenderNs = senderNs;
-      return;
-    }
     if (hasAnswer && mostOffNs < leastNs) {
       // The datagram's time is in the future. If the sender's clock is wrong, the next answers show
       // it.
