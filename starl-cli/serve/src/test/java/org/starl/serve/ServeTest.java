@@ -180,6 +180,9 @@ class ServeTest {
               + " document.getElementById('beside').click(); }");
       first.await("document.getElementById('error').textContent !== ''");
       assertThat(first.text("#error")).contains("robots", "many", "expected");
+      assertThat(first.takeErrors())
+          .hasSize(1)
+          .allMatch(error -> error.contains("400 (Bad Request)"));
     }
   }
 

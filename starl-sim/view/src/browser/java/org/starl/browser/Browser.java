@@ -205,6 +205,13 @@ public final class Browser implements AutoCloseable {
     return List.copyOf(errors);
   }
 
+  /** The same, for a test that provokes them: they are forgotten. */
+  public List<String> takeErrors() throws Exception {
+    List<String> taken = errors();
+    errors.clear();
+    return taken;
+  }
+
   /** The value of a JavaScript expression; of a promise, what it resolves to. */
   public JsonNode evaluate(String expression) throws Exception {
     Map<String, Object> parameters =
