@@ -17,4 +17,6 @@ dependencies {
 }
 
 // The driver of a browser, which the pages of the viewer are tested with, too.
-sourceSets.test { java.srcDir("../../starl-sim/view/src/browser/java") }
+extensions.configure<JavaPluginExtension> {
+    sourceSets.named("test") { java.srcDir("../../starl-sim/view/src/browser/java") }
+}

@@ -19,4 +19,6 @@ dependencies {
 }
 
 // The driver of a browser, which the server's pages are tested with, too.
-sourceSets.test { java.srcDir("src/browser/java") }
+extensions.configure<JavaPluginExtension> {
+    sourceSets.named("test") { java.srcDir("src/browser/java") }
+}
