@@ -11,7 +11,7 @@ import java.util.ServiceLoader;
 public interface PageServer {
 
   /**
-   * Where to listen, and for whom.
+   * The address to listen at, and the pages that may connect.
    *
    * @param host a name or an address of this machine
    * @param port 0 for any that is free

@@ -36,7 +36,7 @@ final class Gate {
     return "";
   }
 
-  /** An address is no name that somebody else can give. */
+  /** Whether it is an address, or this machine's name: a site can lead any other name here. */
   private boolean isOwn(String host) {
     return LOOPBACK.contains(host)
         || host.equals(access.host())

@@ -155,7 +155,7 @@ final class Claim {
   }
 
   /** Releases a section, which must be held; after the last one it unregisters. */
-  void release(String section) {
+  private void release(String section) {
     mutex.release(section);
     rest = without(rest, section);
     stands = without(stands, section);
