@@ -103,7 +103,7 @@ class ReplayTest {
     isRefused(
         Files.writeString(folder.resolve("poem.trace"), "roses are red\n"), "expected the header");
     isRefused(Files.write(folder.resolve("bytes.trace"), new byte[] {1, -1, 10}), "expected text");
-    isRefused(changed(lines -> with(lines, 0, "\"format\":2,", "\"format\":9,")), "format 2");
+    isRefused(changed(lines -> with(lines, 0, "\"format\":3,", "\"format\":9,")), "format 3");
     isRefused(
         changed(lines -> with(lines, 0, "\"starl\":\"0", "\"starl\":\"99")),
         "was written by StarL");
@@ -152,7 +152,7 @@ class ReplayTest {
           lines.add(
               1,
               "{\"kind\":\"fault\",\"timeNs\":0,\"robot\":\"world\",\"name\":\"begin\","
-                  + "\"detail\":\"realtime\"}");
+                  + "\"effect\":\"realtime\",\"detail\":\"realtime\"}");
           int last = lines.size() - 1;
           lines.set(last, lines.get(last).replaceFirst("\\d+}$", last - 1 + "}"));
           return lines;

@@ -74,8 +74,8 @@ public final class FaultState {
   }
 
   private boolean fault(Fault fault) {
-    if (fault.detail().startsWith(Fault.CRASH + "(")) {
-      return false; // its beginning and end: it is not a fault beside the crashes of its robots
+    if (fault.isOfCrashes()) {
+      return false;
     }
     String which = fault.robot() + " " + fault.detail();
     return switch (fault.name()) {

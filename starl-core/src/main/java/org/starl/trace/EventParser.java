@@ -112,7 +112,11 @@ final class EventParser {
           case "left" -> new TraceEvent.Left(timeNs, robot);
           case "fault" ->
               new TraceEvent.Fault(
-                  timeNs, robot, line.text(",\"name\":"), line.text(",\"detail\":"));
+                  timeNs,
+                  robot,
+                  line.text(",\"name\":"),
+                  line.text(",\"effect\":"),
+                  line.text(",\"detail\":"));
           case "intervention" ->
               new TraceEvent.Intervention(
                   timeNs,

@@ -134,6 +134,7 @@ public final class TraceCodec {
       case Left left -> {}
       case Fault fault -> {
         text(out, ",\"name\":", fault.name());
+        text(out, ",\"effect\":", fault.effect());
         text(out, ",\"detail\":", fault.detail());
       }
       case Intervention intervention -> {

@@ -29,7 +29,7 @@ public sealed interface TraceEvent {
       case Moved e -> new Moved(newTimeNs, e.robot, e.pose, e.linearMmPerS, e.angularRadPerS);
       case Joined e -> new Joined(newTimeNs, e.robot, e.pose, e.radiusMm);
       case Left e -> new Left(newTimeNs, e.robot);
-      case Fault e -> new Fault(newTimeNs, e.robot, e.name, e.detail);
+      case Fault e -> new Fault(newTimeNs, e.robot, e.name, e.effect, e.detail);
       case Intervention e -> new Intervention(newTimeNs, e.robot, e.step, e.name, e.detail);
     };
   }
@@ -153,10 +153,13 @@ public sealed interface TraceEvent {
    *
    * @param robot the affected robot, or {@link #WORLD}
    * @param name {@link #CRASH}, {@link #RESTART}, {@link #BEGIN}, {@link #END} or {@link #HEALED}
-   * @param detail the fault in the grammar of {@code --fault}; for a restart, what happened to
-   *     writes that were not flushed; else empty
+   * @param effect of a fault that begins or ends: the first word of its text, as {@code jump}; else
+   *     empty
+   * @param detail of a fault that begins or ends: its text in the grammar of {@code --fault}; for a
+   *     restart, what happened to writes that were not flushed; else empty
    */
-  record Fault(long timeNs, RobotId robot, String name, String detail) implements TraceEvent {
+  record Fault(long timeNs, RobotId robot, String name, String effect, String detail)
+      implements TraceEvent {
 
     /** Means all robots; no robot has this name. */
     public static final RobotId WORLD = new RobotId("world");
@@ -176,12 +179,30 @@ public sealed interface TraceEvent {
     /** All faults have ended and none will begin: progress is required from now on. */
     public static final String HEALED = "healed";
 
-    /** The {@code detail} of a fault of the world: robots are processes in real time. */
+    /** The effect of a fault of the world: robots are processes in real time. */
     public static final String REAL_TIME = "realtime";
+
+    /** A fault without an effect: a crash, a restart or the end of all faults. */
+    public Fault(long timeNs, RobotId robot, String name, String detail) {
+      this(timeNs, robot, name, "", detail);
+    }
+
+    /** The beginning of a run in real time. */
+    public static Fault realTime(long timeNs) {
+      return new Fault(timeNs, WORLD, BEGIN, REAL_TIME, REAL_TIME);
+    }
 
     /** Whether this event says that the run was in real time, which cannot be repeated. */
     public boolean isRealTime() {
-      return name.equals(BEGIN) && detail.equals(REAL_TIME);
+      return name.equals(BEGIN) && effect.equals(REAL_TIME);
+    }
+
+    /**
+     * Whether it begins or ends a fault that crashes robots. It is no fault beside these: each crash
+     * and restart has its own event.
+     */
+    public boolean isOfCrashes() {
+      return effect.equals(CRASH);
     }
   }
 

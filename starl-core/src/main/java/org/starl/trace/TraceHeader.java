@@ -28,7 +28,7 @@ public record TraceHeader(
     List<RobotId> robots) {
 
   /** The version of the format; a reader accepts only this one. */
-  public static final int FORMAT = 2;
+  public static final int FORMAT = 3;
 
   /** The behaviour seed used when only the scenario seed is given. */
   public static long behaviourSeedOf(long scenarioSeed) {

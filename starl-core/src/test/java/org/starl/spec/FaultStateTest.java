@@ -70,7 +70,7 @@ class FaultStateTest {
 
   @Test
   void aCrashWithARestartIsNoActiveFault() {
-    sees(A, Fault.BEGIN, "crash(any,at=1s,restart=9s)");
+    faults.observe(new Fault(1, A, Fault.BEGIN, Fault.CRASH, "crash(any,at=1s,restart=9s)"));
     sees(A, Fault.CRASH, "");
     assertThat(faults.isFaultFree()).isTrue();
     assertThat(faults.isUp(A)).isFalse();

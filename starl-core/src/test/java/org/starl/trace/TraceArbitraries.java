@@ -67,7 +67,7 @@ final class TraceArbitraries {
       case 4 -> new TraceEvent.Dropped(number, robot, a, b);
       case 5 -> new TraceEvent.Moved(number, robot, pose, values.get(3), values.get(4));
       case 6 -> new TraceEvent.Joined(number, robot, pose, values.get(3));
-      case 7 -> new TraceEvent.Fault(number, robot, a, b);
+      case 7 -> new TraceEvent.Fault(number, robot, a, b, a + b);
       case 8 -> new TraceEvent.Intervention(number, robot, ~number, a, b);
       case 9 ->
           TraceEvent.Action.of(number, robot, Instance.named(a), Note.SHAPE, new Note(b, texts));

@@ -133,7 +133,7 @@ class TraceFormatDocTest {
   void theExampleErrorIsTheReadersError() {
     String text =
         """
-        {"kind":"header","format":2,"starl":"","scenario":"","scenarioSeed":1,"behaviourSeed":2,\
+        {"kind":"header","format":3,"starl":"","scenario":"","scenarioSeed":1,"behaviourSeed":2,\
         "settings":{},"robots":[]}
         {"kind":"left","timeNs":x,"robot":"bot0"}
         """;

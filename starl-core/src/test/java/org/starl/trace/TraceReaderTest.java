@@ -17,7 +17,7 @@ import org.starl.shape.Shapes;
 class TraceReaderTest {
 
   static final String HEADER =
-      "{\"kind\":\"header\",\"format\":2,\"starl\":\"0\",\"scenario\":\"s\",\"scenarioSeed\":1,"
+      "{\"kind\":\"header\",\"format\":3,\"starl\":\"0\",\"scenario\":\"s\",\"scenarioSeed\":1,"
           + "\"behaviourSeed\":2,\"settings\":{},\"robots\":[\"bot0\"]}\n";
   private static final String LEFT = "{\"kind\":\"left\",\"timeNs\":5,\"robot\":\"bot0\"}\n";
   private static final String ACTION =
@@ -52,8 +52,8 @@ class TraceReaderTest {
   void aFileThatIsNotATraceIsRefusedAtOnce() {
     assertThat(errorOf("")).startsWith("run.trace:1: ").contains("the header of a StarL trace");
     assertThat(errorOf("time,x,y\n")).contains("the header of a StarL trace");
-    assertThat(errorOf(HEADER.replace("\"format\":2,", "\"format\":1,")))
-        .contains("expected format 2, found 1,");
+    assertThat(errorOf(HEADER.replace("\"format\":3,", "\"format\":1,")))
+        .contains("expected format 3, found 1,");
     assertThat(errorOf(HEADER.replace("{}", "{\"a\":\"1\",\"a\":\"2\"}")))
         .contains("each key once");
   }

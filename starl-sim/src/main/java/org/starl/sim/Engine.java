@@ -340,7 +340,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     if (robot.isDown()) {
       throw new IllegalStateException(id + " has already crashed");
     }
-    recordFault(id, Fault.CRASH, "");
+    recordFault(id, Fault.CRASH, "", "");
     end(robot, willRestart);
   }
 
@@ -350,7 +350,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     if (!crashed.isDown()) {
       throw new IllegalStateException(id + " is up: only a crashed robot restarts");
     }
-    recordFault(id, Fault.RESTART, unsynced.name().toLowerCase(Locale.ROOT));
+    recordFault(id, Fault.RESTART, "", unsynced.name().toLowerCase(Locale.ROOT));
     SimRobot robot = crashed.nextIncarnation(unsynced);
     robots.put(id, robot);
     results.remove(id);
@@ -367,9 +367,9 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   @Override
-  public void recordFault(RobotId robot, String name, String detail) {
+  public void recordFault(RobotId robot, String name, String effect, String detail) {
     if (observers.isOn()) {
-      observers.record(new Fault(nowNs(), robot, name, detail));
+      observers.record(new Fault(nowNs(), robot, name, effect, detail));
     }
   }
 

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Nowhere;
@@ -53,10 +54,10 @@ final class FailureFinder {
     RobotId robot = fault.robot();
     switch (fault.name()) {
       case Fault.BEGIN -> {
-        if (isCrash(fault.detail())) {
+        if (fault.isOfCrashes()) {
           crash = fault;
         } else if (!fault.isRealTime()) {
-          begin(robot, fault.detail(), fault.timeNs());
+          begin(robot, false, fault.detail(), fault.timeNs());
         }
       }
       case Fault.CRASH -> {
@@ -64,12 +65,12 @@ final class FailureFinder {
         Fault cause = crash;
         String text =
             cause != null && cause.timeNs() == fault.timeNs() ? cause.detail() : Fault.CRASH;
-        begin(robot, text, fault.timeNs());
+        begin(robot, true, text, fault.timeNs());
       }
-      case Fault.RESTART -> end(robot, "", fault.timeNs());
+      case Fault.RESTART -> end(robot, InjectedFault::isCrash, fault.timeNs());
       case Fault.END -> {
-        if (!isCrash(fault.detail())) {
-          end(robot, fault.detail(), fault.timeNs());
+        if (!fault.isOfCrashes()) {
+          end(robot, injected -> injected.text().equals(fault.detail()), fault.timeNs());
         }
       }
       default -> {
@@ -78,24 +79,20 @@ final class FailureFinder {
     }
   }
 
-  private void begin(RobotId robot, String text, long timeNs) {
-    faults.add(new InjectedFault(robot, text, timeNs, InjectedFault.NOT_ENDED));
+  private void begin(RobotId robot, boolean isCrash, String text, long timeNs) {
+    faults.add(new InjectedFault(robot, isCrash, text, timeNs, InjectedFault.NOT_ENDED));
   }
 
-  /** Ends the latest fault of this text, or, without a text, the latest crash. */
-  private void end(RobotId robot, String text, long timeNs) {
+  /** Ends the robot's latest fault of this kind. */
+  private void end(RobotId robot, Predicate<InjectedFault> kind, long timeNs) {
     for (int i = faults.size() - 1; i >= 0; i--) {
       InjectedFault fault = faults.get(i);
-      boolean isIt = text.isEmpty() ? isCrash(fault.text()) : fault.text().equals(text);
-      if (isIt && fault.robot().equals(robot) && fault.endedNs() == InjectedFault.NOT_ENDED) {
+      boolean isActive = fault.endedNs() == InjectedFault.NOT_ENDED;
+      if (isActive && fault.robot().equals(robot) && kind.test(fault)) {
         faults.set(i, fault.ended(timeNs));
         return;
       }
     }
-  }
-
-  private static boolean isCrash(String text) {
-    return text.equals(Fault.CRASH) || text.startsWith(Fault.CRASH + "(");
   }
 
   /** The faults so far, in the order of their beginnings. */

@@ -8,11 +8,13 @@ import org.starl.trace.TraceEvent.Fault;
  * A fault of a run, as its trace tells it.
  *
  * @param robot the affected robot, also if the fault drew it; {@link Fault#WORLD} for several
+ * @param isCrash whether the robot's program crashed
  * @param text in the grammar of {@code --fault}; {@code crash} for a crash that no fault caused
  * @param beganNs in ns from the start of the run
  * @param endedNs when it ended, for a crash with the restart; -1 if it had not ended
  */
-public record InjectedFault(RobotId robot, String text, long beganNs, long endedNs) {
+public record InjectedFault(
+    RobotId robot, boolean isCrash, String text, long beganNs, long endedNs) {
 
   static final long NOT_ENDED = -1;
 
@@ -22,7 +24,7 @@ public record InjectedFault(RobotId robot, String text, long beganNs, long ended
   }
 
   InjectedFault ended(long timeNs) {
-    return new InjectedFault(robot, text, beganNs, timeNs);
+    return new InjectedFault(robot, isCrash, text, beganNs, timeNs);
   }
 
   /** {@code jump(any,600mm,at=2s) of bot1 from 2.000 s}. */

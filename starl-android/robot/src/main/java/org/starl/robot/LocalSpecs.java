@@ -45,7 +45,7 @@ public final class LocalSpecs {
       }
     }
     // In real time progress is not required.
-    show(new Fault(startNs, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+    show(Fault.realTime(startNs));
   }
 
   /** The lemmas that are checked. */

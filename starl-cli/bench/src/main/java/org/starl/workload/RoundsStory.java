@@ -37,7 +37,7 @@ final class RoundsStory implements Story {
       case Action action when action.fact() instanceof ClientFact fact -> addAction(action, fact);
       case Fault fault when fault.name().equals(Fault.CRASH) -> robot(fault.robot()).crashes++;
       case Fault fault when fault.name().equals(Fault.BEGIN) ->
-          faults.merge(fault.detail().split("\\(", 2)[0], 1L, Long::sum);
+          faults.merge(fault.effect(), 1L, Long::sum);
       default -> {
         // Not part of the story.
       }

@@ -18,7 +18,7 @@ final class WellFormedSpec extends LemmaMonitor {
 
   private static final String WELL_FORMED = "datagrams.WellFormed";
 
-  private static final List<String> ATTACKS = List.of("forge(", "replay(", "flood(");
+  private static final Set<String> ATTACKS = Set.of("forge", "replay", "flood");
 
   private final Set<String> suspicious = new TreeSet<>();
   private boolean isAttacked;
@@ -35,7 +35,7 @@ final class WellFormedSpec extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     if (event instanceof Fault fault) {
-      isAttacked |= ATTACKS.stream().anyMatch(fault.detail()::startsWith);
+      isAttacked |= ATTACKS.contains(fault.effect());
     } else if (event instanceof Delivered && !isAttacked) {
       report.checked(WELL_FORMED);
     } else if (event instanceof Dropped dropped && !isAttacked) {

@@ -31,7 +31,7 @@ class WellFormedSpecTest {
 
   @Test
   void nothingIsRequiredOnceThereIsAnAttacker() {
-    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, "forge(all,5ms)"));
+    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, "forge", "forge(all,5ms)"));
     drop("bad-payload");
     assertThat(monitors.report().checks("datagrams.WellFormed")).isZero();
   }

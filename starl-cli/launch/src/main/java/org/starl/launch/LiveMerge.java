@@ -56,7 +56,7 @@ public final class LiveMerge {
             plan.commands());
     this.observers.started(plan.header());
     // As in a trace that is merged later: a machine with other work guarantees no times.
-    this.observers.record(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+    this.observers.record(Fault.realTime(0));
   }
 
   /**

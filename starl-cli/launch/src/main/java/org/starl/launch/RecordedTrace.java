@@ -116,9 +116,7 @@ record RecordedTrace(
 
   /** A merged trace begins with a fault of the world, as {@link TraceMerge} describes. */
   private static boolean isMerged(List<TraceEvent> events) {
-    return !events.isEmpty()
-        && events.get(0) instanceof Fault fault
-        && fault.detail().equals(Fault.REAL_TIME);
+    return !events.isEmpty() && events.get(0) instanceof Fault fault && fault.isRealTime();
   }
 
   /** Whether both are of one start of one process. */

@@ -199,7 +199,7 @@ public final class TraceMerge {
   /** All events, for traces that start at these times. Actions of one instant stay together. */
   private Case order(long[] starts, Deviation deviation) {
     CausalOrder order = new CausalOrder();
-    order.add(List.of(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME)), 0);
+    order.add(List.of(Fault.realTime(0)), 0);
     long endNs = 0;
     for (int i = 0; i < starts.length; i++) {
       RecordedTrace trace = traces.get(i);

@@ -38,7 +38,7 @@ public final class Chances {
           @Override
           public void observed(TraceEvent event) {
             if (event instanceof Fault fault && fault.name().equals(Fault.BEGIN)) {
-              mine.add(fault.detail().split("\\(", 2)[0]);
+              mine.add(fault.effect());
               beganNs.put(fault.detail(), fault.timeNs());
             } else if (event instanceof Fault fault && fault.name().equals(Fault.END)) {
               long sinceNs = beganNs.getOrDefault(fault.detail(), fault.timeNs());

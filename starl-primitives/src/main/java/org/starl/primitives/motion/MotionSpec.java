@@ -3,6 +3,7 @@ package org.starl.primitives.motion;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -49,7 +50,7 @@ public final class MotionSpec extends LemmaMonitor {
   private static final long CLOCK_MS = 1;
 
   /** The faults of clocks and of computing time, by their names in the trace. */
-  private static final List<String> TIME_FAULTS = List.of("compute", "drift", "skew");
+  private static final Set<String> TIME_FAULTS = Set.of("compute", "drift", "skew");
 
   private final MotionParameters p;
   private final double marginMm;
@@ -424,7 +425,7 @@ public final class MotionSpec extends LemmaMonitor {
 
   /** Whether the fault affects clocks or computing time, on which the bounds depend. */
   private static boolean isOfTime(Fault fault) {
-    return TIME_FAULTS.stream().anyMatch(name -> fault.detail().startsWith(name + "("));
+    return TIME_FAULTS.contains(fault.effect());
   }
 
   /** After a fault of time the motion has its whole bound again. */

@@ -138,7 +138,7 @@ class SynodSpecTest {
 
   @Test
   void theEndOfATraceInRealTimeMayBeMissing() {
-    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+    monitors.observe(Fault.realTime(0));
     sends(A, A, new Accept(1, LOW, X));
     sends(A, D, new Decided(1, X));
     assertThat(monitors.report().violations()).isEmpty();

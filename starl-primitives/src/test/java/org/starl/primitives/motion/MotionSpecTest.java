@@ -63,7 +63,7 @@ class MotionSpecTest {
 
   @Test
   void aRobotOfARunInRealTimeMayStopLate() {
-    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+    monitors.observe(Fault.realTime(0));
     drivesAndHas(MotionFlag.FAIL);
     monitors.finish(5_000 * MS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
@@ -95,7 +95,7 @@ class MotionSpecTest {
   @Test
   void aClockThatIsSetAheadExcusesAnEarlyFailure() {
     moves(1_000, new Nowhere());
-    monitors.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "skew(a,5s)"));
+    monitors.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "skew", "skew(a,5s)"));
     fails(3_000, MotionFailure.NO_PROGRESS);
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isZero();
   }

@@ -74,12 +74,16 @@ public final class FaultRun {
     record(fault, robots, TraceEvent.Fault.END);
     toEnd--;
     if (toEnd == 0) {
-      target.recordFault(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
+      target.recordFault(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "", "");
     }
   }
 
   private void record(Fault fault, List<RobotId> robots, String name) {
     boolean isOne = !fault.effect().robots().isAll() && robots.size() == 1;
-    target.recordFault(isOne ? robots.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
+    target.recordFault(
+        isOne ? robots.get(0) : TraceEvent.Fault.WORLD,
+        name,
+        fault.effect().name(),
+        fault.toString());
   }
 }

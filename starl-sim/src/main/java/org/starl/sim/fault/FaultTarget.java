@@ -53,5 +53,5 @@ public interface FaultTarget {
   Runnable impair(@Nullable RobotId robot, Impairment impairment);
 
   /** Records an event of kind {@code fault} in the trace. */
-  void recordFault(RobotId robot, String name, String detail);
+  void recordFault(RobotId robot, String name, String effect, String detail);
 }
