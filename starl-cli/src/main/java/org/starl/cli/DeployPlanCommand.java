@@ -165,7 +165,7 @@ final class DeployPlanCommand extends BaseCommand implements Callable<Integer> {
       Rectangle floor) {
     List<String> lines = new ArrayList<>();
     lines.add("floor: " + size(floor) + " mm, " + sides(floor));
-    lines.add("origin and axes: " + axes(deployment));
+    lines.add(Axes.of(deployment.positions()).line());
     for (RobotSpec robot : plan.robots()) {
       Pose end = watch.ends.get(robot.id());
       lines.add(
@@ -215,12 +215,26 @@ final class DeployPlanCommand extends BaseCommand implements Callable<Integer> {
     return String.format(Locale.ROOT, "%.0f", value + 0.0).replaceAll("^-0$", "0");
   }
 
-  private static String axes(Deployment deployment) {
-    String ofCameras =
-        deployment.positions() instanceof Positions.NatNet natNet
-            ? "the cameras' origin; x is their x, y is their " + (natNet.isYUp() ? "-z" : "y")
-            : "those of the lines' x and y";
-    return ofCameras + "; headings counter-clockwise from x";
+  /**
+   * The floor's axes in the words of the system that measures positions.
+   *
+   * @param owner whose origin and axes they are
+   * @param y the owner's name of the floor's y
+   */
+  private record Axes(String owner, String y) {
+
+    static Axes of(Positions positions) {
+      return switch (positions) {
+        case Positions.NatNet cameras -> new Axes("the cameras", cameras.isYUp() ? "-z" : "y");
+        case Positions.JsonFeed lines -> new Axes("the lines of JSON", "y");
+        case Positions.Ros2 poses -> new Axes("the ROS frame " + poses.frame(), "y");
+      };
+    }
+
+    String line() {
+      return "origin and axes: those of %s, where y is called %s; headings counter-clockwise from x"
+          .formatted(owner, y);
+    }
   }
 
   private static FloorSheet sheet(
@@ -234,11 +248,14 @@ final class DeployPlanCommand extends BaseCommand implements Callable<Integer> {
     corners.add(origin);
     FloorSheet sheet = new FloorSheet(Rectangle.around(corners).widened(MARGIN_MM));
     grid(sheet, floor);
-    boolean isYUp = deployment.positions() instanceof Positions.NatNet natNet && natNet.isYUp();
+    Axes axes = Axes.of(deployment.positions());
     sheet.arrow(Ink.BODY, origin, 0, AXIS_MM);
     sheet.arrow(Ink.BODY, origin, StrictMath.PI / 2, AXIS_MM);
-    sheet.text(Ink.BODY, new Point(AXIS_MM + 10, -25), "x, origin 0,0 of the cameras");
-    sheet.text(Ink.BODY, new Point(-25, AXIS_MM + 20), isYUp ? "y (cameras: -z)" : "y");
+    sheet.text(Ink.BODY, new Point(AXIS_MM + 10, -25), "x, origin 0,0 of " + axes.owner());
+    sheet.text(
+        Ink.BODY,
+        new Point(-25, AXIS_MM + 20),
+        axes.y().equals("y") ? "y" : "y, called " + axes.y() + " there");
     for (Map.Entry<String, Rectangle> area : areas.entrySet()) {
       Rectangle at = area.getValue();
       sheet.outline(Ink.TAPE, at.corners());

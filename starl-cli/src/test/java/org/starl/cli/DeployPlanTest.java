@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -38,7 +39,7 @@ class DeployPlanTest {
         .contains("bot0: starts at x 1700 y 2250 mm, heading 0 deg, radius 165 mm; ends at x ")
         .contains("bot1: starts at x 2750 y 1700 mm, heading 90 deg")
         .contains("area A: x from 2000 to 2500, y from 2500 to 3000")
-        .contains("x is their x, y is their -z; headings counter-clockwise from x")
+        .contains("those of the cameras, where y is called -z; headings counter-clockwise from x")
         .contains("[bot0, bot2] end at one place: lift each off the floor when it has ended");
   }
 
@@ -112,6 +113,27 @@ class DeployPlanTest {
     int length = Integer.parseInt(text.replaceFirst("(?s).*<</Length (\\d+)>>.*", "$1"));
     int begin = text.indexOf("stream\n") + "stream\n".length();
     assertThat(text.substring(begin + length)).startsWith("endstream");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'{source: ros2, topic: \"/{robot}/pose\", type: PoseStamped, frame: lab}', the ROS frame lab",
+    "'{source: json, port: 5000}', the lines of JSON"
+  })
+  void theOriginIsThatOfTheDeploymentsPositions(String positions, String owner) throws Exception {
+    Path file = folder.resolve("other.yaml");
+    Files.writeString(
+        file,
+        Files.readString(Path.of(SHIPPED + "crossing.yaml"))
+            .replaceFirst("(?s)positions:.*?\n\n", "positions: " + positions + "\n\n"));
+    Path svg = folder.resolve("other.svg");
+
+    Cli cli = Cli.line(Main.ALL, "deploy plan", file, "--svg", svg);
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.text())
+        .contains("those of " + owner + ", where y is called y")
+        .doesNotContain("camera");
+    assertThat(Files.readString(svg)).contains("origin 0,0 of " + owner).doesNotContain("camera");
   }
 
   @Test
