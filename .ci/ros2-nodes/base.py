@@ -2,7 +2,8 @@
 a second. It stops 0.5 s after the last command.
    usage: base.py NAME X_M Y_M HEADING_RAD [FAULT]...
    silent: 6 s after the first command no more messages; stamps: then the poses' stamps are 10 s old for 1 s; odom-frame: poses are in
-   the frame odom; best-effort: messages are offered best effort; killed: nothing, another process kills it."""
+   the frame odom; scaled: after 100 mm of way the poses show half of what follows; best-effort: messages are offered best effort;
+   killed: nothing, another process kills it."""
 import math
 import sys
 import time
@@ -23,7 +24,8 @@ class Base(Node):
         super().__init__(name + "_base")
         self.x, self.y, self.heading, self.faults = x, y, heading, faults
         self.v = self.w = 0.0
-        self.first = self.commanded = None
+        self.first = self.commanded = self.origin = None
+        self.start = x, y
         self.last = time.monotonic()
         qos = QoSProfile(depth=10)
         if "best-effort" in faults:
@@ -58,8 +60,12 @@ class Base(Node):
         if "stamps" in self.faults and faulty and now - self.first < FAULT_AFTER_S + 1:
             pose.header.stamp.sec -= 10
         odometry.twist.twist.linear.x, odometry.twist.twist.angular.z = self.v, self.w
+        if self.origin is None and "scaled" in self.faults and math.dist(self.start, (self.x, self.y)) > 0.1:
+            self.origin = self.x, self.y
         for place in (odometry.pose.pose, pose.pose):
             place.position.x, place.position.y = self.x, self.y
+            if self.origin is not None and place is pose.pose:
+                place.position.x, place.position.y = (self.x + self.origin[0]) / 2, (self.y + self.origin[1]) / 2
             place.orientation.z, place.orientation.w = math.sin(self.heading / 2), math.cos(self.heading / 2)
         self.odometry.publish(odometry)
         self.pose.publish(pose)

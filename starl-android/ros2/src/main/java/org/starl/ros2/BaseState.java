@@ -2,6 +2,7 @@ package org.starl.ros2;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -83,7 +84,7 @@ final class BaseState {
         now.contains(CreateHold.STALE_COMMAND) && !before.contains(CreateHold.STALE_COMMAND);
     boolean isLost =
         now.contains(CreateHold.STALE_POSITION) && !before.contains(CreateHold.STALE_POSITION);
-    java.util.ArrayList<String> news = new java.util.ArrayList<>();
+    List<String> news = new ArrayList<>();
     if (isNewSilence) {
       news.add(odometryTopic + ": no message for " + limits.positionMs() + " ms: wheels stopped");
     }
@@ -101,6 +102,10 @@ final class BaseState {
 
   Bumps bumps() {
     return contacts.bumps();
+  }
+
+  boolean isLifted() {
+    return contacts.wheelDrop();
   }
 
   private boolean isSilent(long nowNs) {

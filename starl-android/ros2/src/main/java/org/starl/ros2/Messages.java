@@ -17,8 +17,14 @@ final class Messages {
 
   private Messages() {}
 
-  /** A base's odometry: its speeds in its own frame. */
-  record Odometry(double linearMmPerS, double angularRadPerS) {}
+  /**
+   * A base's odometry.
+   *
+   * @param stampNs time on the base's clock; 0 if it has none
+   * @param pose in a frame of its own, which may drift; null: impossible numbers
+   * @param linearMmPerS speed in the base's frame
+   */
+  record Odometry(long stampNs, @Nullable Pose pose, double linearMmPerS, double angularRadPerS) {}
 
   /**
    * A pose.
@@ -41,15 +47,15 @@ final class Messages {
     return out.f64(command.linearMmPerS() / MM_PER_M, 0, 0, 0, 0, command.angularRadPerS());
   }
 
-  /** The speeds of a nav_msgs/Odometry; null if they are not finite. */
+  /** A nav_msgs/Odometry; null if its speeds are not finite. */
   static @Nullable Odometry odometry(Cdr in) {
-    header(in);
-    in.text();
-    skip(in, 7 + SIX * SIX);
+    Measured measured = measured(in, RosType.ODOMETRY);
     double x = in.f64();
     skip(in, 4);
     double turn = in.f64();
-    return Double.isFinite(x) && Double.isFinite(turn) ? new Odometry(x * MM_PER_M, turn) : null;
+    return Double.isFinite(x) && Double.isFinite(turn)
+        ? new Odometry(measured.stampNs, measured.pose, x * MM_PER_M, turn)
+        : null;
   }
 
   /** The pose of a message of one of the three types of poses. */

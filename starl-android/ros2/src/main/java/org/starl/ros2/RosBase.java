@@ -50,6 +50,9 @@ final class RosBase implements Wheelbase {
   // Guarded.
   private final BaseState state;
   private final ReactionMeter meter;
+  private final OdometryWay way;
+  private final double axleMm;
+  private @Nullable TravelReceiver odometer;
   private @Nullable SpeedLink link;
   private WheelCommand sent = WheelCommand.STOP;
   private long sentNs = Long.MIN_VALUE;
@@ -88,6 +91,8 @@ final class RosBase implements Wheelbase {
     this.node = node;
     state = new BaseState(limits, axleMm);
     meter = new ReactionMeter(limits.reactionMs());
+    way = new OdometryWay(limits);
+    this.axleMm = axleMm;
     watchdog = Daemons.of(name + " ros2 watchdog", this::watch);
   }
 
@@ -106,11 +111,26 @@ final class RosBase implements Wheelbase {
     update(() -> {
       lines[0] = state.odometry(odometry, clock.nowNs());
       lines[1] = meter.odometry(odometry.linearMmPerS(), clock.nowNs());
+      travel(odometry);
     });
     for (String line : lines) {
       if (line != null) {
         warn(line);
       }
+    }
+  }
+
+  // With the guard held.
+  private void travel(Messages.Odometry odometry) {
+    boolean isContinued = way.add(odometry) != null;
+    if (odometer != null) {
+      if (!isContinued) {
+        odometer.lost();
+      }
+      double fastestMmPerS =
+          Math.max(Math.abs(sent.leftMmPerS(axleMm)), Math.abs(sent.rightMmPerS(axleMm)));
+      odometer.lifted(state.isLifted());
+      odometer.travelled(clock.nowNs(), way.travel(), fastestMmPerS, state.bumps().any());
     }
   }
 
@@ -143,6 +163,11 @@ final class RosBase implements Wheelbase {
   @Override
   public void doubted() {
     update(() -> state.gate().doubted(clock.nowNs()));
+  }
+
+  @Override
+  public void onTravel(TravelReceiver newOdometer) {
+    guard.run(() -> odometer = newOdometer);
   }
 
   @Override

@@ -12,7 +12,7 @@ class BaseStateTest {
 
   private static final long MS = 1_000_000;
   private static final WheelCommand FORWARD = new WheelCommand(200, 0);
-  private static final Messages.Odometry STILL = new Messages.Odometry(0, 0);
+  private static final Messages.Odometry STILL = new Messages.Odometry(0, null, 0, 0);
 
   private final BaseState state = new BaseState(new Limits(300, 300, 500, 0.1, 200), 233);
 
@@ -74,9 +74,9 @@ class BaseStateTest {
 
   @Test
   void aBaseThatIsFasterThanAllowedIsToldOnce() {
-    assertThat(state.odometry(new Messages.Odometry(329, 0), 1)).isNull();
-    assertThat(state.odometry(new Messages.Odometry(331, 0), 2)).contains("331 mm/s");
-    assertThat(state.odometry(new Messages.Odometry(332, 0), 3)).isNull();
+    assertThat(state.odometry(new Messages.Odometry(0, null, 329, 0), 1)).isNull();
+    assertThat(state.odometry(new Messages.Odometry(0, null, 331, 0), 2)).contains("331 mm/s");
+    assertThat(state.odometry(new Messages.Odometry(0, null, 332, 0), 3)).isNull();
   }
 
   @Test

@@ -28,8 +28,10 @@ class MessagesTest {
 
   @Test
   void odometryIsReadAsRclpyWritesIt() {
-    assertThat(Messages.odometry(Cdr.of(Samples.ODOMETRY)))
-        .isEqualTo(new Messages.Odometry(200, -0.5));
+    Messages.Odometry odometry = Messages.odometry(Cdr.of(Samples.ODOMETRY));
+    assertThat(odometry)
+        .isEqualTo(new Messages.Odometry(7_000_000_005L, odometry.pose(), 200, -0.5));
+    assertThat(odometry.pose().xMm()).isEqualTo(1500);
   }
 
   @Test
