@@ -22,6 +22,7 @@ import org.starl.sim.explore.Bounds;
 import org.starl.sim.explore.Copy;
 import org.starl.sim.explore.Why;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.time.Time;
@@ -50,11 +51,18 @@ final class Shrinking {
    * The shrunk run.
    *
    * @param words of its command line, after {@code ./starl}
+   * @param twin the command line of the run before, without the faults that are its cause; empty if
+   *     there are none
    * @param why single changes that avoid the failure, in lines
    * @param chart a message sequence chart of its last events, as SVG
    */
   record Shrunk(
-      Trial from, Shrink.Result result, List<String> words, List<String> why, String chart) {
+      Trial from,
+      Shrink.Result result,
+      List<String> words,
+      List<String> twin,
+      List<String> why,
+      String chart) {
 
     String command() {
       return Shell.starl(words);
@@ -73,8 +81,15 @@ final class Shrinking {
       lines.add(
           "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
       lines.add("replay: " + command());
+      if (!twin.isEmpty()) {
+        lines.add("cause: " + causes() + ": without, the run is good: " + Shell.starl(twin));
+      }
       lines.addAll(why);
       return lines;
+    }
+
+    private String causes() {
+      return String.join(", ", result.cause().stream().map(Fault::toString).toList());
     }
 
     Map<String, Object> json() {
@@ -85,6 +100,8 @@ final class Shrinking {
       json.put("runs", result.runs());
       json.put("bad", result.outcome().detail());
       json.put("replay", command());
+      json.put("cause", result.cause().stream().map(Object::toString).toList());
+      json.put("good_twin", twin.isEmpty() ? "" : Shell.starl(twin));
       json.put("why", why);
       return json;
     }
@@ -130,7 +147,19 @@ final class Shrinking {
           "'" + String.join(" ", words) + "' ends differently: " + again.detail());
     }
     List<String> why = command.stop().isStopped() ? List.of() : why(result);
-    return new Shrunk(from, result, words, why, chart.svg());
+    return new Shrunk(from, result, words, twin(result.cause()), why, chart.svg());
+  }
+
+  private List<String> twin(List<Fault> cause) {
+    if (cause.isEmpty()) {
+      return List.of();
+    }
+    List<Fault> left = new ArrayList<>(from.faults());
+    cause.forEach(left::remove);
+    List<String> words = new ArrayList<>(List.of("run"));
+    words.addAll(
+        request(new Trial(from.robots(), from.settings(), left, from.endNs())).words(seed));
+    return words;
   }
 
   /** A signal has come. */
@@ -149,7 +178,7 @@ final class Shrinking {
               (run, trial, outcome, isKept) -> {
                 err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept));
                 if (isKept) {
-                  smallest[0] = new Shrink.Result(trial, outcome, run, false);
+                  smallest[0] = new Shrink.Result(trial, outcome, List.of(), run, false);
                 }
                 if (stop.isStopped()) {
                   throw new Stopped();

@@ -132,6 +132,9 @@ class ShrinkingTest {
                 + " --fault 'stuck\\([^']*\\)'");
     assertThat(last(cli.err(), "shrunk in ")).matches(".* -> 3 robots, 1 fault, \\d+(ms|s)");
     String violation = last(cli.err(), "seed ");
+    String cause = last(cli.err(), "cause: stuck(");
+    Cli twin = paste("replay: " + cause.substring(cause.indexOf("./starl run ")));
+    assertThat(twin.status()).as("%s", twin).isZero();
     Cli again = paste(replay);
     assertThat(again.status()).isEqualTo(1);
     assertThat(again.out()).contains("VIOLATED: " + violation.replaceFirst("seed \\d+: ", ""));

@@ -17,6 +17,7 @@ import org.starl.time.Time;
  * @param what identifies the failure: the first violated lemma or the type of the exception; empty
  *     if there is neither
  * @param atNs time of the failure, in ns of virtual time; -1 if unknown
+ * @param isOwed whether it is about what robots have not done by the end of the run
  * @param detail one line: the first violation, the unfinished robots or the exception; empty if
  *     good
  * @param figures finite numbers for statistics, by name
@@ -26,6 +27,7 @@ public record RunOutcome(
     Verdict verdict,
     String what,
     long atNs,
+    boolean isOwed,
     String detail,
     SortedMap<String, Double> figures,
     SortedMap<String, Long> checks) {
@@ -58,7 +60,7 @@ public record RunOutcome(
   /** An outcome of a run without specifications. */
   public RunOutcome(
       Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
-    this(verdict, what, atNs, detail, figures, new TreeMap<>());
+    this(verdict, what, atNs, verdict == Verdict.UNFINISHED, detail, figures, new TreeMap<>());
   }
 
   public static RunOutcome good(SortedMap<String, Double> figures) {
@@ -91,8 +93,10 @@ public record RunOutcome(
       }
     }
     RunOutcome outcome = of(result, figures);
+    // A monitor judges at the end what should have happened before.
+    boolean isOwed = outcome.isOwed || outcome.atNs == result.endNs();
     return new RunOutcome(
-        outcome.verdict, outcome.what, outcome.atNs, outcome.detail, figures, checks);
+        outcome.verdict, outcome.what, outcome.atNs, isOwed, outcome.detail, figures, checks);
   }
 
   private static RunOutcome of(SimResult result, SortedMap<String, Double> figures) {
@@ -125,7 +129,7 @@ public record RunOutcome(
 
   /** A copy with other figures. */
   public RunOutcome withFigures(SortedMap<String, Double> newFigures) {
-    return new RunOutcome(verdict, what, atNs, detail, newFigures, checks);
+    return new RunOutcome(verdict, what, atNs, isOwed, detail, newFigures, checks);
   }
 
   public boolean isGood() {

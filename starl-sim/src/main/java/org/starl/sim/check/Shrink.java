@@ -1,11 +1,13 @@
 package org.starl.sim.check;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
-import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.Span;
 import org.starl.sim.fault.TimeRange;
@@ -17,6 +19,13 @@ import org.starl.time.Time;
  * minimal: no further step keeps the failure. Faults are removed in halves, quarters, and one by
  * one (Zeller, Hildebrandt, "Simplifying and isolating failure-inducing input", IEEE TSE 28(2),
  * 2002), then shortened.
+ *
+ * <p>Few robots in little time reach no goal, with or without faults: this is another failure. So, if
+ * the run goes well without its faults, each smaller one must not fail in the same way without them.
+ * If faults are not to blame, a run that has not reached its goal keeps its robots and its time.
+ *
+ * <p>The cause is the smallest set of faults, found in the same way, without which the run that was
+ * given is good.
  *
  * <p>Deterministic: equal runs give equal results. The runs are executed one after another, on the
  * calling thread.
@@ -34,6 +43,7 @@ public final class Shrink {
   private final Progress progress;
   // Later passes repeat steps of earlier ones.
   private final Map<Trial, RunOutcome> known = new LinkedHashMap<>();
+  private boolean areFaultsToBlame;
   private int runs;
 
   /** Called after each run. */
@@ -42,7 +52,7 @@ public final class Shrink {
 
     /**
      * @param run number of the run, from 1, which is the run to shrink
-     * @param isKept whether it fails in the same way; its trial is then the smallest so far
+     * @param isKept whether it is the smallest so far that fails in the same way
      */
     void tried(int run, Trial trial, RunOutcome outcome, boolean isKept);
   }
@@ -51,10 +61,13 @@ public final class Shrink {
    * The result of shrinking: the smallest trial.
    *
    * @param outcome of the trial
+   * @param cause faults of the run to shrink, without which it is good; empty if its faults are not
+   *     to blame
    * @param runs number of runs executed
    * @param isSmallest false if the search ended at {@code mostRuns}
    */
-  public record Result(Trial trial, RunOutcome outcome, int runs, boolean isSmallest) {}
+  public record Result(
+      Trial trial, RunOutcome outcome, List<Fault> cause, int runs, boolean isSmallest) {}
 
   /** The smallest trial so far. */
   private record Best(Trial trial, RunOutcome outcome) {}
@@ -88,7 +101,9 @@ public final class Shrink {
     known.put(from, outcome);
     runs = 1;
     progress.tried(runs, from, outcome, true);
+    areFaultsToBlame = !from.faults().isEmpty() && !failsWithoutFaults(from, outcome);
     Best best = new Best(from, outcome);
+    List<Fault> cause = areFaultsToBlame ? cause(from) : List.of();
     Best before;
     do {
       before = best;
@@ -98,17 +113,49 @@ public final class Shrink {
       best = withShorterFaults(best);
       best = withEarlierEnd(best);
     } while (!best.equals(before) && runs < mostRuns);
-    return new Result(best.trial(), best.outcome(), runs, best.equals(before));
+    boolean isSmallest = best.equals(before) && runs < mostRuns;
+    return new Result(best.trial(), best.outcome(), cause, runs, isSmallest);
+  }
+
+  /** Puts faults back, as many as the run stays good with; the others are the cause. */
+  private List<Fault> cause(Trial from) {
+    List<Fault> removed = new ArrayList<>(from.faults());
+    if (!isGoodWithout(from, removed)) {
+      return List.of(); // it fails in another way then
+    }
+    for (int part = removed.size() / 2; part > 0; part /= 2) {
+      int at = 0;
+      while (at < removed.size()) {
+        List<Fault> fewer = new ArrayList<>(removed);
+        fewer.subList(at, Math.min(at + part, removed.size())).clear();
+        if (!fewer.isEmpty() && isGoodWithout(from, fewer)) {
+          removed = fewer;
+        } else {
+          at += part;
+        }
+      }
+    }
+    return removed;
+  }
+
+  private boolean isGoodWithout(Trial from, List<Fault> removed) {
+    List<Fault> left = new ArrayList<>(from.faults());
+    removed.forEach(left::remove);
+    RunOutcome outcome = outcome(from.withFaults(left));
+    return outcome != null && outcome.isGood();
   }
 
   private Best withFewerRobots(Best start) {
+    if (isGoalMissed(start)) {
+      return start;
+    }
     Best best = start;
     boolean shrank = true;
     while (shrank) {
       int now = best.trial().robots();
       TreeSet<Integer> fewer = new TreeSet<>();
-      for (int robots : new int[] {0, 1, 2, 3, now / 4, now / 2, now * 3 / 4, now - 1}) {
-        if (robots >= 0 && robots < now) {
+      for (int robots : new int[] {1, 2, 3, now / 4, now / 2, now * 3 / 4, now - 1}) {
+        if (robots > 0 && robots < now) {
           fewer.add(robots);
         }
       }
@@ -186,8 +233,7 @@ public final class Shrink {
   }
 
   private Best withEarlierEnd(Best start) {
-    if (start.outcome().verdict() == Verdict.UNFINISHED) {
-      // Every sufficiently short run is unfinished.
+    if (isGoalMissed(start)) {
       return start;
     }
     Best best = start;
@@ -212,20 +258,42 @@ public final class Shrink {
     return best;
   }
 
+  /** Whether fewer robots and less time would fail in the same way, and tell nothing. */
+  private boolean isGoalMissed(Best best) {
+    return best.outcome().isOwed() && !areFaultsToBlame;
+  }
+
   /** {@code trial} if it fails in the same way as {@code best}, otherwise {@code best}. */
   private Best tried(Best best, Trial trial) {
-    RunOutcome before = known.get(trial);
-    if (before == null && runs >= mostRuns) {
+    boolean isNew = !known.containsKey(trial);
+    RunOutcome outcome = outcome(trial);
+    if (outcome == null) {
       return best;
     }
-    RunOutcome outcome = before == null ? run(trial) : before;
-    boolean isKept = outcome.isLike(best.outcome());
-    if (before == null) {
-      known.put(trial, outcome);
-      runs++;
-      progress.tried(runs, trial, outcome, isKept);
+    int run = runs;
+    boolean isKept =
+        outcome.isLike(best.outcome()) && !(areFaultsToBlame && failsWithoutFaults(trial, outcome));
+    if (isNew) {
+      progress.tried(run, trial, outcome, isKept);
     }
     return isKept ? new Best(trial, outcome) : best;
+  }
+
+  private boolean failsWithoutFaults(Trial trial, RunOutcome failure) {
+    RunOutcome outcome = outcome(trial.withFaults(List.of()));
+    return outcome == null || outcome.isLike(failure);
+  }
+
+  /** Executes a trial, unless its outcome is known; null at the limit of runs. */
+  private @Nullable RunOutcome outcome(Trial trial) {
+    RunOutcome before = known.get(trial);
+    if (before != null || runs >= mostRuns) {
+      return before;
+    }
+    RunOutcome outcome = run(trial);
+    known.put(trial, outcome);
+    runs++;
+    return outcome;
   }
 
   private RunOutcome run(Trial trial) {

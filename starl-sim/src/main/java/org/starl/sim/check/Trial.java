@@ -41,13 +41,17 @@ public record Trial(int robots, List<String> settings, List<Fault> faults, long 
   Trial withoutFaults(int from, int count) {
     List<Fault> left = new ArrayList<>(faults);
     left.subList(from, from + count).clear();
-    return new Trial(robots, settings, left, endNs);
+    return withFaults(left);
+  }
+
+  Trial withFaults(List<Fault> newFaults) {
+    return new Trial(robots, settings, newFaults, endNs);
   }
 
   Trial withFault(int index, Fault fault) {
     List<Fault> changed = new ArrayList<>(faults);
     changed.set(index, fault);
-    return new Trial(robots, settings, changed, endNs);
+    return withFaults(changed);
   }
 
   /** {@code 4 robots, 1 setting, 3 faults, 12.3s}. */

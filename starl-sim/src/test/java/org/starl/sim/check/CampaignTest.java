@@ -68,7 +68,7 @@ class CampaignTest {
 
   private static RunOutcome checked(long seed, long quiet) {
     TreeMap<String, Long> checks = new TreeMap<>(Map.of("loud", seed, "quiet", quiet));
-    return new RunOutcome(Verdict.GOOD, "", -1, "", new TreeMap<>(), checks);
+    return new RunOutcome(Verdict.GOOD, "", -1, false, "", new TreeMap<>(), checks);
   }
 
   @Test

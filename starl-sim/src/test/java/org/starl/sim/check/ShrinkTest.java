@@ -111,12 +111,92 @@ class ShrinkTest {
     assertThat(result.outcome().what()).isEqualTo("java.lang.IllegalStateException");
   }
 
+  private static final RunOutcome UNFINISHED =
+      new RunOutcome(Verdict.UNFINISHED, "", -1, "not finished", new TreeMap<>());
+
+  /** A violation that is found at the end of the run: something has not been done. */
+  private static RunOutcome owed(Trial trial) {
+    RunOutcome found = violated("no_job_lost", trial.endNs());
+    return new RunOutcome(
+        found.verdict(),
+        found.what(),
+        found.atNs(),
+        true,
+        found.detail(),
+        found.figures(),
+        found.checks());
+  }
+
   @Test
-  void anUnfinishedRunIsNotShortened() {
-    RunOutcome unfinished =
-        new RunOutcome(Verdict.UNFINISHED, "", -1, "not finished", new TreeMap<>());
-    Shrink.Result result = shrink(trial(8, 4), t -> unfinished);
-    assertThat(result.trial()).isEqualTo(new Trial(0, List.of(), List.of(), 1200 * S));
+  void aGoalThatIsMissedWithoutFaultsKeepsItsRobotsAndItsTime() {
+    Trial whole = new Trial(8, List.of(), List.of(), 1200 * S);
+    assertThat(shrink(trial(8, 4), t -> UNFINISHED).trial()).isEqualTo(whole);
+    assertThat(shrink(trial(8, 4), ShrinkTest::owed).trial()).isEqualTo(whole);
+  }
+
+  /** A fault prevents the goal, for which {@code robots} need {@code seconds}. */
+  private static Function<Trial, RunOutcome> prevented(
+      int robots, long seconds, Function<Trial, RunOutcome> failure) {
+    String culprit = begin(faults(9).get(4));
+    return t ->
+        t.robots() < robots
+                || t.endNs() < seconds * S
+                || t.faults().stream().map(ShrinkTest::begin).anyMatch(culprit::equals)
+            ? failure.apply(t)
+            : GOOD;
+  }
+
+  @Test
+  void theRobotsAndTheTimeThatTheGoalNeedsAreKeptIfAFaultIsToBlame() {
+    for (Function<Trial, RunOutcome> failure :
+        List.<Function<Trial, RunOutcome>>of(t -> UNFINISHED, ShrinkTest::owed)) {
+      Shrink.Result result = shrink(trial(12, 9), prevented(3, 60, failure));
+      assertThat(result.trial().robots()).isEqualTo(3);
+      assertThat(result.trial().faults()).hasSize(1);
+      assertThat(result.trial().endNs()).isGreaterThanOrEqualTo(60 * S);
+      assertThat(result.cause()).containsExactly(faults(9).get(4));
+    }
+  }
+
+  @Test
+  void aFailureInTimeIsShortenedAlthoughItsGoodTwinDoesNotFinishThen() {
+    Shrink.Result result =
+        shrink(
+            trial(12, 9),
+            t ->
+                t.faults().isEmpty()
+                    ? t.endNs() < 300 * S ? UNFINISHED : GOOD
+                    : violated("Lemma", 12 * S));
+    assertThat(result.trial().endNs()).isEqualTo(12 * S + S / 10);
+    assertThat(result.trial().robots()).isEqualTo(1);
+  }
+
+  @Property(tries = 100)
+  void theCauseIsASmallestSetOfFaultsWithoutWhichTheRunIsGood(
+      @ForAll @Size(min = 1, max = 4)
+          List<@Size(min = 1, max = 3) List<@IntRange(max = 11) Integer>> conjunctions) {
+    // It fails with all faults of any of the conjunctions.
+    List<Fault> all = faults(12);
+    List<List<Fault>> needed =
+        conjunctions.stream()
+            .map(numbers -> numbers.stream().distinct().map(all::get).toList())
+            .toList();
+    Predicate<List<Fault>> isBad = faults -> needed.stream().anyMatch(faults::containsAll);
+    List<Fault> cause = shrink(trial(2, 12), failsIf(t -> isBad.test(t.faults()))).cause();
+    List<Fault> left = new ArrayList<>(all);
+    left.removeAll(cause);
+    assertThat(cause).isNotEmpty();
+    assertThat(isBad.test(left)).isFalse();
+    for (Fault fault : cause) {
+      List<Fault> more = new ArrayList<>(left);
+      more.add(fault);
+      assertThat(isBad.test(more)).as("without %s in %s", fault, cause).isTrue();
+    }
+  }
+
+  @Test
+  void noRunIsShrunkToNoRobots() {
+    assertThat(shrink(trial(8, 0), t -> violated("Lemma", S)).trial().robots()).isEqualTo(1);
   }
 
   @Test
