@@ -2,6 +2,7 @@ package org.starl.apps;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.SortedMap;
@@ -32,9 +33,7 @@ public interface AppFactory {
 
   /** Each parameter's default value by its key; the caller may change the map. */
   default SortedMap<String, String> defaults() {
-    SortedMap<String, String> defaults = new TreeMap<>();
-    parameters().forEach(parameter -> defaults.put(parameter.key(), parameter.defaultValue()));
-    return defaults;
+    return Parameter.values(parameters(), Map.of());
   }
 
   /**

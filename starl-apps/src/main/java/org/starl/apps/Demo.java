@@ -2,8 +2,8 @@ package org.starl.apps;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
-import java.util.TreeMap;
 import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
@@ -48,9 +48,7 @@ public interface Demo {
 
   /** Each parameter's default value by its key; the caller may change the map. */
   default SortedMap<String, String> defaults() {
-    SortedMap<String, String> defaults = new TreeMap<>();
-    parameters().forEach(parameter -> defaults.put(parameter.key(), parameter.defaultValue()));
-    return defaults;
+    return Parameter.values(parameters(), Map.of());
   }
 
   /**

@@ -89,7 +89,34 @@ public record Request(
   }
 
   /**
-   * Parses the value of a parameter.
+   * The value of a parameter whose form is a whole number.
+   *
+   * @throws BadInput if it is none; the message begins with the key
+   */
+  public int whole(Parameter parameter) {
+    return StrictMath.toIntExact((Long) parameter.value(parameter(parameter.key())));
+  }
+
+  /**
+   * The value of a parameter whose form is a quantity, in its unit: mm, mm/s, ns, rad, 1/s.
+   *
+   * @throws BadInput if it is none; the message begins with the key
+   */
+  public double amount(Parameter parameter) {
+    return (Double) parameter.value(parameter(parameter.key()));
+  }
+
+  /**
+   * The value of a parameter whose form is a choice.
+   *
+   * @throws BadInput if it is none; the message begins with the key
+   */
+  public String choice(Parameter parameter) {
+    return (String) parameter.value(parameter(parameter.key()));
+  }
+
+  /**
+   * Parses the value of a parameter that takes any text.
    *
    * @param parser throws {@link BadInput} if it cannot use the text
    * @throws BadInput of the parser, with the parameter's key before the message

@@ -83,6 +83,7 @@ final class JsonSchema {
       case Form.Whole whole -> number("integer", whole.least(), whole.most());
       case Form.Decimal decimal -> number("number", decimal.least(), decimal.most());
       case Form.Amount amount -> amount(amount);
+      case Form.Between between -> between(between);
       case Form.Choice choice -> Map.of("enum", choices(choice));
       case Form.YesNo yesNo -> Map.of("enum", YES_NO);
       case Form.Text text ->
@@ -114,6 +115,14 @@ final class JsonSchema {
 
   private static Map<String, Object> number(String type, Number least, Number most) {
     return Json.object(TYPE, type, "minimum", least, "maximum", most);
+  }
+
+  private static Map<String, Object> between(Form.Between between) {
+    Quantity quantity = between.quantity();
+    Map<String, Object> json = amount(new Form.Amount(quantity, false));
+    json.replace("minimum", quantity.value(between.least()));
+    json.replace("maximum", quantity.value(between.most()));
+    return json;
   }
 
   private static Map<String, Object> amount(Form.Amount amount) {

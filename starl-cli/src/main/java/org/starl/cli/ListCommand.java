@@ -126,7 +126,7 @@ final class ListCommand extends BaseCommand implements Runnable {
       items.add(new Item("scenario", app, scenario.name(), "", scenario.what()));
     }
     for (Parameter p : demo.parameters()) {
-      items.add(new Item("parameter", app, p.key(), p.defaultValue(), p.what()));
+      items.add(new Item("parameter", app, p.key(), p.defaultValue(), p.text()));
     }
     return items;
   }

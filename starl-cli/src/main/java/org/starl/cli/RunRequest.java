@@ -131,8 +131,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   private Request request(long seed) {
-    SortedMap<String, String> all = demo.defaults();
-    all.putAll(parameters);
+    SortedMap<String, String> all = Parameter.values(demo.parameters(), parameters);
     Request request = new Request(seed, robots(), all, parameters.keySet());
     return settings.get(Setting.CHAOS) == Envelope.NONE ? request : demo.varied(request);
   }

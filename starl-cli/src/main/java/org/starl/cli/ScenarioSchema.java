@@ -143,7 +143,7 @@ final class ScenarioSchema {
 
   private static Map<String, Object> parameter(Demo demo, Parameter parameter) {
     Form form = parameter.form();
-    Map<String, Object> json = Json.object(JsonSchema.DESCRIPTION, parameter.what());
+    Map<String, Object> json = Json.object(JsonSchema.DESCRIPTION, parameter.text());
     if (parameter.key().equals(SCENARIO) && !demo.scenarios().isEmpty()) {
       Map<String, String> scenarios = new LinkedHashMap<>();
       demo.scenarios().forEach(scenario -> scenarios.put(scenario.name(), scenario.what()));

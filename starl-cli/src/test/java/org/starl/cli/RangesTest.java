@@ -1,7 +1,6 @@
 package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
@@ -12,13 +11,19 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
+import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
 import org.starl.input.BadInput;
+import org.starl.input.Form;
+import org.starl.input.Quantity;
 
-/** The ranges on an app's page and in its help are those that its code accepts. */
+/** The ranges on an app's page, in its help and in its code are those of its parameters' forms. */
 class RangesTest {
 
   private static final int TOO_MANY = 1_000_000;
@@ -54,23 +59,63 @@ class RangesTest {
 
   @ParameterizedTest
   @MethodSource("apps")
-  void thePageTheHelpAndTheCodeHaveOneRangeForEachParameter(String app) throws IOException {
+  void thePageHasTheRangeOfEachParameter(String app) throws IOException {
     Demo demo = Main.APPS.byName(app).orElseThrow();
     for (Parameter parameter : demo.parameters()) {
-      Matcher range = RANGE.matcher(parameter.what());
+      Matcher range =
+          Pattern.compile("from (\\S+ to \\S+)$").matcher(Form.expected(parameter.form()));
       if (range.find()) {
-        String key = parameter.key();
-        String row =
-            page(demo).lines().filter(l -> l.startsWith("| `" + key + "`")).findFirst().orElse("");
-        assertThat(row).as(app + ", " + key).contains(range.group());
-        int most = Integer.parseInt(range.group(2));
-        assertThatCode(() -> plan(demo, key, String.valueOf(most))).doesNotThrowAnyException();
-        for (int outside : List.of(Integer.parseInt(range.group(1)) - 1, most + 1)) {
-          assertThatThrownBy(() -> plan(demo, key, String.valueOf(outside)))
-              .as(app + ", " + key + "=" + outside)
-              .isInstanceOf(BadInput.class);
-        }
+        String key = "| `" + parameter.key() + "`";
+        String row = page(demo).lines().filter(l -> l.startsWith(key)).findFirst().orElse("");
+        assertThat(row).as(app + ", " + key).contains(range.group(1));
       }
+    }
+  }
+
+  /** Whether the app reads it or not: drawn=200 is refused although the points are those of a file. */
+  @ParameterizedTest
+  @MethodSource("apps")
+  void aValueOutsideItsFormIsRefused(String app) {
+    Demo demo = Main.APPS.byName(app).orElseThrow();
+    for (Parameter parameter : demo.parameters()) {
+      if (!(parameter.form() instanceof Form.Text)) {
+        assertThatThrownBy(() -> plan(demo, parameter.key(), "erly"))
+            .as(app + ", " + parameter.key())
+            .isInstanceOf(BadInput.class)
+            .hasMessageStartingWith(parameter.key() + ": 'erly': expected ");
+      }
+    }
+  }
+
+  @Test
+  void aScenarioFilesValueIsRefusedByItsFormAlone() {
+    Cli.run(new Demos(List.of(new Careless())), "run careless --set when=erly".split(" "))
+        .assertRefused("when: 'erly': expected one of early, late");
+    Cli.run(new Demos(List.of(new Careless())), "run careless --set far=20m".split(" "))
+        .assertRefused("far: '20m': expected a distance from 1m to 10m");
+    Cli list = Cli.run(new Demos(List.of(new Careless())), "list", "careless");
+    assertThat(list.text())
+        .contains("when it begins; one of early, late")
+        .contains("how far it goes; a distance from 1m to 10m");
+  }
+
+  /** Declares parameters, and forgets to check them. */
+  private static final class Careless extends HelloWithATwist {
+    Careless() {
+      super("careless", "an app that reads nothing");
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of(
+          new Parameter("when", "late", "when it begins", Form.choice(List.of("early", "late"))),
+          new Parameter(
+              "far", "2m", "how far it goes", Form.between(Quantity.DISTANCE, "1m", "10m")));
+    }
+
+    @Override
+    Plan twist(Plan plan, Request request) {
+      return plan;
     }
   }
 }

@@ -139,7 +139,7 @@ public final class LightPaintDemo implements Demo {
   }
 
   private static List<Line> drawing(Request request) {
-    double scaleMm = LightPaintFactory.mm(request, SCALE, 0.001, 10_000);
+    double scaleMm = request.amount(SCALE);
     String file = request.parameter(DRAWING.key());
     return file.isEmpty()
         ? LightPaintFactory.house(request)

@@ -215,7 +215,7 @@ public final class MazeDemo implements Demo {
   }
 
   private static double cellMm(Request request, double bodyMm) {
-    double cellMm = request.parse(CELL, Quantities::distanceMm);
+    double cellMm = request.amount(CELL);
     double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + MazeTask.MARGIN_MM)) + CELL_SPARE_MM;
     if (cellMm < leastMm || cellMm > MOST_CELL_MM) {
       String least = Math.round(leastMm) + "mm (room for a body and its margin)";

@@ -184,7 +184,7 @@ class MazeTest {
       textBlock =
           """
           robots=9 | expected 1 to 8 in a maze
-          collision=bounce | collision='bounce': expected stop, back or discover
+          collision=bounce | collision: 'bounce': expected one of stop, back, discover
           hidden=2 | hidden: '2': expected a probability from 0 to 1
           scenario=files | expected drawn, files with files=FOLDER, or map with map=FILE
           scenario=labyrinth | expected drawn, files with files=FOLDER, or map with map=FILE
@@ -226,7 +226,7 @@ class MazeTest {
     Path file = shared("maps/maze-32-32-4.map");
     Map<String, String> parameters = Map.of("map", file.toString(), "cell", "400mm");
     assertThatThrownBy(() -> plan(1, 4, parameters, Map.of()))
-        .hasMessage("cell='400mm': expected 500mm (room for a body and its margin) to 10m");
+        .hasMessage("cell: '400mm': expected a distance from 500mm to 10m");
   }
 
   @Test

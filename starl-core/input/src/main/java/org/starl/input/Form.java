@@ -6,8 +6,7 @@ import java.util.Map;
 
 /**
  * The values that a setting, a parameter or a line of a document takes: for error messages and for
- * JSON schemas. A form is at most as strict as the reader: the reader may refuse a value that
- * the form allows.
+ * JSON schemas. {@link #value} reads them; another reader may refuse a value that the form allows.
  */
 public sealed interface Form {
 
@@ -28,6 +27,13 @@ public sealed interface Form {
 
   /** A quantity with its unit, at least 0; above 0 if {@code isAboveZero}. */
   record Amount(Quantity quantity, boolean isAboveZero) implements Form {}
+
+  /**
+   * A quantity with its unit, both ends included.
+   *
+   * @param least and {@code most}: values of the quantity, as text
+   */
+  record Between(Quantity quantity, String least, String most) implements Form {}
 
   /** One of these words. */
   record Choice(List<String> values) implements Form {
@@ -106,7 +112,17 @@ public sealed interface Form {
     return switch (form) {
       case Whole whole -> "a whole number from " + whole.least() + " to " + whole.most();
       case Decimal decimal -> "a number from " + decimal.least() + " to " + decimal.most();
-      case Amount amount -> "a " + amount.quantity().name().toLowerCase(Locale.ROOT);
+      case Amount amount ->
+          "a "
+              + amount.quantity().name().toLowerCase(Locale.ROOT)
+              + (amount.isAboveZero() ? " above 0" : "");
+      case Between between ->
+          "a "
+              + between.quantity().name().toLowerCase(Locale.ROOT)
+              + " from "
+              + between.least()
+              + " to "
+              + between.most();
       case Choice choice -> "one of " + String.join(", ", choice.values());
       case YesNo yesNo -> "one of true, false, yes, no, on, off";
       case Text text -> "a text";
@@ -121,6 +137,52 @@ public sealed interface Form {
     };
   }
 
+  /**
+   * The value of a text: a {@link Long}, a {@link Double}, for a quantity in its unit (mm, mm/s, ns,
+   * rad, 1/s), a {@link Boolean} or the text itself, stripped for a {@link Choice}.
+   *
+   * @throws BadInput if the text is no value of the form
+   */
+  static Object value(Form form, String text) {
+    return switch (form) {
+      case Whole whole -> Quantities.whole(text, whole.least(), whole.most());
+      case Decimal decimal -> {
+        double value = Quantities.number(text);
+        yield within(form, text, value, decimal.least(), decimal.most());
+      }
+      case Amount amount -> {
+        double value = amount.quantity().value(text);
+        double least = amount.isAboveZero() ? Double.MIN_VALUE : 0;
+        yield within(form, text, value, least, Double.POSITIVE_INFINITY);
+      }
+      case Between between -> {
+        Quantity quantity = between.quantity();
+        double value = quantity.value(text);
+        yield within(
+            form, text, value, quantity.value(between.least()), quantity.value(between.most()));
+      }
+      case Choice choice -> {
+        if (!choice.values().contains(text.trim())) {
+          throw notA(form, text);
+        }
+        yield text.trim();
+      }
+      case YesNo yesNo -> Quantities.yesOrNo(text);
+      default -> text;
+    };
+  }
+
+  private static double within(Form form, String text, double value, double least, double most) {
+    if (value < least || value > most) {
+      throw notA(form, text);
+    }
+    return value;
+  }
+
+  private static BadInput notA(Form form, String text) {
+    return new BadInput(BadInput.quote(text) + ": expected " + expected(form));
+  }
+
   static Form whole(long least, long most) {
     return new Whole(least, most);
   }
@@ -133,6 +195,11 @@ public sealed interface Form {
   /** A quantity above 0. */
   static Form above0(Quantity quantity) {
     return new Amount(quantity, true);
+  }
+
+  /** A quantity from {@code least} to {@code most}, as text. */
+  static Form between(Quantity quantity, String least, String most) {
+    return new Between(quantity, least, most);
   }
 
   static Form choice(List<String> values) {

@@ -37,6 +37,23 @@ public enum Quantity {
     return mostWithoutUnit;
   }
 
+  /**
+   * The value of a text in this quantity's unit: mm, mm/s, ns, rad, 1/s.
+   *
+   * @throws BadInput if the text is no value
+   */
+  public double value(String text) {
+    return switch (this) {
+      case NUMBER -> Quantities.number(text);
+      case PROBABILITY -> Quantities.probability(text);
+      case DURATION -> Quantities.durationNs(text);
+      case DISTANCE -> Quantities.distanceMm(text);
+      case SPEED -> Quantities.speedMmPerS(text);
+      case ANGLE -> Quantities.angleRad(text);
+      case RATE -> Quantities.rateHz(text);
+    };
+  }
+
   /** Matches every text of a value, as a whole. */
   public String pattern() {
     String bareZero = mostWithoutUnit != 0 ? "" : "|0+(\\.0+)?";

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import org.starl.apps.AppFactory;
+import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.body.MotionParameters;
@@ -42,14 +43,14 @@ final class PhoneApps {
             "one of " + parameters.keySet() + " for " + deployment.app() + " on a phone");
       }
     }
-    Request request =
-        new Request(
-            deployment.seed(),
-            OptionalInt.of(deployment.robots().size()),
-            parameters,
-            parameters.keySet(),
-            RealMotion.of(MotionParameters.DEFAULT, deployment.limits()));
     try {
+      Request request =
+          new Request(
+              deployment.seed(),
+              OptionalInt.of(deployment.robots().size()),
+              Parameter.values(factory.parameters(), parameters),
+              parameters.keySet(),
+              RealMotion.of(MotionParameters.DEFAULT, deployment.limits()));
       return factory.program(request);
     } catch (BadInput e) {
       String message = String.valueOf(e.getMessage());

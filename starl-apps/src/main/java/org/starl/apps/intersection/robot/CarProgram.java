@@ -1,5 +1,6 @@
 package org.starl.apps.intersection.robot;
 
+import java.util.Locale;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.Request;
@@ -8,7 +9,6 @@ import org.starl.apps.intersection.logic.IcpProgram;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.id.Participants;
-import org.starl.input.BadInput;
 
 /** The programs that a car may run. Cars of different programs can meet at one intersection. */
 public enum CarProgram implements CarMaker {
@@ -21,14 +21,7 @@ public enum CarProgram implements CarMaker {
 
   /** The choice of the parameter {@code car}. */
   public static CarProgram of(Request request) {
-    String name = request.parameter(IntersectionFactory.CAR.key());
-    return switch (name) {
-      case "flow" -> FLOW;
-      case "paper" -> PAPER;
-      case "program" -> PROGRAM;
-      default ->
-          throw new BadInput("car=" + BadInput.quote(name) + ": expected flow, paper or program");
-    };
+    return valueOf(request.choice(IntersectionFactory.CAR).toUpperCase(Locale.ROOT));
   }
 
   @Override

@@ -11,7 +11,6 @@ import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.ListCrit;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
-import org.starl.input.Quantities;
 import org.starl.input.Quantity;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -30,7 +29,7 @@ public final class IntersectionFactory implements AppFactory {
       new Parameter(
           "debris",
           "1",
-          "pieces of debris on the crossing, 0 to 8, from the seed: hidden from all cars, removed"
+          "pieces of debris on the crossing, from the seed: hidden from all cars, removed"
               + " after 5 to 30 s",
           Form.whole(0, 8));
   public static final Parameter ARRIVALS =
@@ -54,8 +53,6 @@ public final class IntersectionFactory implements AppFactory {
   public static final String DRAWN = "drawn";
   public static final String FIGURE7 = "figure7";
 
-  private static final int MAX_DEBRIS = 8;
-
   @Override
   public String name() {
     return "intersection";
@@ -76,7 +73,7 @@ public final class IntersectionFactory implements AppFactory {
 
   /** The pieces of debris, which exist on a simulated floor only. */
   public static int debris(Request request) {
-    return (int) request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS)).longValue();
+    return request.whole(DEBRIS);
   }
 
   /**

@@ -12,7 +12,8 @@ import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
+import org.starl.input.Form;
+import org.starl.input.Quantity;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.trace.Vocabulary;
 
@@ -25,12 +26,23 @@ public final class LightPaintFactory implements AppFactory {
       new Parameter(
           "starts", "", "file NAME.wpt with the painters' starts (default: beside the drawing)");
   public static final Parameter SCALE =
-      new Parameter("scale", "5mm", "millimetres per unit (pixel) of an SVG drawing");
+      new Parameter(
+          "scale",
+          "5mm",
+          "length of a unit (pixel) of an SVG drawing",
+          Form.between(Quantity.DISTANCE, "0.001mm", "10m"));
   public static final Parameter FLATNESS =
       new Parameter(
-          "flatness", "5mm", "maximum distance of a curve from the straight lines that replace it");
+          "flatness",
+          "5mm",
+          "maximum distance of a curve from the straight lines that replace it",
+          Form.between(Quantity.DISTANCE, "1mm", "100mm"));
   public static final Parameter STROKE =
-      new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
+      new Parameter(
+          "stroke",
+          "1200mm",
+          "maximum length of a stroke, which one robot paints",
+          Form.between(Quantity.DISTANCE, "100mm", "10m"));
 
   /** Every painter votes on every tube and plans around all tubes. */
   private static final int MAX_PAINTERS = 200;
@@ -86,7 +98,7 @@ public final class LightPaintFactory implements AppFactory {
 
   /** The value of {@link #FLATNESS}. */
   public static double flatnessMm(Request request) {
-    return mm(request, FLATNESS, 1, 100);
+    return request.amount(FLATNESS);
   }
 
   /**
@@ -95,7 +107,7 @@ public final class LightPaintFactory implements AppFactory {
    * @throws BadInput if there are none, or too many
    */
   public static List<Stroke> strokes(Request request, List<Line> lines) {
-    double longestMm = mm(request, STROKE, 100, 10_000);
+    double longestMm = request.amount(STROKE);
     List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm(request), longestMm);
     if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
       throw new BadInput(
@@ -108,23 +120,5 @@ public final class LightPaintFactory implements AppFactory {
               + "; change scale or stroke");
     }
     return strokes;
-  }
-
-  /**
-   * A distance.
-   *
-   * @throws BadInput if it is not from {@code least} to {@code most}, in mm
-   */
-  public static double mm(Request request, Parameter parameter, double least, double most) {
-    return request.parse(
-        parameter,
-        text -> {
-          double mm = Quantities.distanceMm(text);
-          if (mm < least || mm > most) {
-            throw new BadInput(
-                BadInput.quote(text) + ": expected " + least + "mm to " + most + "mm");
-          }
-          return mm;
-        });
   }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.starl.apps.AppFactory;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
@@ -12,7 +13,9 @@ import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.MazeApp;
 import org.starl.apps.maze.logic.MazeFact;
 import org.starl.input.BadInput;
+import org.starl.input.Form;
 import org.starl.input.Quantities;
+import org.starl.input.Quantity;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.random.Rng;
 import org.starl.trace.Vocabulary;
@@ -32,7 +35,11 @@ public final class MazeFactory implements AppFactory {
   public static final Parameter MAP =
       new Parameter("map", "", "a grid map (.map); implies scenario=map");
   public static final Parameter CELL =
-      new Parameter("cell", "500mm", "side of a cell of the map, 500mm to 10m");
+      new Parameter(
+          "cell",
+          "500mm",
+          "side of a cell of the map",
+          Form.between(Quantity.DISTANCE, "500mm", "10m"));
   public static final Parameter HIDDEN =
       new Parameter(
           "hidden",
@@ -40,7 +47,14 @@ public final class MazeFactory implements AppFactory {
           "drawn: part of the walls that is hidden, 0 to 1 (default: 0.4); map: number of hidden"
               + " boxes on the robots' shortest ways, 0 to 64 (default: one per robot)");
   public static final Parameter COLLISION =
-      new Parameter("collision", "back", "what a robot does after a bump: stop, back or discover");
+      new Parameter(
+          "collision",
+          "back",
+          "what a robot does after a bump",
+          Form.choice(
+              Arrays.stream(CollisionMode.values())
+                  .map(mode -> mode.name().toLowerCase(Locale.ROOT))
+                  .collect(Collectors.toList())));
 
   private static final int MOST_ROBOTS = 8;
   private static final double HIDDEN_PART = 0.4;
@@ -112,13 +126,6 @@ public final class MazeFactory implements AppFactory {
    * @throws BadInput if it is no mode
    */
   public static CollisionMode mode(Request request) {
-    String text = request.parameter(COLLISION.key());
-    for (CollisionMode mode : CollisionMode.values()) {
-      if (mode.name().toLowerCase(Locale.ROOT).equals(text)) {
-        return mode;
-      }
-    }
-    throw new BadInput(
-        COLLISION.key() + "=" + BadInput.quote(text) + ": expected stop, back or discover");
+    return CollisionMode.valueOf(request.choice(COLLISION).toUpperCase(Locale.ROOT));
   }
 }

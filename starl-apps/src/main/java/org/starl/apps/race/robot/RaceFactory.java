@@ -12,7 +12,7 @@ import org.starl.apps.race.logic.RacePoint;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
+import org.starl.input.Form;
 import org.starl.random.Rng;
 import org.starl.trace.Vocabulary;
 
@@ -25,11 +25,10 @@ public final class RaceFactory implements AppFactory {
           "",
           "a .wpt file: its WAY lines are the points, in order; empty: drawn from the seed");
   public static final Parameter DRAWN =
-      new Parameter("drawn", "5", "number of points drawn from the seed, 1 to 100");
+      new Parameter("drawn", "5", "number of points drawn from the seed", Form.whole(1, 100));
 
   private static final String XID = "race";
   private static final int MAX_ROBOTS = 1000;
-  private static final int MAX_DRAWN = 100;
   private static final int TRIES = 100;
 
   /** The simulator's default floor. */
@@ -85,8 +84,7 @@ public final class RaceFactory implements AppFactory {
 
   /** The points that a request draws, on a floor of this size. */
   public static List<RacePoint> drawn(Request request, double widthMm, double heightMm) {
-    long count = request.parse(DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
-    return drawn((int) count, widthMm, heightMm, new Rng(request.seed()).fork("race"));
+    return drawn(request.whole(DRAWN), widthMm, heightMm, new Rng(request.seed()).fork("race"));
   }
 
   /**

@@ -14,7 +14,7 @@ import org.starl.apps.search.logic.SearchApp;
 import org.starl.apps.search.logic.SearchFact;
 import org.starl.body.MotionParameters;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
+import org.starl.input.Form;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.random.Rng;
@@ -34,7 +34,10 @@ public final class SearchFactory implements AppFactory {
       new Parameter("scenario", GENERATED, "one of the scenarios above");
   public static final Parameter ROOMS =
       new Parameter(
-          "rooms", "6", "number of rooms of a generated house, 1 to " + GeneratedHouse.MAX_ROOMS);
+          "rooms",
+          "6",
+          "number of rooms of a generated house",
+          Form.whole(1, GeneratedHouse.MAX_ROOMS));
   public static final Parameter OBJECT =
       new Parameter(
           "object",
@@ -94,8 +97,7 @@ public final class SearchFactory implements AppFactory {
     if (robots < 1 || robots > MAX_ROBOTS) {
       throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS);
     }
-    long rooms = request.parse(ROOMS, text -> Quantities.whole(text, 1, GeneratedHouse.MAX_ROOMS));
-    HousePlan plan = GeneratedHouse.of((int) rooms, robots, rng(request).fork("house"));
+    HousePlan plan = GeneratedHouse.of(request.whole(ROOMS), robots, rng(request).fork("house"));
     return House.of(plan, RANGE_MM, Drive.clearanceMm(body, plan.bounds()));
   }
 
