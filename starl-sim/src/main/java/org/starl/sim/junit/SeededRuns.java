@@ -37,6 +37,7 @@ import org.starl.trace.Vocabulary;
  * The runs of one test, for consecutive seeds.
  *
  * @param name of the test, in the format of Maven's {@code -Dtest}
+ * @param cell what these runs have in common
  * @param faults of every run, in addition to those of the scenario
  * @param chaos envelope to draw from; {@link Envelope#NONE} for the scenario's own
  * @param atMostNs end of runs whose scenario sets no end
@@ -46,6 +47,7 @@ import org.starl.trace.Vocabulary;
  */
 record SeededRuns(
     String name,
+    Cell cell,
     FaultPlan faults,
     Envelope chaos,
     long atMostNs,
@@ -104,7 +106,6 @@ record SeededRuns(
    * @throws InterruptedException if the test's thread is interrupted
    */
   void run(long firstSeed, long lastSeed) throws InterruptedException {
-    files.removeOld(name);
     Campaign campaign = new Campaign(firstSeed, lastSeed);
     List<Run> runs = new ArrayList<>();
     for (long seed = firstSeed; seed <= lastSeed; seed++) {
@@ -127,7 +128,7 @@ record SeededRuns(
     }
     if (result.leavesUnchecked()) {
       throw new AssertionError(
-          name + ": never checked in " + runs.size() + " runs: " + result.neverChecked());
+          title() + ": never checked in " + runs.size() + " runs: " + result.neverChecked());
     }
   }
 
@@ -176,6 +177,7 @@ record SeededRuns(
       List<Fault> schedule,
       Simulation.Builder builder,
       List<Consumer<SimResult>> checks) {
+    builder.settings(cell.over(builder.settings()));
     scenario.fill(seed, builder, checks);
     SimSettings.Builder settings = builder.settings().toBuilder();
     if (!builder.settings().has(Setting.DURATION)) {
@@ -226,7 +228,7 @@ record SeededRuns(
 
   private String report(List<Bad> bad, int runs) throws InterruptedException {
     List<String> lines = new ArrayList<>();
-    lines.add(name + ": " + bad.size() + " of " + runs + " runs went wrong");
+    lines.add(title() + ": " + bad.size() + " of " + runs + " runs went wrong");
     for (Bad each : bad.subList(0, Math.min(bad.size(), MOST_REPORTED))) {
       lines.add("  seed " + each.run().seed + ": " + each.what());
     }
@@ -301,7 +303,12 @@ record SeededRuns(
     return "replay: " + command(seed);
   }
 
+  private String title() {
+    return cell.isEmpty() ? name : name + " with " + cell;
+  }
+
   private String command(long seed) {
-    return "mvn test '-Dtest=" + name + "' -D" + StarlExtension.SEED + "=" + seed;
+    String only = cell.isEmpty() ? "" : " '-D" + StarlExtension.CELL + "=" + cell + "'";
+    return "mvn test '-Dtest=" + name + "' -D" + StarlExtension.SEED + "=" + seed + only;
   }
 }

@@ -31,6 +31,9 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
   /** The configuration parameter or system property that selects a single seed. */
   static final String SEED = "starl.seed";
 
+  /** The same for a cell of the matrix, as it is printed. */
+  static final String CELL = "starl.cell";
+
   StarlExtension() {}
 
   @Override
@@ -42,7 +45,10 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
             .filter(method -> method.equals(parameter.getDeclaringExecutable()))
             .isPresent();
     return isOfTest
-        && (type == Simulation.Builder.class || type == RunChecks.class || type == long.class);
+        && (type == Simulation.Builder.class
+            || type == RunChecks.class
+            || type == Cell.class
+            || type == long.class);
   }
 
   @Override
@@ -50,6 +56,9 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     Class<?> type = parameter.getParameter().getType();
     if (type == long.class) {
       return 0L;
+    }
+    if (type == Cell.class) {
+      return Cell.NONE;
     }
     RunChecks ignored = assertion -> {};
     return type == RunChecks.class ? ignored : Simulation.builder();
@@ -65,27 +74,50 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     sayWhyRunsAreSlow(context);
     Method method = test.getExecutable();
     StarlTest annotation = AnnotationSupport.findAnnotation(method, StarlTest.class).orElseThrow();
-    SeededRuns runs =
-        new SeededRuns(
-            context.getRequiredTestClass().getName() + "#" + method.getName(),
-            faults(annotation),
-            annotation.chaos(),
-            atMostNs(annotation),
-            schedules(annotation),
-            files(context),
-            (seed, simulation, afterwards) ->
-                ReflectionSupport.invokeMethod(
-                    method,
-                    test.getTarget().orElse(null),
-                    arguments(test, seed, simulation, afterwards)));
     Optional<Long> alone = context.getConfigurationParameter(SEED).flatMap(StarlExtension::seed);
-    if (alone.isPresent()) {
-      runs.run(alone.get(), alone.get());
-    } else if (annotation.seeds() < 1) {
+    if (annotation.seeds() < 1) {
       throw new ExtensionConfigurationException(
           "seeds = " + annotation.seeds() + ": expected at least 1");
-    } else {
-      runs.run(annotation.firstSeed(), annotation.firstSeed() + annotation.seeds() - 1);
+    }
+    long first = alone.orElse(annotation.firstSeed());
+    long last = alone.orElse(annotation.firstSeed() + annotation.seeds() - 1);
+    String name = context.getRequiredTestClass().getName() + "#" + method.getName();
+    RunFiles files = files(context);
+    files.removeOld(name);
+    for (Cell cell : cells(annotation, context)) {
+      new SeededRuns(
+              name,
+              cell,
+              faults(annotation),
+              annotation.chaos(),
+              atMostNs(annotation),
+              schedules(annotation),
+              files,
+              (seed, simulation, afterwards) ->
+                  ReflectionSupport.invokeMethod(
+                      method,
+                      test.getTarget().orElse(null),
+                      arguments(test, cell, seed, simulation, afterwards)))
+          .run(first, last);
+    }
+  }
+
+  /** The cells of the matrix, or the one that was asked for. */
+  private static List<Cell> cells(StarlTest annotation, ExtensionContext context) {
+    try {
+      List<Cell> all = Cell.of(annotation.matrix());
+      String asked = context.getConfigurationParameter(CELL).map(String::strip).orElse("");
+      if (asked.isEmpty() || annotation.matrix().length == 0) {
+        return all;
+      }
+      List<Cell> cells = all.stream().filter(cell -> cell.toString().equals(asked)).toList();
+      if (cells.isEmpty()) {
+        throw new ExtensionConfigurationException(
+            CELL + "=" + BadInput.quote(asked) + ": expected one of " + all);
+      }
+      return cells;
+    } catch (BadInput wrong) {
+      throw new ExtensionConfigurationException(String.valueOf(wrong.getMessage()), wrong);
     }
   }
 
@@ -117,6 +149,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
 
   private static Object[] arguments(
       ReflectiveInvocationContext<Method> test,
+      Cell cell,
       long seed,
       Simulation.Builder simulation,
       List<Consumer<SimResult>> checks) {
@@ -128,6 +161,8 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
         arguments.set(i, simulation);
       } else if (types[i] == RunChecks.class) {
         arguments.set(i, afterwards);
+      } else if (types[i] == Cell.class) {
+        arguments.set(i, cell);
       } else if (types[i] == long.class) {
         arguments.set(i, seed);
       }

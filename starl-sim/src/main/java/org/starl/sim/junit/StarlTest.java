@@ -21,7 +21,7 @@ import org.starl.sim.fault.Envelope;
  * }</pre>
  *
  * <p>The method configures the builder, whose seed is already set; it may also have parameters
- * {@link RunChecks}, {@code long} for the seed, and those of other extensions. It is called once
+ * {@link RunChecks}, {@code long} for the seed, {@link Cell}, and those of other extensions. It is called once
  * per seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
  * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails; or if no
  * run of 100 or more has checked a specification that applies. The
@@ -43,6 +43,13 @@ public @interface StarlTest {
 
   /** The seed of the first run; seeds of further runs are consecutive. */
   long firstSeed() default 1;
+
+  /**
+   * Values to combine, each as {@code key=value|value}: all seeds run for each combination. A key of
+   * a setting ({@code messageLoss=0|0.3}) is set before the method is called; others are for the
+   * method, which finds them in a parameter {@link Cell}.
+   */
+  String[] matrix() default {};
 
   /** Faults of every run, each as text: {@code crash(bot2,at=12s,restart=5s)}. */
   String[] faults() default {};
