@@ -86,8 +86,8 @@ class BadInputTest {
       run intersection --set scenario=figure7 --robots 3 | robots: 3 | expected 4
       run intersection --set obstacleFile=nowhere.wpt | nowhere.wpt: no such file
       run intersection --set robotRadius=300mm | robotRadius=300mm | below 250mm | lane
-      run intersection --set obstacleFile=/dev/zero | /dev/zero: is longer than 67108864 bytes
-      run maze --set map=/dev/zero | /dev/zero: is longer than 67108864 bytes
+      run intersection --set obstacleFile=/dev/zero | /dev/zero: is not a regular file
+      run maze --set map=/dev/zero | /dev/zero: is not a regular file
       run hello --set positionPeriod=1ns | positionPeriod=1ns | at least 1ms
       run hello --fault forge(all,1ns) | 'forge(all,1ns)' | the mean interval | at least 100us
       run race --csv /dev/full --png /dev/null | --csv: '/dev/full': cannot be written (No space left on device)

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 /** Reads a whole file that a user has named. An error ends with the expected kind of file. */
 public final class TextFile {
 
-  /** More than any input of StarL needs; a device such as /dev/zero has no end. */
+  /** More than any input of StarL needs. */
   private static final int MAX_BYTES = 64 << 20;
 
   private static final int CHUNK_BYTES = 1 << 16;
@@ -23,16 +23,17 @@ public final class TextFile {
    * Its text in UTF-8, without a byte order mark.
    *
    * @param expected the end of errors: {@code expected a scenario file}
-   * @throws BadInput if it is missing, a folder, unreadable or not text
+   * @throws BadInput if it is missing, not a regular file, unreadable or not text
    */
   public static String read(Path file, String expected) {
     return decode(file.toString(), bytes(file, expected), expected);
   }
 
   /**
-   * A stream of its bytes, for a file that is read in parts.
+   * A stream of its bytes, for a file that is read in parts. Devices and pipes are refused: they may
+   * have no end, or keep their reader waiting for ever.
    *
-   * @throws BadInput if it is missing, a folder or unreadable
+   * @throws BadInput if it is missing, not a regular file, or unreadable
    */
   public static InputStream open(Path file, String expected) {
     if (Files.isDirectory(file)) {
@@ -40,6 +41,9 @@ public final class TextFile {
     }
     if (!Files.exists(file)) {
       throw new BadInput(file + ": no such file; " + expected);
+    }
+    if (!Files.isRegularFile(file)) {
+      throw new BadInput(file + ": is not a regular file; " + expected);
     }
     try {
       return Files.newInputStream(file);
@@ -51,7 +55,7 @@ public final class TextFile {
   /**
    * Its bytes.
    *
-   * @throws BadInput if it is missing, a folder, unreadable or longer than 64 MiB
+   * @throws BadInput if it is missing, not a regular file, unreadable or longer than 64 MiB
    */
   public static byte[] bytes(Path file, String expected) {
     try (InputStream in = open(file, expected)) {

@@ -32,6 +32,9 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
    * @throws ApkException if there is none, or the password does not open it
    */
   static SigningKey read(Path file, String password, String alias) throws ApkException {
+    if (!Files.isRegularFile(file)) {
+      throw ApkException.badInput(file + ": no such file; expected a PKCS12 file");
+    }
     try (InputStream bytes = Files.newInputStream(file)) {
       KeyStore keys = KeyStore.getInstance("PKCS12");
       keys.load(bytes, password.toCharArray());
