@@ -98,11 +98,6 @@ public final class LiveMerge {
     }
   }
 
-  /** The latest time that a process has come to. */
-  synchronized long newestNs() {
-    return newestNs;
-  }
-
   /** Shows what is held back, and the end of the run; returns its time. */
   public synchronized long end() {
     showUntil(Long.MAX_VALUE);

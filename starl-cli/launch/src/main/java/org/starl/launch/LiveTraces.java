@@ -14,10 +14,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.realtime.Daemons;
+import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessFact;
 import org.starl.time.Time;
@@ -48,6 +50,7 @@ public final class LiveTraces implements AutoCloseable {
   private final Map<Path, Boolean> known = new TreeMap<>();
   private final CountDownLatch closing = new CountDownLatch(1);
   private final ProcessFact.Clock origin;
+  private final LongSupplier realNs;
   private volatile boolean isClosed;
 
   /**
@@ -65,6 +68,17 @@ public final class LiveTraces implements AutoCloseable {
       TraceHeader header,
       LiveMerge merge,
       Consumer<String> console) {
+    this(folder, vocabularyOf, header, merge, console, RealClock::machineNs);
+  }
+
+  LiveTraces(
+      Path folder,
+      Function<TraceHeader, Vocabulary> vocabularyOf,
+      TraceHeader header,
+      LiveMerge merge,
+      Consumer<String> console,
+      LongSupplier realNs) {
+    this.realNs = realNs;
     this.folder = folder;
     this.vocabularyOf = vocabularyOf;
     this.header = header;
@@ -91,7 +105,11 @@ public final class LiveTraces implements AutoCloseable {
   private static TreeSet<Path> files(Path folder) {
     TreeSet<Path> files = new TreeSet<>();
     try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*.trace")) {
-      all.forEach(files::add);
+      for (Path file : all) {
+        if (Files.isRegularFile(file)) { // a pipe would keep its reader waiting
+          files.add(file);
+        }
+      }
     } catch (IOException | DirectoryIteratorException e) {
       throw new BadInput(folder + ": cannot be read: " + e.getMessage());
     }
@@ -218,11 +236,15 @@ public final class LiveTraces implements AutoCloseable {
     }
   }
 
-  /** Whether a robot's process still writes: a killed one leaves a trace without an end. */
+  /**
+   * Whether a robot's process still writes: a killed one leaves a trace without an end. Real time
+   * tells, not that of the other traces: all may fall silent, and their clocks may be wrong.
+   */
   private final class Silence {
     private final TraceReader reader;
     private RobotId robot = Fault.WORLD;
     private long lastNs;
+    private long lastRealNs = realNs.getAsLong();
     private boolean isSilent;
 
     Silence(TraceReader reader) {
@@ -232,6 +254,7 @@ public final class LiveTraces implements AutoCloseable {
     void heard(RobotId from, long atNs) {
       robot = from;
       lastNs = atNs;
+      lastRealNs = realNs.getAsLong();
       if (isSilent) {
         isSilent = false;
         merge.add(new Fault(atNs, robot, Fault.RESTART, "it writes its trace again"), atNs, false);
@@ -241,11 +264,13 @@ public final class LiveTraces implements AutoCloseable {
     /** Returns whether the trace has ended in order. */
     boolean look() {
       boolean hasEnded = reader.end() != null;
-      long atNs = lastNs + SILENT_NS;
-      if (!hasEnded && !isSilent && merge.newestNs() > atNs) {
+      long silentNs = realNs.getAsLong() - lastRealNs;
+      if (!hasEnded && !isSilent && silentNs >= SILENT_NS + LiveMerge.HELD_NS) {
         isSilent = true;
+        long atNs = lastNs + SILENT_NS;
         String why = "its trace has been silent for " + SILENT_NS / Time.NS_PER_S + " s";
         merge.add(new Fault(atNs, robot, Fault.CRASH, why), atNs, false);
+        merge.reached(atNs + LiveMerge.HELD_NS); // no other may tell the time
       }
       return hasEnded;
     }

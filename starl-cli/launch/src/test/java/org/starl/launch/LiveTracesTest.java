@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -39,6 +41,9 @@ class LiveTracesTest {
 
   private final BlockingQueue<TraceEvent> seen = new LinkedBlockingQueue<>();
 
+  /** The time of the reader, which stands unless a test sets it. */
+  private final AtomicLong realNs = new AtomicLong();
+
   /** A robot's process that begins at {@code machineNs}. */
   private ProcessTrace begun(RobotId robot, long machineNs) throws Exception {
     OutputStream out = Files.newOutputStream(folder.resolve(robot + ".trace"));
@@ -62,21 +67,23 @@ class LiveTracesTest {
     }
   }
 
+  private LiveTraces reading(LongSupplier clock) {
+    SimObserver observer =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            seen.add(event);
+          }
+        };
+    LiveMerge merge = new LiveMerge(Simulation.builder().build().plan(), List.of(observer));
+    return new LiveTraces(
+        folder, header -> DeployedRobot.VOCABULARY, HEADER, merge, line -> {}, clock);
+  }
+
   @Test
   void whatARobotWritesIsSeenAndItsSilenceToo() throws Exception {
     ProcessTrace first = begun(A, 100 * S);
-    LiveMerge merge =
-        new LiveMerge(
-            Simulation.builder().build().plan(),
-            List.of(
-                new SimObserver() {
-                  @Override
-                  public void observed(TraceEvent event) {
-                    seen.add(event);
-                  }
-                }));
-    try (LiveTraces traces =
-        new LiveTraces(folder, header -> DeployedRobot.VOCABULARY, HEADER, merge, line -> {})) {
+    try (LiveTraces traces = reading(realNs::get)) {
       assertThat(traces).isNotNull();
       first.record(event(A, S, "one"));
       ProcessTrace second = begun(B, 101 * S); // begins later, on the same clock
@@ -84,11 +91,35 @@ class LiveTracesTest {
       first.record(event(A, 3 * S, "three"));
       assertThat(await(fault -> fault.name().equals("one")).timeNs()).isEqualTo(S);
       assertThat(await(fault -> fault.name().equals("two")).timeNs()).isEqualTo(2 * S);
-      // The second is killed; the first goes on.
-      first.record(event(A, 9 * S, "four"));
-      first.record(event(A, 10 * S, "five"));
-      assertThat(await(fault -> fault.name().equals(Fault.CRASH)).robot()).isEqualTo(B);
-      first.end(11 * S);
+      first.end(4 * S);
+      realNs.set(7 * S); // the second is killed
+      Fault crash = await(fault -> fault.name().equals(Fault.CRASH));
+      assertThat(crash.robot()).isEqualTo(B);
+      assertThat(crash.timeNs()).isEqualTo(7 * S);
+    }
+  }
+
+  @Test
+  void allRobotsMayFallSilent() throws Exception {
+    begun(A, 100 * S).record(event(A, S, "one"));
+    begun(B, 100 * S).record(event(B, S, "two"));
+    try (LiveTraces traces = reading(() -> realNs.addAndGet(S))) {
+      assertThat(traces).isNotNull();
+      RobotId first = await(fault -> fault.name().equals(Fault.CRASH)).robot();
+      assertThat(await(fault -> fault.name().equals(Fault.CRASH)).robot()).isNotEqualTo(first);
+    }
+  }
+
+  @Test
+  void aClockThatIsAheadMakesNoOtherRobotSilent() throws Exception {
+    begun(A, 100 * S);
+    ProcessTrace ahead = begun(B, 100 * S);
+    try (LiveTraces traces = reading(realNs::get)) {
+      assertThat(traces).isNotNull();
+      ahead.record(event(B, 60 * S, "one"));
+      ahead.record(event(B, 62 * S, "two"));
+      Fault next = await(fault -> fault.name().equals(Fault.CRASH) || fault.name().equals("one"));
+      assertThat(next.name()).isEqualTo("one");
     }
   }
 }
