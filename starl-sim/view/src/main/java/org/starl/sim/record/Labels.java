@@ -43,14 +43,19 @@ final class Labels {
     this.look = look;
   }
 
-  static void paint(Graphics2D page, Scene scene, Viewport viewport, Look look) {
-    new Labels(page, scene, viewport, look).paint();
+  /**
+   * Paints the names.
+   *
+   * @param isCut whether robots outside of the viewport have none
+   */
+  static void paint(Graphics2D page, Scene scene, Viewport viewport, Look look, boolean isCut) {
+    new Labels(page, scene, viewport, look).paint(isCut);
   }
 
-  private void paint() {
+  private void paint(boolean isCut) {
     List<RobotId> visible = new ArrayList<>();
     scene.forEachBody((robot, number, pose, radiusMm) -> {
-      if (viewport.shows(pose.at(), radiusMm)) {
+      if (!isCut || viewport.shows(pose.at(), radiusMm)) {
         visible.add(robot);
       }
     });

@@ -63,12 +63,16 @@ public final class Painter {
     LABELS
   }
 
+  /** Whether what lies outside of the viewport is left out. */
+  private final boolean isCut;
+
   /** For the screen and for pictures: with cached images of many obstacles or robots. */
   public Painter() {
     this(true);
   }
 
   private Painter(boolean hasCaches) {
+    isCut = hasCaches;
     obstacles = new ObstaclePainter(hasCaches);
     most = hasCaches ? MANY : Integer.MAX_VALUE;
   }
@@ -148,7 +152,7 @@ public final class Painter {
           flights.paint(page, messages, scene, viewport, look);
         }
       }
-      case LABELS -> Labels.paint(page, scene, viewport, look);
+      case LABELS -> Labels.paint(page, scene, viewport, look, isCut);
     }
   }
 
@@ -189,7 +193,7 @@ public final class Painter {
   }
 
   /** Paints a disc of its colour around each robot whose light is on. */
-  private static void lights(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+  private void lights(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     if (!look.shows(Part.ROBOTS)) {
       return;
     }
@@ -198,7 +202,7 @@ public final class Painter {
       LightColour colour = scene.variable(robot, LightControl.SOURCE, LightControl.COLOUR);
       if (colour != null
           && !colour.equals(LightColour.OFF)
-          && viewport.shows(pose.at(), LIGHT_RADII * radiusMm)) {
+          && isShown(viewport, pose.at(), LIGHT_RADII * radiusMm)) {
         double radiusPx = LIGHT_RADII * radiusMm * viewport.pxPerMm();
         double x = viewport.xPx(pose.at()) - radiusPx;
         double y = viewport.yPx(pose.at()) - radiusPx;
@@ -208,12 +212,16 @@ public final class Painter {
     });
   }
 
+  private boolean isShown(Viewport viewport, Point at, double radiusMm) {
+    return !isCut || viewport.shows(at, radiusMm);
+  }
+
   /** Paints the bodies, and marks crashed ones. */
   private void robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     int[] shown = new int[1];
     double[] mostPx = new double[1];
     scene.forEachBody((robot, number, pose, radiusMm) -> {
-      if (viewport.shows(pose.at(), radiusMm)) {
+      if (isShown(viewport, pose.at(), radiusMm)) {
         shown[0]++;
         mostPx[0] = Math.max(mostPx[0], radiusMm * viewport.pxPerMm());
       }
@@ -228,7 +236,7 @@ public final class Painter {
 
   private void few(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
     scene.forEachBody((robot, number, pose, radiusMm) -> {
-      if (viewport.shows(pose.at(), radiusMm)) {
+      if (isShown(viewport, pose.at(), radiusMm)) {
         bodies.paint(
             page,
             viewport.xPx(pose.at()),
@@ -251,7 +259,7 @@ public final class Painter {
     device.setTransform(new AffineTransform());
     scene.forEachBody((robot, number, pose, radiusMm) -> {
       Point point = pose.at();
-      if (viewport.shows(point, radiusMm)) {
+      if (isShown(viewport, point, radiusMm)) {
         double radiusPx = radiusMm * viewport.pxPerMm() * scale;
         int x = (int) Math.round(left + scale * viewport.xPx(point));
         int y = (int) Math.round(top + scale * viewport.yPx(point));

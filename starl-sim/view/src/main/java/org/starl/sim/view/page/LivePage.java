@@ -29,8 +29,13 @@ public final class LivePage {
   /** After so many pictures a page begins again with the latest one. */
   private static final int MOST_PICTURES = 20_000;
 
+  /** Or when its parts have more characters than this: a picture of many robots has many. */
+  private static final long MOST_CHARACTERS = 32 << 20;
+
   /** Limits the time for which one browser keeps others waiting. */
   private static final int MOST_AT_ONCE = 40;
+
+  private static final long MOST_CHARACTERS_AT_ONCE = 4 << 20;
 
   /**
    * One part of a page.
@@ -44,6 +49,7 @@ public final class LivePage {
   private final Recording recording;
   private final double speed;
   private final int mostPictures;
+  private final long mostCharacters;
   private final ObjectMapper mapper = new ObjectMapper();
   private final Cursor cursor;
   private final Traffic traffic;
@@ -54,6 +60,8 @@ public final class LivePage {
   private @Nullable Viewport viewport;
   private int nextNumber;
   private int pictures;
+  private long characters;
+  private long charactersPerPicture = MOST_CHARACTERS_AT_ONCE;
   private int texts;
   private int styles;
   private int marks;
@@ -66,10 +74,11 @@ public final class LivePage {
    *     has no such speed: a browser then plays from the start
    */
   public LivePage(Recording recording, double speed) {
-    this(recording, speed, MOST_PICTURES);
+    this(recording, speed, MOST_PICTURES, MOST_CHARACTERS);
   }
 
-  LivePage(Recording recording, double speed, int mostPictures) {
+  LivePage(Recording recording, double speed, int mostPictures, long mostCharacters) {
+    this.mostCharacters = mostCharacters;
     this.recording = recording;
     this.speed = speed;
     this.mostPictures = mostPictures;
@@ -124,7 +133,8 @@ public final class LivePage {
     if (due.isEmpty() && newMarks.isEmpty() && !isLast) {
       return;
     }
-    boolean isFirst = frames == null || (pictures > mostPictures && !due.isEmpty());
+    boolean isFull = pictures > mostPictures || characters > mostCharacters;
+    boolean isFirst = frames == null || (isFull && !due.isEmpty());
     if (isFirst && due.isEmpty()) {
       return;
     }
@@ -142,11 +152,13 @@ public final class LivePage {
    */
   private List<Long> due(long endNs, boolean isOver) {
     List<Long> due = new ArrayList<>();
-    while (due.size() < MOST_AT_ONCE && nextNs < endNs) {
+    long most =
+        Math.clamp(MOST_CHARACTERS_AT_ONCE / Math.max(1, charactersPerPicture), 1, MOST_AT_ONCE);
+    while (due.size() < most && nextNs < endNs) {
       due.add(nextNs);
       nextNs += EVERY_NS;
     }
-    if (isOver && due.size() < MOST_AT_ONCE && nextNs < Long.MAX_VALUE) {
+    if (isOver && due.size() < most && nextNs < Long.MAX_VALUE) {
       due.add(endNs);
       nextNs = Long.MAX_VALUE;
     }
@@ -160,6 +172,7 @@ public final class LivePage {
     frames = new PageFrames(viewport, RunPage.look(recording));
     parts.clear();
     pictures = 0;
+    characters = 0;
     texts = 0;
     styles = 0;
     marks = 0;
@@ -181,6 +194,7 @@ public final class LivePage {
             : new LinkedHashMap<>();
     if (isFirst) {
       part.put("speed", speed);
+      part.put("leftOut", leftOut());
     }
     part.put("toMs", RunPage.millis(cursor.nowNs()));
     part.put("isOver", isWhole);
@@ -198,10 +212,21 @@ public final class LivePage {
     texts = shown.texts().size();
     styles = shown.styles().size();
     try {
-      parts.add(new Part(nextNumber++, isFirst, mapper.writeValueAsString(part)));
+      String json = mapper.writeValueAsString(part);
+      parts.add(new Part(nextNumber++, isFirst, json));
+      characters += json.length();
+      charactersPerPicture = due.isEmpty() ? charactersPerPicture : json.length() / due.size();
     } catch (JsonProcessingException e) {
       throw new IllegalStateException("a picture that is not JSON", e);
     }
+  }
+
+  /** What a page that has begun again lacks, in one line; empty if it lacks nothing. */
+  private String leftOut() {
+    return fromNs == 0
+        ? ""
+        : "Pictures before %s are left out: a page that grows keeps only the latest"
+            .formatted(Time.text(fromNs, 1));
   }
 
   /** The simulated time that the recording has reached, in s, and what ended it. */

@@ -14,6 +14,9 @@
     return new Promise(begin => {
       const events = new EventSource(source);
       let hasBegun = false;
+      events.onopen = () => lacks(leftOut);
+      events.onerror = () => lacks(events.readyState === EventSource.CLOSED
+        ? 'The server has this run no more: this is what came before' : 'No connection to the server: the run may go on');
       events.addEventListener('begin', event => {
         if (hasBegun) location.reload();
         hasBegun = true;
@@ -24,8 +27,16 @@
     });
   }
 
+  /** Tells what the page of a run that goes on does not show. */
+  function lacks(text) {
+    $('lacks').textContent = text;
+  }
+
+  let leftOut = '';
   if (source) $('message').textContent = 'Waiting for the run to begin';
   const run = await (source ? listened() : unpacked());
+  leftOut = run.leftOut || '';
+  lacks(leftOut);
 
   const [LINE, POLYGON, ELLIPSE, TEXT, IMAGE, PATH, IF_SELECTED] = [0, 1, 2, 3, 4, 5, 6];
   const FIRST = [2, 2, 4, 4, 5]; // of the coordinates in an item of each kind

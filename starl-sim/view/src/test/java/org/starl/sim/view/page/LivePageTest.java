@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -19,8 +20,10 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.shape.Shapes;
 import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter.Section;
 import org.starl.sim.replay.Recording;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
@@ -144,7 +147,7 @@ class LivePageTest {
   @Example
   void afterManyPicturesAPageBeginsAgain() throws Exception {
     Recording recording = begun();
-    LivePage page = new LivePage(recording, 1, 10);
+    LivePage page = new LivePage(recording, 1, 10, Long.MAX_VALUE);
     List<LivePage.Part> parts = new ArrayList<>();
     int next = 0;
     for (int i = 0; i < 30; i++) {
@@ -179,5 +182,54 @@ class LivePageTest {
     double before = JSON.readTree(parts.get(0).json()).get("box").get(2).asDouble();
     double after = JSON.readTree(parts.get(parts.size() - 1).json()).get("box").get(2).asDouble();
     assertThat(after).isGreaterThan(10 * before);
+  }
+
+  /** Whatever its pictures weigh, a page keeps few, and says from when on. */
+  @Property(tries = 20)
+  void aPageKeepsALimitedNumberOfCharacters(
+      @ForAll @Size(min = 20, max = 40) List<@IntRange(min = 0, max = 3000) Integer> lengths)
+      throws Exception {
+    long limit = 20_000;
+    Recording recording = begun();
+    LivePage page = new LivePage(recording, 1, 20_000, limit);
+    LivePage.Part first = null;
+    int next = 0;
+    long kept = 0;
+    for (int i = 0; i < lengths.size(); i++) {
+      goOn(recording, 100, i);
+      recording.observed(
+          new TraceEvent.Variable(
+              recording.endNs(), BOT, Instance.APP, PLACE, i + "x".repeat(lengths.get(i))));
+      for (LivePage.Part part = page.part(next); part != null; part = page.part(next)) {
+        next = part.number() + 1;
+        first = part.isFirst() ? part : first;
+        kept = part.isFirst() ? 0 : kept;
+        assertThat(kept).isLessThanOrEqualTo(limit);
+        kept += part.json().length();
+      }
+    }
+    JsonNode begin = JSON.readTree(Objects.requireNonNull(first).json());
+    assertThat(begin.get("leftOut").asText())
+        .isEqualTo(
+            begin.get("fromMs").asDouble() == 0
+                ? ""
+                : "Pictures before %s are left out: a page that grows keeps only the latest"
+                    .formatted(Time.text(begin.get("fromMs").asLong() * MS, 1)));
+  }
+
+  @Example
+  void aRobotOutsideOfTheFirstPictureIsDrawnAndNamed() throws Exception {
+    Recording recording = begun();
+    LivePage page = new LivePage(recording, 1);
+    List<LivePage.Part> parts = new ArrayList<>();
+    recording.reached(50 * MS);
+    take(page, parts);
+    recording.observed(new TraceEvent.Moved(60 * MS, BOT, new Pose(1e5, 0, 0), 10, 0));
+    recording.reached(150 * MS);
+    take(page, parts);
+    JsonNode frame = JSON.readTree(parts.get(parts.size() - 1).json()).at("/frames/0");
+    for (Section section : List.of(Section.ROBOTS, Section.LABELS)) {
+      assertThat(frame.get(section.ordinal()).toString()).as("%s", section).isNotEqualTo("[0]");
+    }
   }
 }
