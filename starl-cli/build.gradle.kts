@@ -30,6 +30,11 @@ dependencies {
     testRuntimeOnly(libs.junit.platform.launcher)
 }
 
+// The driver of a browser, which the pages of the viewer are tested with, too.
+extensions.configure<JavaPluginExtension> {
+    sourceSets.named("test") { java.srcDir("../starl-sim/view/src/browser/java") }
+}
+
 tasks.withType<Jar>().configureEach {
     manifest {
         // The simulator schedules virtual threads itself; java.lang must be open for that.

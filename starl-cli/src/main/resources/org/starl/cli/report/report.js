@@ -63,3 +63,4 @@
   label.append(box, " only those that did not go well (" + bad + ")");
   table.parentElement.before(label);
 })();
+document.documentElement.dataset.ready = "true";
