@@ -53,8 +53,10 @@ final class LiveSite implements Site, AutoCloseable {
   private final Map<Integer, Kept> runs = new LinkedHashMap<>();
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(Daemons.factory("pace"));
-  private final List<Future<?>> paces = new ArrayList<>();
   private int lastNumber;
+
+  /** Runs that browsers start, and that are not among the runs yet. */
+  private int planning;
 
   // Of the campaign.
   private @Nullable RunRequest campaign;
@@ -97,9 +99,8 @@ final class LiveSite implements Site, AutoCloseable {
    * Starts a simulation.
    *
    * @param isPaced whether it goes on at the speed of its settings; else as fast as it can
-   * @throws BadInput if the request cannot be planned
    */
-  synchronized int start(RunRequest request, long seed, Plan plan, boolean isPaced) {
+  int start(RunRequest request, long seed, Plan plan, boolean isPaced) {
     Recording recording = recording(plan);
     plan.simulation().carriers(carriers);
     LiveRun live = new LiveRun(plan.simulation(), recording);
@@ -113,8 +114,11 @@ final class LiveSite implements Site, AutoCloseable {
     } else {
       live.runUntil(Long.MAX_VALUE);
     }
-    runs.put(++lastNumber, new Kept(shown, live));
-    return lastNumber;
+    synchronized (this) {
+      makeRoom();
+      runs.put(++lastNumber, new Kept(shown, live));
+      return lastNumber;
+    }
   }
 
   private void pace(LiveRun live, double speed) {
@@ -125,12 +129,11 @@ final class LiveSite implements Site, AutoCloseable {
           limitNs[0] += tickNs;
           live.runUntil(limitNs[0]);
         };
-    paces.add(clock.scheduleAtFixedRate(tick, 0, TICK_MS, TimeUnit.MILLISECONDS));
+    Future<?> unused = clock.scheduleAtFixedRate(tick, 0, TICK_MS, TimeUnit.MILLISECONDS);
   }
 
   @Override
-  public synchronized int start(Map<String, ?> wanted) {
-    RunRequest known = campaign;
+  public int start(Map<String, ?> wanted) {
     if (home == Home.RUN) {
       throw new BadInput("this server shows one run; expected 'starl serve' for a playground");
     }
@@ -139,18 +142,33 @@ final class LiveSite implements Site, AutoCloseable {
             "seed",
             text(wanted, "seed"),
             text -> Quantities.whole(text, Long.MIN_VALUE, Long.MAX_VALUE));
+    RunRequest known = campaign();
     RunRequest request = known == null ? request(wanted) : known;
-    requireRoom(); // first what is cheap to refuse
-    Plan plan = request.plan(seed);
-    plan.simulation().build();
-    makeRoom();
-    return start(request, seed, plan, false);
+    enter();
+    try {
+      // Planning may read long files: other browsers do not wait for it.
+      Plan plan = request.plan(seed);
+      plan.simulation().build();
+      return start(request, seed, plan, false);
+    } finally {
+      leave();
+    }
   }
 
-  private void requireRoom() {
-    if (runs.values().stream().filter(run -> !run.isOver()).count() >= MOST_AT_ONCE) {
+  private synchronized @Nullable RunRequest campaign() {
+    return campaign;
+  }
+
+  private synchronized void enter() {
+    long running = runs.values().stream().filter(run -> !run.isOver()).count();
+    if (running + planning >= MOST_AT_ONCE) {
       throw new BadInput(MOST_AT_ONCE + " runs go on; expected one of them to end first");
     }
+    planning++;
+  }
+
+  private synchronized void leave() {
+    planning--;
   }
 
   /** Forgets the oldest run that is over, if there are too many. */

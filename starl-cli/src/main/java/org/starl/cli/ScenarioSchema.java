@@ -134,7 +134,14 @@ final class ScenarioSchema {
     }
     properties.putAll(rules);
     Object names = keys.size() == 1 ? setting : Map.of("anyOf", keys);
-    Object rule = Json.object(JsonSchema.PROPERTIES, properties, "propertyNames", names);
+    Object rule =
+        Json.object(
+            JsonSchema.DESCRIPTION,
+            demo.summary(),
+            JsonSchema.PROPERTIES,
+            properties,
+            "propertyNames",
+            names);
     Object isApp = Map.of(ScenarioFile.APP, Map.of("const", demo.name()));
     Object condition =
         Json.object(JsonSchema.PROPERTIES, isApp, JsonSchema.REQUIRED, List.of(ScenarioFile.APP));

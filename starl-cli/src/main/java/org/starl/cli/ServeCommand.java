@@ -1,11 +1,14 @@
 package org.starl.cli;
 
 import java.io.IOException;
+import java.net.Inet4Address;
 import java.net.InetAddress;
+import java.net.NetworkInterface;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.ServiceLoader;
@@ -116,7 +119,9 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
       Work work = prepare(site, carriers);
       stop().calls(Thread.currentThread()::interrupt);
       try (PageServer.Running server = server().start(access, site)) {
-        out().println(address(access, server.port()) + " (Ctrl-C ends it)");
+        List<String> addresses = addresses(access, server.port());
+        out().println(addresses.getFirst() + " (Ctrl-C ends it)");
+        addresses.subList(1, addresses.size()).forEach(out()::println);
         work.run();
         site.await();
       } catch (InterruptedException e) {
@@ -161,10 +166,22 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
     return HexFormat.of().formatHex(secret);
   }
 
-  private static String address(PageServer.Access access, int port) {
-    String host = access.host().contains(":") ? "[" + access.host() + "]" : access.host();
+  /** For browsers: where the server listens at all addresses, those of this machine. */
+  private static List<String> addresses(PageServer.Access access, int port) throws IOException {
+    List<String> hosts = new ArrayList<>(List.of(access.host()));
+    if (InetAddress.getByName(access.host()).isAnyLocalAddress()) {
+      hosts.clear();
+      NetworkInterface.networkInterfaces()
+          .flatMap(NetworkInterface::inetAddresses)
+          .filter(each -> each instanceof Inet4Address)
+          .sorted(Comparator.comparing(InetAddress::isLoopbackAddress))
+          .forEach(each -> hosts.add(each.getHostAddress()));
+    }
     String token = access.token().isEmpty() ? "" : "?token=" + access.token();
-    return "http://" + host + ":" + port + "/" + token;
+    return hosts.stream()
+        .map(host -> host.contains(":") ? "[" + host + "]" : host)
+        .map(host -> "http://" + host + ":" + port + "/" + token)
+        .toList();
   }
 
   private Site.Home home() {
@@ -239,6 +256,9 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
             .forEach(out()::println);
         recording.over(live.end());
       } catch (IOException | RuntimeException e) {
+        if (e.getCause() instanceof InterruptedException stopped) {
+          throw stopped; // the normal end of a command that goes on until it is stopped
+        }
         recording.failed(String.valueOf(e.getMessage()));
         throw e;
       }

@@ -5,8 +5,10 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.PriorityQueue;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -51,6 +53,9 @@ final class FoxgloveFeed implements MessageSink {
   /** The client's number of the subscription to each channel. */
   private final SortedMap<Integer, Long> subscriptions = new TreeMap<>();
 
+  private final PriorityQueue<Mark> untold =
+      new PriorityQueue<>(Comparator.comparingLong(Mark::timeNs));
+
   private final AtomicInteger outstanding = new AtomicInteger();
   private final boolean isPlayed;
   private int channels;
@@ -90,15 +95,27 @@ final class FoxgloveFeed implements MessageSink {
       recorder.observed(recording.event(events));
     }
     recorder.advance(events == 0 ? 0 : Math.max(recording.timeNs(events - 1), playedNs - 1));
+    tellViolations();
+    if (outstanding.get() < MOST_OUTSTANDING) {
+      ByteBuffer time = ByteBuffer.allocate(9).order(ByteOrder.LITTLE_ENDIAN);
+      send(time.put(TIME).putLong(playedNs).flip());
+    }
+    tellDropped();
+  }
+
+  /** Marks are in the order in which they were found, which is not that of their times. */
+  private void tellViolations() {
     List<Mark> all = recording.marks();
-    for (; marks < all.size() && all.get(marks).timeNs() <= playedNs; marks++) {
+    for (; marks < all.size(); marks++) {
       if (all.get(marks).kind() == Mark.Kind.VIOLATION) {
-        recorder.alarm(all.get(marks).text());
+        untold.add(all.get(marks));
       }
     }
-    ByteBuffer time = ByteBuffer.allocate(9).order(ByteOrder.LITTLE_ENDIAN);
-    send(time.put(TIME).putLong(playedNs).flip());
-    tellDropped();
+    for (Mark next = untold.peek();
+        next != null && next.timeNs() <= playedNs;
+        next = untold.peek()) {
+      recorder.alarm(untold.remove().text());
+    }
   }
 
   private void tellDropped() {

@@ -1,5 +1,7 @@
 package org.starl.serve;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.List;
@@ -20,9 +22,23 @@ final class Gate {
   private static final Pattern PORT = Pattern.compile(":\\d{1,5}$");
 
   private final Access access;
+  private final String machine;
 
-  Gate(Access access) {
+  /**
+   * @param machine the name of this machine in its network; empty if it has none
+   */
+  Gate(Access access, String machine) {
     this.access = access;
+    this.machine = machine;
+  }
+
+  /** The name of this machine; empty if it has none. */
+  static String machine() {
+    try {
+      return InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return "";
+    }
   }
 
   /** Why a request is refused, in one line; empty if it is not. The token is another matter. */
@@ -40,7 +56,13 @@ final class Gate {
   private boolean isOwn(String host) {
     return LOOPBACK.contains(host)
         || host.equals(access.host())
-        || (needsToken() && ADDRESS.matcher(host).matches());
+        || (needsToken() && (ADDRESS.matcher(host).matches() || isMachine(host)));
+  }
+
+  /** Also by the name that neighbours find by multicast. */
+  private boolean isMachine(String host) {
+    return !machine.isEmpty()
+        && (host.equalsIgnoreCase(machine) || host.equalsIgnoreCase(machine + ".local"));
   }
 
   /** Whether each request needs the token, because other machines can connect. */

@@ -16,6 +16,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.security.SecureRandom;
+import java.util.HexFormat;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.concurrent.ConcurrentSkipListMap;
@@ -69,13 +71,17 @@ public final class WebServer implements PageServer {
     private final Gate gate;
     private final Javalin server;
     private final ObjectMapper mapper = new ObjectMapper();
+
+    /** Begins the ids of events: a page of an earlier server of this port has others. */
+    private final String name = HexFormat.of().toHexDigits(new SecureRandom().nextLong());
+
     private final Semaphore streams = new Semaphore(MOST_STREAMS);
     private final CountDownLatch closing = new CountDownLatch(1);
 
     Serving(Access access, Site site) {
       this.access = access;
       this.site = site;
-      gate = new Gate(access);
+      gate = new Gate(access, Gate.machine());
       server = Javalin.create(this::configure);
     }
 
@@ -133,14 +139,14 @@ public final class WebServer implements PageServer {
 
     /** The token comes with the address that was printed, and then as a cookie. */
     private void requireToken(Context context) {
-      String name = "starl-" + port();
+      String cookieName = "starl-" + port();
       String given = context.queryParam("token");
       if (gate.isToken(given)) {
-        Cookie cookie = new Cookie(name, access.token());
+        Cookie cookie = new Cookie(cookieName, access.token());
         cookie.setHttpOnly(true);
         cookie.setSameSite(SameSite.LAX);
         context.cookie(cookie);
-      } else if (!gate.isToken(context.cookie(name))) {
+      } else if (!gate.isToken(context.cookie(cookieName))) {
         throw new HttpResponseException(
             UNAUTHORIZED,
             "expected the token: open the address that 'starl serve' printed",
@@ -169,11 +175,15 @@ public final class WebServer implements PageServer {
       context.html(LivePage.html(run(context).title(), context.path() + "/parts"));
     }
 
-    /** Each part as soon as it is there; a browser that comes again names the last one it has. */
+    /**
+     * Each part as soon as it is there. A browser that comes again names the last one that it has; if
+     * that is not of this server, it gets all.
+     */
     private void parts(Context context) throws IOException, InterruptedException {
       LivePage page = run(context).page();
       String last = context.header("Last-Event-ID");
-      int next = last != null && last.matches("\\d{1,9}") ? Integer.parseInt(last) + 1 : 0;
+      boolean isOwn = last != null && last.matches(name + "-\\d{1,9}");
+      int next = isOwn ? Integer.parseInt(last.substring(name.length() + 1)) + 1 : 0;
       if (!streams.tryAcquire()) {
         throw new HttpResponseException(503, MOST_STREAMS + " connections are open", Map.of());
       }
@@ -193,8 +203,9 @@ public final class WebServer implements PageServer {
       while (closing.getCount() > 0) {
         LivePage.Part part = page.part(next);
         if (part != null) {
-          String name = part.isFirst() ? "begin" : "more";
-          write(out, "id: " + part.number() + "\nevent: " + name + "\ndata: " + part.json());
+          String kind = part.isFirst() ? "begin" : "more";
+          String id = name + "-" + part.number();
+          write(out, "id: " + id + "\nevent: " + kind + "\ndata: " + part.json());
           next = part.number() + 1;
         } else if (page.isWhole()) {
           write(out, "event: end\ndata:");

@@ -33,10 +33,10 @@
 
   async function playground() {
     const schema = await ask('/api/schema');
-    const parameters = {};
-    for (const rule of schema.allOf) parameters[rule.if.properties.app.const] = rule.then.properties || {};
+    const rules = Object.fromEntries(schema.allOf.map(rule => [rule.if.properties.app.const, rule.then]));
     const { app: apps, faults, ...settings } = schema.properties;
     const shown = []; // the requests beside each other
+    let before = []; // of a link: what Run starts before the run of the form
 
     /** A field for one key; empty is the default. */
     function field(key, form) {
@@ -50,8 +50,8 @@
 
     function listParameters() {
       const app = $('app').value;
-      $('summary').textContent = apps.description.split('\n').find(line => line.startsWith(app + ': ')).slice(app.length + 2);
-      const own = Object.entries(parameters[app]);
+      $('summary').textContent = rules[app].description;
+      const own = Object.entries(rules[app].properties);
       $('parameters').replaceChildren(...own.length ? own.map(([key, form]) => field(key, form)) : ['none']);
     }
 
@@ -88,6 +88,26 @@
       return { app: given.get('app'), seed: given.get('seed'), set, faults: given.getAll('fault') };
     }
 
+    /** Fills the form from a link, and says what Run starts. */
+    function open(linked) {
+      const last = linked[linked.length - 1];
+      const unknown = linked.map(each => each.app).filter(app => !rules[app]);
+      if (unknown.length) throw new Error('The link has an app that is not here: ' + unknown.join(', '));
+      fill(last);
+      const keys = fields().map(input => input.name), others = Object.keys(last.set).filter(key => !keys.includes(key));
+      if (others.length) throw new Error('The link has settings that are not here: ' + others.join(', '));
+      before = linked.slice(0, -1);
+      const text = ({ app, seed, set, faults: all }) => [app, 'seed ' + seed, ...Object.entries(set).map(pair => pair.join('=')), ...all].join(', ');
+      $('linked').textContent = (before.length ? 'Run starts the ' + linked.length + ' runs of this link: ' : 'Run starts the run of this link: ') + linked.map(text).join('; ');
+    }
+
+    async function runAll() {
+      const all = [...before, read()];
+      before = [];
+      $('linked').textContent = '';
+      for (let i = 0; i < all.length; i++) await run(all[i], i > 0);
+    }
+
     function difference(a, b) {
       const changes = [], flat = ({ app, seed, set, faults: all }) => ({ app, seed, ...set, faults: all.join(' ') });
       const before = flat(a), after = flat(b);
@@ -117,16 +137,13 @@
     $('settings').append(...COMMON.filter(key => settings[key]).map(key => field(key, settings[key])));
     $('more').append(...Object.entries(settings).filter(([key]) => !COMMON.includes(key)).map(([key, form]) => field(key, form)));
     $('kinds').textContent = faults.description || '';
-    $('form').onsubmit = event => { event.preventDefault(); run(read(), false); };
+    $('form').onsubmit = event => { event.preventDefault(); runAll(); };
     $('beside').onclick = () => run(read(), true);
     $('app').value = apps.enum.includes('intersection') ? 'intersection' : apps.enum[0];
     listParameters();
     window.onhashchange = () => location.reload(); // a link that is opened in this tab
     const linked = new URLSearchParams(location.hash.slice(1)).getAll('run').map(request);
-    if (linked.length) {
-      if (apps.enum.includes(linked[0].app)) fill(linked[linked.length - 1]);
-      for (const each of linked) await run(each, true);
-    }
+    if (linked.length) open(linked);
   }
 
   // ---- the campaign

@@ -13,9 +13,9 @@ import org.starl.cli.PageServer.Access;
 /** Who may connect. */
 class GateTest {
 
-  private static final Gate LOCAL = new Gate(new Access("127.0.0.1", 80, "", List.of()));
+  private static final Gate LOCAL = new Gate(new Access("127.0.0.1", 80, "", List.of()), "lab-pc");
   private static final Gate OPEN =
-      new Gate(new Access("0.0.0.0", 80, "5ecre7", List.of("https://app.foxglove.dev")));
+      new Gate(new Access("0.0.0.0", 80, "5ecre7", List.of("https://app.foxglove.dev")), "lab-pc");
 
   @Example
   void aBrowserOnThisMachineMayConnect() {
@@ -35,6 +35,15 @@ class GateTest {
     }
     assertThat(LOCAL.refusal("192.168.1.5", null)).isNotEmpty();
     assertThat(LOCAL.refusal(null, null)).isNotEmpty();
+  }
+
+  @Example
+  void thisMachinesNameIsItsOwnIfOthersCanConnect() {
+    for (String host : List.of("lab-pc:80", "lab-pc", "LAB-PC:80", "lab-pc.local:80")) {
+      assertThat(OPEN.refusal(host, "http://" + host)).as(host).isEmpty();
+      assertThat(LOCAL.refusal(host, null)).as(host).isNotEmpty();
+    }
+    assertThat(OPEN.refusal("lab-pc.evil.example", null)).isNotEmpty();
   }
 
   @Property

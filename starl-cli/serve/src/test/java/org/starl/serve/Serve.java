@@ -70,6 +70,11 @@ final class Serve implements AutoCloseable {
     return socket;
   }
 
+  /** What the command wrote to standard error; all of it once it is closed. */
+  String errors() {
+    return err.toString();
+  }
+
   @Override
   public void close() {
     command.interrupt();

@@ -11,12 +11,15 @@ import java.io.StringWriter;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.net.http.WebSocket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -25,11 +28,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.hello.HelloDemo;
 import org.starl.browser.Browser;
 import org.starl.cli.Main;
 import org.starl.cli.PageServer;
@@ -150,6 +155,48 @@ class ServeTest {
     }
   }
 
+  /** The first event of a run's parts, for a browser that has the part of this id. */
+  private static List<String> firstEvent(int port, String lastId) throws Exception {
+    HttpRequest.Builder request =
+        HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + "/run/1/parts"));
+    if (!lastId.isEmpty()) {
+      request.header("Last-Event-ID", lastId);
+    }
+    try (HttpClient http = HttpClient.newHttpClient();
+        Stream<String> lines =
+            http.send(request.build(), HttpResponse.BodyHandlers.ofLines()).body()) {
+      List<String> event =
+          lines
+              .filter(line -> line.startsWith("id: ") || line.startsWith("event: "))
+              .limit(2)
+              .toList();
+      http.shutdownNow();
+      return event;
+    }
+  }
+
+  @Test
+  void aPageOfAnEarlierServerBeginsAgain() throws Exception {
+    PageServer.Access access = new PageServer.Access("127.0.0.1", 0, "", List.of());
+    RobotId bot = new RobotId("bot0");
+    List<String> ids = new ArrayList<>();
+    for (int i = 0; i < 2; i++) {
+      Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
+      recording.started(new TraceHeader("0", "made up", i, i, Map.of(), List.of(bot)));
+      recording.observed(new TraceEvent.Joined(0, bot, new Pose(0, 0, 0), 150));
+      recording.reached(9_000_000_000L);
+      Site site = new OneRun(new Site.Shown("made up", "", recording, new LivePage(recording, 1)));
+      try (PageServer.Running server = new WebServer().start(access, site)) {
+        String id = firstEvent(server.port(), "").getFirst().substring("id: ".length());
+        assertThat(firstEvent(server.port(), id).getLast()).isEqualTo("event: more");
+        for (String other : ids) {
+          assertThat(firstEvent(server.port(), other).getLast()).isEqualTo("event: begin");
+        }
+        ids.addAll(List.of(id, "x", "7", "-1", "a-b-c"));
+      }
+    }
+  }
+
   @Test
   void aLinkOfThePlaygroundStartsTheSameRunsInAnotherBrowser() throws Exception {
     try (Serve serve = new Serve();
@@ -157,6 +204,7 @@ class ServeTest {
       first.evaluate(
           "{ document.getElementById('app').value = 'hello'; document.getElementById('app').onchange();"
               + " document.getElementById('seed').value = '3'; document.getElementById('run').click(); }");
+      assertThat(first.text("#summary")).isEqualTo(new HelloDemo().summary());
       first.await("document.querySelectorAll('iframe').length === 1");
       first.evaluate(
           "{ document.querySelector('[name=robots]').value = '3';"
@@ -167,6 +215,11 @@ class ServeTest {
           .isEqualTo("changed: faults: default \u2192 crash(bot0,at=1s), robots: default \u2192 3");
       String link = first.evaluate("location.href").asText();
       try (Browser second = browser(URI.create(link))) {
+        assertThat(second.text("#linked")).contains("2 runs", "crash(bot0,at=1s)");
+        assertThat(second.evaluate("document.querySelectorAll('iframe').length").asInt()).isZero();
+        JsonNode overview = JSON.readTree(serve.get("/api/overview").body());
+        assertThat(overview.get("runs")).as("a link alone starts nothing").hasSize(2);
+        second.evaluate("document.getElementById('run').click()");
         second.await("document.querySelectorAll('iframe').length === 2");
         assertThat(second.text("article:last-child code"))
             .isEqualTo(first.text("article:last-child code"))
@@ -239,6 +292,15 @@ class ServeTest {
   }
 
   @Test
+  void aSignalIsTheNormalEndOfProcesses() throws Exception {
+    Serve serve = new Serve("hello", "--processes", "--robots", "2", "--seed", "7");
+    try (serve) {
+      assertThat(serve.get("/").statusCode()).isEqualTo(302);
+    }
+    assertThat(serve.errors()).contains("stopped").doesNotContain("interrupted", "starl: ");
+  }
+
+  @Test
   void foreignRequestsAreRefusedAndBadOnesTold() throws Exception {
     try (Serve serve = new Serve()) {
       try (Socket socket = serve.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n")) {
@@ -274,6 +336,7 @@ class ServeTest {
   @Test
   void beyondThisMachineATokenIsNeeded() throws Exception {
     try (Serve serve = new Serve("--host", "0.0.0.0")) {
+      assertThat(serve.address.getHost()).as("an address to connect to").isNotEqualTo("0.0.0.0");
       assertThat(serve.address.getQuery()).matches("token=[0-9a-f]{32}");
       assertThat(serve.get("/api/overview").statusCode()).isEqualTo(401);
       assertThat(serve.get("/api/overview?token=" + "0".repeat(32)).statusCode()).isEqualTo(401);
