@@ -68,6 +68,7 @@ public final class Main implements Runnable {
           DeterminismCommand.class,
           RecordCommand.class,
           ReplayCommand.class,
+          CompareCommand.class,
           ServeCommand.class,
           SchemaCommand.class,
           CompletionCommand.class,

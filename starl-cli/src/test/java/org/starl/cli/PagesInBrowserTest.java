@@ -33,6 +33,35 @@ class PagesInBrowserTest {
     }
   }
 
+  /** The moment that a player shows. */
+  private static String nowMs(int player) {
+    return "Number(document.querySelectorAll('iframe')[%s].contentDocument.getElementById('time').value)"
+        .formatted(player);
+  }
+
+  @Test
+  void ofTwoRunsOnOneClock() throws Exception {
+    Path page = folder.resolve("both.html");
+    String run = "hello --seed 7 --for 5s";
+    Cli cli = Cli.run("compare", run, run + " --fault 'crash(bot0,at=2s)'", "--html", "" + page);
+    assertThat(cli.status()).as("%s", cli).isZero();
+    try (Browser browser = browser(page)) {
+      browser.await(nowMs(0) + " === 2000 && " + nowMs(1) + " === 2000");
+      browser.evaluate(
+          "document.querySelectorAll('iframe')[1].contentDocument.getElementById('forward').click()");
+      browser.await(nowMs(0) + " === 2100 && " + nowMs(1) + " === 2100");
+      browser.evaluate(
+          "document.querySelectorAll('iframe')[0].contentDocument"
+              + ".querySelector('#marks .DIFFERENCE').click()");
+      browser.await(nowMs(1) + " === 2000");
+      browser.evaluate("document.getElementById('play').click()");
+      browser.await("document.getElementById('time').value > 2300");
+      browser.await("document.getElementById('play').textContent === 'Play'");
+      browser.await(nowMs(0) + " === " + nowMs(1));
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
   @Test
   void ofACampaign() throws Exception {
     Path page = folder.resolve("campaign.html");

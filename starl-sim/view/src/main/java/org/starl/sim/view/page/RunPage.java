@@ -85,8 +85,23 @@ public final class RunPage {
 
   /** Writes the page in UTF-8. */
   public void write(OutputStream out) throws IOException {
+    out.write(html("", 0).getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * The page, with a mark on its time bar.
+   *
+   * @param mark what is there; empty for no mark
+   */
+  String html(String mark, long atNs) throws IOException {
     String title = title(recording);
-    out.write(page(title, "", packed(run(title))).getBytes(StandardCharsets.UTF_8));
+    Map<String, Object> run = run(title);
+    List<List<Object>> marks = marks(recording.marks(), fromNs, toNs);
+    if (!mark.isEmpty()) {
+      marks.add(List.of(millis(Math.min(toNs, atNs)), "DIFFERENCE", mark));
+    }
+    run.put("marks", marks);
+    return page(title, "", packed(run));
   }
 
   /**
@@ -126,7 +141,6 @@ public final class RunPage {
     Map<String, Object> run = head(title, viewport, everyNs, fromNs);
     run.put("toMs", millis(toNs));
     putFailure(run, recording);
-    run.put("marks", marks(recording.marks(), fromNs, toNs));
     run.put("lanes", lanes(recording, frames, fromNs, toNs));
     run.put("texts", frames.texts());
     run.put("styles", frames.styles());
@@ -225,7 +239,7 @@ public final class RunPage {
     return Base64.getEncoder().encodeToString(bytes.toByteArray());
   }
 
-  private static String escaped(String text) {
+  static String escaped(String text) {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
   }
 
@@ -239,7 +253,7 @@ public final class RunPage {
     return resource("player.js");
   }
 
-  private static String resource(String name) {
+  static String resource(String name) {
     try (InputStream in = RunPage.class.getResourceAsStream(name)) {
       if (in == null) {
         throw new IllegalStateException("no resource " + name);

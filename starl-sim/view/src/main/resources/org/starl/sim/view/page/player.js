@@ -46,7 +46,7 @@
   const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50];
   const PARTS = { App: ['FLOOR', 'OVER'], Obstacles: ['OBSTACLES'], Trails: ['TRAILS'], Robots: ['ROBOTS', 'SELECTION'],
     Names: ['LABELS'], Bumps: ['BUMPS'], Beliefs: ['BELIEFS'], 'What went wrong': ['FAILURE'], Messages: ['MESSAGES'] };
-  const SIGNS = { VIOLATION: '\u2691', CRASH: '\u2715', RESTART: '\u25cb', FAULT: '\u2223', INTERVENTION: '\u25c6' };
+  const SIGNS = { VIOLATION: '\u2691', CRASH: '\u2715', RESTART: '\u25cb', FAULT: '\u2223', DIFFERENCE: '\u2260', INTERVENTION: '\u25c6' };
 
   // ---- pictures: each is the one before, changed
 
@@ -269,9 +269,11 @@
     describe(now);
   }
 
-  function seek(ms) {
+  /** Shows a moment, and tells a page that has this one beside another, unless it wants this moment. */
+  function seek(ms, isWanted) {
     nowMs = Math.max(run.fromMs, Math.min(run.toMs, ms));
     show();
+    if (window !== parent && !isWanted) parent.postMessage({ nowMs }, '*');
   }
 
   function step(pictures) {
@@ -625,5 +627,10 @@
     if (source) play();
   }
   window.onhashchange = follow;
+  window.addEventListener('message', ({ source: from, data }) => {
+    if (from !== parent || typeof data?.seekMs !== 'number') return;
+    pause();
+    seek(data.seekMs, true);
+  });
   document.documentElement.dataset.ready = 'true';
 })();

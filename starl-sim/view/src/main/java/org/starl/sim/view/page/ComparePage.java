@@ -1,0 +1,114 @@
+package org.starl.sim.view.page;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.Failure;
+import org.starl.sim.replay.Recording;
+import org.starl.time.Time;
+import org.starl.trace.TraceCodec;
+
+/**
+ * Writes two finished runs as one HTML page, side by side: it plays both by one clock, and opens
+ * where they first differ.
+ */
+public final class ComparePage {
+
+  private final Run first;
+  private final Run second;
+  private final @Nullable Difference difference;
+
+  /**
+   * One of the runs.
+   *
+   * @param command the command line that shows it
+   * @param recording of the finished run
+   */
+  public record Run(String command, Recording recording) {
+
+    /** Its app, its seed, and how it ended, in one line. */
+    public String summary() {
+      Failure failure = recording.wentWrong();
+      String end =
+          failure == null
+              ? "nothing went wrong until " + Time.text(recording.endNs(), 1)
+              : failure.headline();
+      return RunPage.title(recording) + ": " + end;
+    }
+  }
+
+  /**
+   * The first event that is not the same in both runs.
+   *
+   * @param index its number, from 0
+   * @param atNs the earlier time of the two events
+   * @param first as in a trace; empty if the first run has no more events
+   * @param second the same of the second run
+   */
+  public record Difference(int index, long atNs, String first, String second) {
+
+    /** The first difference of two finished runs; null if there is none. */
+    public static @Nullable Difference of(Recording first, Recording second) {
+      int most = Math.max(first.size(), second.size());
+      for (int i = 0; i < most; i++) {
+        String one = line(first, i);
+        String other = line(second, i);
+        if (!one.equals(other)) {
+          return new Difference(i, Math.min(timeNs(first, i), timeNs(second, i)), one, other);
+        }
+      }
+      return null;
+    }
+
+    private static String line(Recording run, int index) {
+      return index < run.size() ? TraceCodec.line(run.event(index)) : "";
+    }
+
+    private static long timeNs(Recording run, int index) {
+      return index < run.size() ? run.timeNs(index) : Long.MAX_VALUE;
+    }
+  }
+
+  public ComparePage(Run first, Run second, @Nullable Difference difference) {
+    this.first = first;
+    this.second = second;
+    this.difference = difference;
+  }
+
+  /** Writes the page in UTF-8. */
+  public void write(OutputStream out) throws IOException {
+    long endNs = Math.max(first.recording.endNs(), second.recording.endNs());
+    Difference known = difference;
+    String differs =
+        known == null
+            ? "The runs do not differ"
+            : "The runs first differ at " + Time.text(known.atNs, 3);
+    String page =
+        RunPage.resource("compare.html")
+            .replace("{{script}}", RunPage.resource("compare.js"))
+            .replace("{{title}}", RunPage.escaped(RunPage.title(first.recording)))
+            .replace("{{differs}}", differs)
+            .replace("{{atMs}}", "" + RunPage.millis(known == null ? 0 : known.atNs))
+            .replace("{{toMs}}", "" + RunPage.millis(endNs))
+            .replace("{{first}}", part(first, known == null ? "" : known.first))
+            .replace("{{second}}", part(second, known == null ? "" : known.second));
+    out.write(page.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private String part(Run run, String event) throws IOException {
+    Difference known = difference;
+    String player =
+        known == null
+            ? new RunPage(run.recording).html("", 0)
+            : new RunPage(run.recording).html("first difference", known.atNs);
+    String told = known == null || !event.isEmpty() ? event : "no more events";
+    return "<h2>%s</h2><code>%s</code><p>%s</p><iframe title=\"%s\" srcdoc=\"%s\"></iframe>"
+        .formatted(
+            RunPage.escaped(run.summary()),
+            RunPage.escaped(run.command),
+            RunPage.escaped(told),
+            RunPage.escaped(run.summary()),
+            RunPage.escaped(player));
+  }
+}
