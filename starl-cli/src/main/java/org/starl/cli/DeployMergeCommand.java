@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.input.Quantities;
 import org.starl.launch.TraceMerge;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
@@ -71,7 +72,9 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
             OptionValues.read("--clock-error", clockError, Quantities::durationNs),
             OptionValues.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), demos()).plan();
-    SimulationPlan simulation = plan.simulation().build().plan();
+    List<String> show =
+        out == null ? List.of() : List.of("show: " + Shell.starl(List.of("replay", out)));
+    SimulationPlan simulation = plan.simulation().commands(() -> show).build().plan();
     TraceMerge.Result result;
     try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
       List<SimObserver> observers = new ArrayList<>(simulation.observers());
@@ -119,6 +122,10 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
         .forEach(robot ->
             lines.add("%s's trace is incomplete: its process was killed".formatted(robot)));
     add(lines, "VIOLATED: ", result.violations());
+    Failure failure = result.failure();
+    if (failure != null) {
+      failure.reasons().forEach(line -> lines.add("  " + line));
+    }
     String unsure =
         result.missing().isEmpty()
             ? "within the errors of clocks and measurements"
@@ -147,6 +154,10 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
     json.put("bodies_within_mm", Math.round(result.withinMm()));
     json.put("missing", result.missing());
     json.put("violations", result.violations().stream().map(String::valueOf).toList());
+    Failure failure = result.failure();
+    if (failure != null) {
+      json.put("failure", failure.fields());
+    }
     json.put("possible", result.possible().stream().map(String::valueOf).toList());
     return json;
   }

@@ -115,6 +115,13 @@ final class Outcome {
 
   /** A line for each problem; empty if the run was good. */
   static List<String> complaints(SimResult result) {
+    List<String> lines = violations(result);
+    lines.addAll(notFinished(result));
+    return lines;
+  }
+
+  /** Lines for each violation, the first one with its reasons. */
+  static List<String> violations(SimResult result) {
     List<String> lines = new ArrayList<>();
     SpecReport spec = result.spec();
     Failure failure = result.failure();
@@ -129,9 +136,15 @@ final class Outcome {
             lines.add("  " + explained(spec, lemma));
           }
         });
+    return lines;
+  }
+
+  /** Which apps have not ended, and why; empty if all have. */
+  static List<String> notFinished(SimResult result) {
+    List<String> lines = new ArrayList<>();
     if (!result.isFinished()) {
       lines.add(Colour.bad("NOT FINISHED: " + result.unfinished()));
-      addReasons(lines, spec.holds() ? failure : null, result.diagnosis());
+      addReasons(lines, result.spec().holds() ? result.failure() : null, result.diagnosis());
     }
     return lines;
   }

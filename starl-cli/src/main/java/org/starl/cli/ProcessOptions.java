@@ -64,6 +64,11 @@ final class ProcessOptions {
     return on;
   }
 
+  /** The command that repeats the run whose settings are those of the command {@code simulated}. */
+  String again(String simulated) {
+    return "repeat, with other timing: " + simulated + replay();
+  }
+
   /** The options as part of a command line. */
   String replay() {
     StringBuilder line = new StringBuilder(" --processes");

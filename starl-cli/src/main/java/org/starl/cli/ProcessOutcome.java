@@ -41,12 +41,13 @@ final class ProcessOutcome {
       lines.addAll(Outcome.unknown(run.spec()));
     }
     lines.addAll(run.spec().exceptions());
-    run.spec().violations().forEach(violation -> lines.add(Colour.bad("VIOLATED: " + violation)));
+    lines.addAll(Outcome.violations(run));
     result.errors().forEach(error -> lines.add("FAILED: " + error));
-    if (!result.isGood() && result.deaths().isEmpty() && !run.isFinished()) {
-      lines.add("NOT FINISHED: " + run.unfinished());
+    if (!result.isGood() && result.deaths().isEmpty()) {
+      lines.addAll(Outcome.notFinished(run));
+    } else {
+      run.diagnosis().lines().forEach(line -> lines.add("  " + line));
     }
-    run.diagnosis().lines().forEach(line -> lines.add("  " + line));
     return lines;
   }
 

@@ -153,6 +153,7 @@ final class ReportFile implements Closeable {
         faults,
         given,
         settings,
-        request::replay);
+        request::replay,
+        request::shrink);
   }
 }

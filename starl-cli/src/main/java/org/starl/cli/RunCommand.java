@@ -130,10 +130,10 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
     }
     String pictureName = png == null ? request.file(seedNumber, "png") : png;
     String again = request.replay(seedNumber);
-    String replay =
-        processes.areOn()
-            ? "repeat, with other timing: " + again + processes.replay()
-            : "replay: " + again;
+    String replay = processes.areOn() ? processes.again(again) : "replay: " + again;
+    if (processes.areOn()) {
+      plan.simulation().commands(() -> List.of(replay));
+    }
     Ran ran;
     try {
       ran = run(app, plan, pictureName, request.words(seedNumber), request.vocabulary(seedNumber));

@@ -176,11 +176,16 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     if (seed < 0 || seed > Integer.MAX_VALUE) {
       return List.of(replay); // campaigns have no such seeds
     }
+    return List.of(replay, "shrink: " + shrink(seed));
+  }
+
+  /** The command line that makes the run of one seed smaller. */
+  String shrink(long seed) {
     List<String> shrink = new ArrayList<>(List.of("campaign"));
     shrink.addAll(words(seed));
     shrink.set(shrink.indexOf("--seed"), "--seeds");
     shrink.add("--shrink");
-    return List.of(replay, "shrink: " + Shell.starl(shrink));
+    return Shell.starl(shrink);
   }
 
   /** The words of that command line after {@code run}. */

@@ -238,7 +238,8 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
       site.start(request, seedNumber, request.plan(seedNumber), true);
       return () -> {};
     }
-    SimulationPlan simulation = plan.simulation().build().plan();
+    String again = processes.again(request.replay(seedNumber));
+    SimulationPlan simulation = plan.simulation().commands(() -> List.of(again)).build().plan();
     Recording recording = LiveSite.recording(plan);
     String title = request.demo().name() + ", seed " + seedNumber;
     String command = request.replay(seedNumber) + processes.replay();
@@ -283,7 +284,9 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
     Path folder = Path.of(name);
     TraceFile first = TraceFile.open(LiveTraces.any(folder), demos());
     Plan plan = first.plan();
-    SimulationPlan simulation = plan.simulation().build().plan();
+    String check = "check: " + Shell.starl(List.of("deploy", "merge")) + " " + Shell.quote(name);
+    SimulationPlan simulation =
+        plan.simulation().commands(() -> List.of(check + "/*.trace")).build().plan();
     Recording recording = LiveSite.recording(plan);
     LiveMerge merge = new LiveMerge(simulation, List.of(recording));
     LiveTraces traces =

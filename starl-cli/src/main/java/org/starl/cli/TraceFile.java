@@ -163,12 +163,25 @@ final class TraceFile {
   }
 
   private List<String> commands() {
-    return List.of("replay: " + again());
+    return List.of((isOfProcesses() ? "show: " : "replay: ") + again());
   }
 
-  /** The command that compares the trace with its run, repeated. */
+  /** The command that compares the trace with its run, repeated; of processes, that shows it. */
   String again() {
-    return Shell.starl(List.of("replay", name, "--headless"));
+    List<String> words = new ArrayList<>(List.of("replay", name));
+    if (!isOfProcesses()) {
+      words.add("--headless");
+    }
+    return Shell.starl(words);
+  }
+
+  /** Whether its robots were processes in real time: its first event says so. */
+  private boolean isOfProcesses() {
+    try (TraceReader reader = reader(name, vocabulary())) {
+      return reader.next() instanceof TraceEvent.Fault fault && fault.isRealTime();
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
   }
 
   /**
@@ -187,7 +200,6 @@ final class TraceFile {
    */
   private List<Intervention> interventions() {
     List<Intervention> interventions = new ArrayList<>();
-    boolean[] isOfProcesses = new boolean[1];
     SimObserver finder =
         new SimObserver() {
           @Override
@@ -195,11 +207,10 @@ final class TraceFile {
             if (event instanceof Intervention intervention) {
               interventions.add(intervention);
             }
-            isOfProcesses[0] |= event instanceof TraceEvent.Fault fault && fault.isRealTime();
           }
         };
     show(List.of(), List.of(finder));
-    if (isOfProcesses[0]) {
+    if (isOfProcesses()) {
       throw new BadInput(
           name
               + ": its robots were processes in real time, so it cannot be repeated; expected a"

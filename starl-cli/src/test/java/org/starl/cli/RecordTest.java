@@ -78,6 +78,19 @@ class RecordTest {
   }
 
   @Test
+  void whatIsMadeOfATraceTellsThatItsRunDidNotFinish() throws IOException {
+    Path trace = folder.resolve("unfinished.trace");
+    Path png = folder.resolve("unfinished.png");
+    Cli run = Cli.line(Main.ALL, "run hello --seed 1 --for 1s --png " + png + " --trace " + trace);
+    Path page = folder.resolve("unfinished.html");
+    Cli cli = Cli.line(Main.ALL, "record " + trace + " --html " + page);
+    String told = "NOT FINISHED: [bot0, bot1, bot2, bot3]";
+    assertThat(run.out()).contains(told);
+    assertThat(cli.err()).contains(told);
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+  }
+
+  @Test
   void withoutAViolationNoPictureIsWritten() {
     for (String kind : new String[] {"--png", "--gif"}) {
       Path file = folder.resolve("none" + kind);

@@ -40,14 +40,8 @@ final class EventParser {
     long scenarioSeed = line.number(",\"scenarioSeed\":");
     long behaviourSeed = line.number(",\"behaviourSeed\":");
     Map<String, String> settings = line.stringMap(",\"settings\":");
-    List<RobotId> deployment = new ArrayList<>();
     line.expect(",\"robots\":[");
-    if (!line.take("]")) {
-      do {
-        deployment.add(robot(line, ""));
-      } while (line.take(","));
-      line.expect("]");
-    }
+    List<RobotId> deployment = robots(line);
     line.expectEndOfObject();
     return new TraceHeader(starl, scenario, scenarioSeed, behaviourSeed, settings, deployment);
   }
@@ -55,11 +49,28 @@ final class EventParser {
   /** Reads the rest of the last line, after its time. */
   TraceEnd traceEnd(JsonReader line, long timeNs, long events) throws JsonFormatException {
     line.expect(",\"events\":");
-    if (!line.take(events + "}")) {
+    List<RobotId> unfinished = List.of();
+    if (line.take(events + ",\"unfinished\":[")) {
+      unfinished = robots(line);
+      line.expectEndOfObject();
+    } else if (line.take(events + "}")) {
+      line.expectEnd();
+    } else {
       throw line.expected(events + "}, the number of events above");
     }
-    line.expectEnd();
-    return new TraceEnd(timeNs, events);
+    return new TraceEnd(timeNs, events, unfinished);
+  }
+
+  /** Reads the rest of a list. */
+  private List<RobotId> robots(JsonReader line) throws JsonFormatException {
+    List<RobotId> robots = new ArrayList<>();
+    if (!line.take("]")) {
+      do {
+        robots.add(robot(line, ""));
+      } while (line.take(","));
+      line.expect("]");
+    }
+    return robots;
   }
 
   /** Reads the rest of an event's line, after its time. */

@@ -85,6 +85,9 @@ public final class TraceCodec {
   static void append(JsonWriter out, TraceEnd end) {
     number(out, "{\"kind\":\"end\",\"timeNs\":", end.timeNs());
     number(out, ",\"events\":", end.events());
+    if (!end.unfinished().isEmpty()) {
+      texts(out, ",\"unfinished\":[", end.unfinished());
+    }
     out.ascii('}');
   }
 

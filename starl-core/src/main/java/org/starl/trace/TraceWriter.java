@@ -3,7 +3,9 @@ package org.starl.trace;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
 import org.starl.shape.JsonWriter;
 
 /**
@@ -52,11 +54,20 @@ public final class TraceWriter implements TraceSink, Closeable {
    * @param timeNs end of the run, in ns from its start
    */
   public void end(long timeNs) {
+    end(timeNs, List.of());
+  }
+
+  /**
+   * The same.
+   *
+   * @param unfinished robots whose apps have not ended
+   */
+  public void end(long timeNs, List<RobotId> unfinished) {
     if (ended) {
       throw new IllegalStateException("the trace has ended already");
     }
     ended = true;
-    TraceCodec.append(buffer, new TraceEnd(timeNs, events));
+    TraceCodec.append(buffer, new TraceEnd(timeNs, events, unfinished));
     endLine();
   }
 

@@ -42,7 +42,7 @@ class TraceRoundTripTest {
         assertThat(reader.next()).isEqualTo(TraceCodec.rounded(event));
       }
       assertThat(reader.next()).isNull();
-      assertThat(reader.end()).isEqualTo(new TraceEnd(7, events.size()));
+      assertThat(reader.end()).isEqualTo(new TraceEnd(7, events.size(), header.robots()));
     }
   }
 
@@ -74,7 +74,7 @@ class TraceRoundTripTest {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     try (TraceWriter writer = new TraceWriter(out, header)) {
       events.forEach(writer::record);
-      writer.end(7);
+      writer.end(7, header.robots());
     }
     return out.toByteArray();
   }

@@ -118,9 +118,9 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     } catch (RobotError e) {
       throw e.getCause() instanceof UnmetNeeds unmet
           ? new BadInput(String.valueOf(unmet.getMessage()))
-          : failed(e);
+          : told(e, List.of(new RobotId(e.strand())));
     } catch (RuntimeException e) {
-      throw failed(e);
+      throw told(e, List.of());
     }
     SpecReport spec = observers.endSpecifications(kernel.nowNs());
     Diagnosis diagnosis = diagnosis(List.of());
@@ -176,19 +176,27 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   private SimulationFailed failed(RuntimeException cause) {
-    // Without robot and time: an exception of the world, a director or an observer.
-    String what =
-        cause instanceof RobotError
-            ? String.valueOf(cause.getMessage())
-            : "at " + kernel.nowNs() + " ns: " + cause;
     return new SimulationFailed(
         plan.header().scenario()
             + ", seed "
             + plan.header().scenarioSeed()
             + ": "
-            + what
+            + what(cause)
             + observers.firstViolation(),
         cause);
+  }
+
+  private String what(RuntimeException cause) {
+    // Without robot and time: an exception of the world, a director or an observer.
+    return cause instanceof RobotError
+        ? String.valueOf(cause.getMessage())
+        : "at " + kernel.nowNs() + " ns: " + cause;
+  }
+
+  /** Tells the observers of the error that ends the run. */
+  private SimulationFailed told(RuntimeException cause, List<RobotId> culprits) {
+    observers.failed(culprits, what(cause), kernel.nowNs());
+    return failed(cause);
   }
 
   private List<RobotId> unfinished() {

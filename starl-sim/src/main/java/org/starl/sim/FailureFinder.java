@@ -131,6 +131,12 @@ final class FailureFinder {
         diagnosis);
   }
 
+  /** Describes an error that ends the run. */
+  Failure failed(List<RobotId> robots, String headline, long atNs) {
+    return failure(
+        Failure.Kind.FAILED, "", "", headline, atNs, robots, new Nowhere(), Diagnosis.NONE);
+  }
+
   private Failure failure(
       Failure.Kind kind,
       String lemma,

@@ -88,6 +88,17 @@ public final class RunObservers implements TraceSink {
     return failure;
   }
 
+  /**
+   * Tells that an error ends the run.
+   *
+   * @param robots in whose programs it is
+   */
+  void failed(List<RobotId> robots, String headline, long atNs) {
+    if (failure == null) {
+      wentWrong(finder.failed(robots, headline, atNs));
+    }
+  }
+
   /** The faults injected so far, in the order of their beginnings. */
   public List<InjectedFault> faults() {
     return finder.faults();

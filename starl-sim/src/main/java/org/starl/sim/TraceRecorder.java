@@ -33,7 +33,7 @@ public final class TraceRecorder implements SimObserver, Closeable {
 
   @Override
   public void finished(SimResult result) {
-    begun().end(result.endNs());
+    begun().end(result.endNs(), result.unfinished());
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.starl.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.ArrayList;
@@ -124,6 +125,41 @@ class FailureTest {
     assertThat(failure.atNs()).isEqualTo(60 * S);
     assertThat(failure.robots()).containsExactly(BOT);
     assertThat(failure.cause()).contains("FailureTest.java").contains("crash(bot1,at=3s) of bot1");
+  }
+
+  @Test
+  void observersAreToldOfAnErrorThatEndsTheRun() {
+    List<Failure> told = new ArrayList<>();
+    Simulation.Builder run =
+        two(100, "crash(bot1,at=20ms)")
+            .robot(
+                new RobotSpec(
+                    new RobotId("bot2"),
+                    new Pose(4000, 0, 0),
+                    true,
+                    gvh ->
+                        new LogicThread(gvh) {
+                          @Override
+                          public List<Object> callStarL() {
+                            sleep(50);
+                            throw new IllegalStateException("no way on");
+                          }
+                        }))
+            .observer(
+                new SimObserver() {
+                  @Override
+                  public void wentWrong(Failure failure) {
+                    told.add(failure);
+                  }
+                });
+    assertThatThrownBy(() -> run.build().run()).isInstanceOf(SimulationFailed.class);
+    Failure failure = told.getFirst();
+    assertThat(told).hasSize(1);
+    assertThat(failure.kind()).isEqualTo(Kind.FAILED);
+    assertThat(failure.headline()).contains("bot2", "no way on");
+    assertThat(failure.robots()).containsExactly(new RobotId("bot2"));
+    assertThat(failure.faults()).hasSize(1);
+    assertThat(failure.commands()).isEqualTo(COMMANDS);
   }
 
   @Test

@@ -10,9 +10,13 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.launch.MeasuredBodies.Deviation;
+import org.starl.sim.Diagnosis;
+import org.starl.sim.Failure;
+import org.starl.sim.RunObservers;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimulationPlan;
@@ -66,7 +70,13 @@ public final class TraceMerge {
       SortedMap<RobotId, Double> lostMs,
       List<String> missing,
       List<Violation> violations,
-      List<Violation> possible) {}
+      List<Violation> possible) {
+
+    /** What went wrong; null if it is not certain that anything did. */
+    public @Nullable Failure failure() {
+      return violations.isEmpty() ? null : run.failure();
+    }
+  }
 
   /** One order of all events. */
   private record Case(List<TraceEvent> events, long endNs) {}
@@ -150,15 +160,18 @@ public final class TraceMerge {
     List<long[]> clocks = bounds.candidates(traces);
     Case middle = order(clocks.get(0), Deviation.NONE);
     List<SpecReport> reports = new ArrayList<>();
-    reports.add(show(middle, plan, observers));
+    RunObservers shown =
+        new RunObservers(
+            Monitors.of(plan.monitors()), observers, violation -> Diagnosis.NONE, plan.commands());
+    reports.add(show(middle, plan, shown));
     for (long[] starts : clocks.subList(1, clocks.size())) {
-      reports.add(show(order(starts, Deviation.NONE), plan, List.of()));
+      reports.add(judge(order(starts, Deviation.NONE), plan));
     }
     for (Deviation deviation : bodies.deviations()) {
-      reports.add(show(order(clocks.get(0), deviation), plan, List.of()));
+      reports.add(judge(order(clocks.get(0), deviation), plan));
     }
-    SimResult run = complete.apply(result(middle, reports.get(0)));
-    observers.forEach(observer -> observer.finished(run));
+    SimResult run = described(complete.apply(result(middle, reports.get(0))), shown);
+    shown.finished(run);
     List<String> missing = missingStarts();
     List<Violation> certain = missing.isEmpty() ? certain(reports) : List.of();
     return new Result(
@@ -215,15 +228,35 @@ public final class TraceMerge {
     return new Case(events, Math.max(endNs, events.get(events.size() - 1).timeNs()));
   }
 
-  private SpecReport show(Case shown, SimulationPlan plan, List<SimObserver> observers) {
+  private static SpecReport show(Case shown, SimulationPlan plan, RunObservers observers) {
+    observers.started(plan.header());
+    shown.events().forEach(observers::record);
+    return observers.endSpecifications(shown.endNs());
+  }
+
+  private static SpecReport judge(Case shown, SimulationPlan plan) {
     Monitors monitors = Monitors.of(plan.monitors());
-    observers.forEach(observer -> observer.started(plan.header()));
-    for (TraceEvent event : shown.events()) {
-      monitors.observe(event);
-      observers.forEach(observer -> observer.observed(event));
-    }
+    shown.events().forEach(monitors::observe);
     monitors.finish(shown.endNs());
     return monitors.report();
+  }
+
+  /** With its faults, and what went wrong. */
+  private static SimResult described(SimResult run, RunObservers observers) {
+    return new SimResult(
+        run.seed(),
+        run.behaviourSeed(),
+        run.endNs(),
+        run.events(),
+        run.results(),
+        run.unfinished(),
+        run.network(),
+        run.collisions(),
+        run.spec(),
+        run.diagnosis(),
+        run.diagnoses(),
+        observers.faults(),
+        observers.failure(run.unfinished(), run.diagnosis(), run.endNs()));
   }
 
   private SimResult result(Case middle, SpecReport report) {

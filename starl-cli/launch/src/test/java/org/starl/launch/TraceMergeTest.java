@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,6 +24,7 @@ import org.starl.robot.MeasuredBody;
 import org.starl.robot.MeasuredBody.Within;
 import org.starl.robot.trace.ProcessFact;
 import org.starl.robot.trace.ProcessTrace;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -30,6 +32,7 @@ import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.Instance;
 import org.starl.trace.Note;
 import org.starl.trace.TraceEvent;
@@ -252,6 +255,37 @@ class TraceMergeTest {
     String b = trace(B, "n", 0, 0, action(5000, B, "enter"));
 
     assertThat(judge(100 * MS, a, b).violations()).hasSize(1);
+  }
+
+  @Test
+  void whatWentWrongIsDescribedToObserversAndInTheResult() throws IOException {
+    String a = trace(A, "m", 0, 0, joined(10, A, 0), action(1000, A, "enter"));
+    String b = trace(B, "b.trace", "m", 0, 0, false, joined(10, B, 900), action(500, B, "enter"));
+    List<Failure> told = new ArrayList<>();
+    List<Violation> violations = new ArrayList<>();
+    SimObserver observer =
+        new SimObserver() {
+          @Override
+          public void wentWrong(Failure failure) {
+            told.add(failure);
+          }
+
+          @Override
+          public void violated(Violation violation) {
+            violations.add(violation);
+          }
+        };
+
+    TraceMerge.Result result = merge(List.of(a, b), SECOND, 0).judge(plan(), List.of(observer));
+
+    Failure failure = Objects.requireNonNull(result.failure());
+    assertThat(told).containsExactly(failure);
+    assertThat(violations).containsExactlyElementsOf(result.violations());
+    assertThat(failure.headline()).isEqualTo(result.violations().getFirst().toString());
+    assertThat(failure.robots()).containsExactly(A, B);
+    assertThat(failure.culprits().getLast().truth()).isEqualTo(new Pose(900, 0, 0));
+    assertThat(failure.faults()).singleElement().asString().contains("b", "crash");
+    assertThat(result.run().faults()).isEqualTo(failure.faults());
   }
 
   @Test

@@ -83,6 +83,8 @@ final class BadRunsPart {
     illustrated.diagnoses().forEach(this::diagnosis);
     html.open("p", "class", "replay").text("Replay: ");
     html.command(report.description().replay().apply(illustrated.seed())).close();
+    html.open("p", "class", "replay").text("Shrink: ");
+    html.command(report.description().shrink().apply(illustrated.seed())).close();
     shots(illustrated, outcome);
     chart(illustrated);
     player(illustrated);

@@ -15,6 +15,7 @@ import java.util.function.LongFunction;
  * @param given requested settings and parameters, each as {@code key=value}
  * @param settings all settings and parameters, by key
  * @param replay the command that runs one seed again
+ * @param shrink the command that makes the run of one seed smaller, if it is bad
  */
 public record CampaignDescription(
     String app,
@@ -24,4 +25,5 @@ public record CampaignDescription(
     List<String> faults,
     List<String> given,
     Map<String, String> settings,
-    LongFunction<String> replay) {}
+    LongFunction<String> replay,
+    LongFunction<String> shrink) {}

@@ -63,8 +63,9 @@ public final class PictureRecorder extends SceneRecorder {
   public void wentWrong(Failure failure) {
     super.wentWrong(failure);
     boolean isViolation = failure.kind() == Failure.Kind.VIOLATED;
+    boolean isEnd = failure.kind() == Failure.Kind.FAILED && picture == null;
     if (moment instanceof PictureTime.Best
-        || (moment instanceof PictureTime.Violation && isViolation)) {
+        || (moment instanceof PictureTime.Violation ? isViolation : isEnd)) {
       picture = paint(Math.max(scene.nowNs(), failure.atNs()));
     }
   }

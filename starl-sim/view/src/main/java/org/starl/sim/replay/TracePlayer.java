@@ -87,7 +87,8 @@ public final class TracePlayer {
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");
     }
-    SimResult result = result(end.timeNs(), observers.endSpecifications(end.timeNs()));
+    SpecReport spec = observers.endSpecifications(end.timeNs());
+    SimResult result = result(end.timeNs(), spec, end.unfinished());
     observers.finished(result);
     return result;
   }
@@ -130,20 +131,20 @@ public final class TracePlayer {
     }
   }
 
-  private SimResult result(long endNs, SpecReport spec) {
+  private SimResult result(long endNs, SpecReport spec, List<RobotId> unfinished) {
     return new SimResult(
         reader.header().scenarioSeed(),
         reader.header().behaviourSeed(),
         endNs,
         events,
         new TreeMap<>(),
-        List.of(),
+        unfinished,
         new NetStatistics(sent, sentBytes, delivered, dropped),
         Collisions.NONE,
         spec,
         Diagnosis.NONE,
         Map.of(),
         observers.faults(),
-        observers.failure(List.of(), Diagnosis.NONE, endNs));
+        observers.failure(unfinished, Diagnosis.NONE, endNs));
   }
 }

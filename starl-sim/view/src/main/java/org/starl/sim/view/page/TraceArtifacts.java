@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.starl.input.BadInput;
+import org.starl.sim.Failure;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.RunArtifacts;
@@ -89,6 +90,10 @@ public final class TraceArtifacts implements RunArtifacts {
     } catch (BadInput truncated) {
       // The observers have the events before the error that ended the run.
       recording.failed(failure);
+      Failure known = recording.wentWrong();
+      if (known != null) {
+        observers.forEach(observer -> observer.wentWrong(known));
+      }
     }
   }
 
