@@ -12,6 +12,7 @@ dependencies {
     api(libs.jspecify)
     implementation(libs.jackson.databind)
     implementation(libs.flatlaf)
+    implementation(libs.jcodec)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)

@@ -14,8 +14,9 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.export.CsvTable;
+import org.starl.sim.export.FoxgloveLayout;
 import org.starl.sim.export.McapRecorder;
-import org.starl.sim.record.GifRecorder;
+import org.starl.sim.record.AnimationRecorder;
 import org.starl.sim.record.PictureTime;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.view.page.RunPage;
@@ -43,6 +44,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String VIOLATION = "violation";
   private static final int MAX_WIDTH_PX = 4000;
+  private static final String LAYOUT = ".foxglove-layout.json";
 
   /** The kind of output. */
   private static final class Output {
@@ -56,6 +58,9 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
     @Option(names = "--gif", description = "An animation.")
     private boolean gif;
+
+    @Option(names = "--mp4", description = "An animation as video (H.264).")
+    private boolean mp4;
 
     @Option(
         names = "--html",
@@ -92,8 +97,8 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       paramLabel = "WHEN",
       description =
           "The moment of a picture: t=12s, end, best (the moment that shows most) or violation (the"
-              + " first one). With --gif only violation: the animation ends with it. Without a"
-              + " violation, nothing is written (default: best; with --gif the whole run). With"
+              + " first one). With --gif or --mp4 only violation: the animation ends with it. Without a"
+              + " violation, nothing is written (default: best; an animation has the whole run). With"
               + " --html none: a page has the whole run.")
   private @Nullable String when;
 
@@ -115,7 +120,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       names = "--out",
       paramLabel = "FILE",
       description =
-          "The file to write (default: out/APP-SEED.png, .gif, .html, .mcap or .csv; with settings,"
+          "The file to write (default: out/APP-SEED.png, .gif, .mp4, .html, .mcap or .csv; with settings,"
               + " a number that depends on them follows SEED).")
   private @Nullable String file;
 
@@ -133,7 +138,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     String target = named == null ? source.request().file(source.seed(), suffix) : named;
     ObserverFile written =
         switch (suffix) {
-          case "gif" -> gif(source.plan(), wanted, target);
+          case "gif", "mp4" -> animation(source.plan(), wanted, target, suffix);
           case "html" -> html(source.plan(), target);
           case "mcap" ->
               streamed(
@@ -144,12 +149,20 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
           case "csv" -> csv(target);
           default -> ObserverFile.picture("--out", target, source.plan(), moment);
         };
+    String layout = suffix.equals("mcap") ? target.replaceFirst("(\\.mcap)?$", LAYOUT) : "";
     SimResult result;
-    try (written) {
+    try (written;
+        OutputFile beside = layout.isEmpty() ? null : new OutputFile("--out", layout)) {
+      if (beside != null) {
+        beside.stream().write(FoxgloveLayout.json());
+      }
       result = show(source, written.observer());
     }
     String name = source.request().demo().name() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
+    if (!layout.isEmpty()) {
+      out().println("layout for Foxglove: " + layout);
+    }
     if (moment instanceof PictureTime.At at && at.timeNs() > result.endNs()) {
       err()
           .println(
@@ -225,18 +238,27 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         request.replay(seedNumber));
   }
 
-  private ObserverFile gif(Plan plan, String wanted, String target) {
+  private ObserverFile animation(Plan plan, String wanted, String target, String suffix) {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
       throw new BadInput(
-          "--when " + when + " cannot be used with --gif; expected --when violation, or no --when");
+          "--when %s cannot be used with --%s; expected --when violation, or no --when"
+              .formatted(when, suffix));
     }
     long everyNs =
         OptionValues.read("--every", every == null ? "250ms" : every, RecordCommand::everyNs);
     int widthPx = OptionValues.whole("--width", width, 100, MAX_WIDTH_PX);
     return streamed(
         target,
-        out -> new GifRecorder(out, plan.obstacles(), plan.layer(), everyNs, widthPx, ofViolation));
+        out ->
+            new AnimationRecorder(
+                suffix.equals("gif") ? AnimationRecorder.Kind.GIF : AnimationRecorder.Kind.MP4,
+                out,
+                plan.obstacles(),
+                plan.layer(),
+                everyNs,
+                widthPx,
+                ofViolation));
   }
 
   private ObserverFile html(Plan plan, String target) {
@@ -279,7 +301,9 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     if (output.html != null) {
       return "html";
     }
-    return output.gif ? "gif" : output.csv != null ? "csv" : output.mcap ? "mcap" : "png";
+    return output.gif
+        ? "gif"
+        : output.mp4 ? "mp4" : output.csv != null ? "csv" : output.mcap ? "mcap" : "png";
   }
 
   /** {@code --html FILE} is short for {@code --html --out FILE}. */

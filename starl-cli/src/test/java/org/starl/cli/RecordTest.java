@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -88,6 +89,16 @@ class RecordTest {
     assertThat(run.out()).contains(told);
     assertThat(cli.err()).contains(told);
     assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+  }
+
+  @Test
+  void anMcapFileHasALayoutBesideIt() throws IOException {
+    Path file = folder.resolve("run.mcap");
+    Path layout = folder.resolve("run.foxglove-layout.json");
+    Cli cli = Cli.line(Main.ALL, "record hello --seed 1 --mcap --out " + file);
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out()).contains("layout for Foxglove: " + layout);
+    assertThat(new ObjectMapper().readTree(layout.toFile()).path("configById").isEmpty()).isFalse();
   }
 
   @Test

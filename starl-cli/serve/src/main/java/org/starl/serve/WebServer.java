@@ -16,8 +16,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.security.SecureRandom;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.concurrent.ConcurrentSkipListMap;
@@ -28,6 +26,8 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.starl.cli.PageServer;
 import org.starl.cli.Site;
 import org.starl.input.BadInput;
+import org.starl.robot.realtime.RealClock;
+import org.starl.sim.export.FoxgloveLayout;
 import org.starl.sim.view.page.LivePage;
 import org.starl.time.Time;
 
@@ -73,7 +73,7 @@ public final class WebServer implements PageServer {
     private final ObjectMapper mapper = new ObjectMapper();
 
     /** Begins the ids of events: a page of an earlier server of this port has others. */
-    private final String name = HexFormat.of().toHexDigits(new SecureRandom().nextLong());
+    private final String name = Long.toHexString(RealClock.ofDate().nowNs());
 
     private final Semaphore streams = new Semaphore(MOST_STREAMS);
     private final CountDownLatch closing = new CountDownLatch(1);
@@ -118,7 +118,8 @@ public final class WebServer implements PageServer {
       routes.get("/api/schema", context -> json(context, site.schema()));
       routes.post("/api/runs", this::begin);
       routes.get(
-          "/foxglove-layout.json", context -> file(context, "layout.json", "application/json"));
+          "/foxglove-layout.json",
+          context -> context.result(FoxgloveLayout.json()).contentType("application/json"));
       routes.ws("/run/{number}/foxglove", this::foxglove);
     }
 

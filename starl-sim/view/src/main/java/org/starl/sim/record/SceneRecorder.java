@@ -9,7 +9,7 @@ import org.starl.trace.TraceHeader;
 
 /** Keeps the scene of a run up to date, and paints it for a file. */
 abstract sealed class SceneRecorder implements SimObserver
-    permits Filmstrip, GifRecorder, PictureRecorder {
+    permits AnimationRecorder, Filmstrip, PictureRecorder {
 
   private static final long TENTH_NS = 100_000_000;
 
