@@ -24,6 +24,7 @@ import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.view.page.RunPage;
+import org.starl.sim.view.page.SequenceChart;
 import org.starl.time.Time;
 
 /**
@@ -36,7 +37,7 @@ import org.starl.time.Time;
  * @param page an HTML page that plays the seconds around the problem; empty if there is none
  * @param outcome how it ended this time
  * @param diagnoses why robots waited, by the missed deadline, or {@link #AT_THE_END}
- * @param failure what went wrong; null if nothing did, or an exception ended the run
+ * @param failure what went wrong; null if nothing did
  */
 public record IllustratedRun(
     long seed,
@@ -79,6 +80,7 @@ public record IllustratedRun(
   public static IllustratedRun of(long seed, LongFunction<Plan> plans, long momentNs) {
     List<Shot> shots = new ArrayList<>();
     String page = "";
+    Failure failure = null;
     SequenceChart chart = new SequenceChart();
     try {
       Plan plan = plans.apply(seed);
@@ -100,6 +102,7 @@ public record IllustratedRun(
       } catch (RuntimeException e) {
         shots = shots(film);
         recording.failed(RunOutcome.failed(e).detail());
+        failure = recording.wentWrong();
         page = page(recording, momentNs);
         throw e;
       }
@@ -107,7 +110,7 @@ public record IllustratedRun(
       RunOutcome outcome = RunOutcome.failed(e);
       chart.end(outcome.detail());
       return new IllustratedRun(
-          seed, List.of(), shots, address(chart), page, outcome, Map.of(), null);
+          seed, List.of(), shots, address(chart), page, outcome, Map.of(), failure);
     }
   }
 

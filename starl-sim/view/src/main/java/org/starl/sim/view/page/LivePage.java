@@ -200,6 +200,7 @@ public final class LivePage {
     part.put("isOver", isWhole);
     if (isWhole) {
       RunPage.putFailure(part, recording);
+      part.put("sequence", RunPage.sequence(recording, fromNs, recording.endNs()));
       part.put("lanes", RunPage.lanes(recording, shown, fromNs, recording.endNs()));
     }
     part.put("box", seen.box(BoundingBox.of(cursor.scene(), cursor.layer())));

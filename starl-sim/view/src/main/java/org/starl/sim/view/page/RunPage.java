@@ -47,6 +47,7 @@ public final class RunPage {
   private static final int MOST_HEIGHT_PX = 960;
   private static final int MARGIN_PX = 28;
   private static final int MOST_PICTURES = 20_000;
+  private static final int MOST_MESSAGES = 300;
 
   private final Recording recording;
   private final long everyNs;
@@ -142,6 +143,7 @@ public final class RunPage {
     run.put("toMs", millis(toNs));
     putFailure(run, recording);
     run.put("lanes", lanes(recording, frames, fromNs, toNs));
+    run.put("sequence", sequence(recording, fromNs, toNs));
     run.put("texts", frames.texts());
     run.put("styles", frames.styles());
     run.put("frames", frames.frames());
@@ -185,6 +187,22 @@ public final class RunPage {
     all.put("to", painter.xPx(toNs));
     all.put("robots", frames.lanes(painter));
     return all;
+  }
+
+  /** The latest messages before what went wrong, or before the end, as SVG; empty without any. */
+  static String sequence(Recording recording, long fromNs, long toNs) {
+    SequenceChart chart = new SequenceChart(MOST_MESSAGES);
+    Failure failure = recording.wentWrong();
+    long untilNs = failure == null ? toNs : Math.min(toNs, failure.atNs());
+    int end = recording.firstAfter(untilNs);
+    for (int i = recording.firstAfter(fromNs - 1); i < end; i++) {
+      chart.observed(recording.event(i));
+    }
+    if (failure != null) {
+      chart.decide(failure.robots(), failure.atNs());
+    }
+    chart.end(failure == null ? "the end" : failure.headline());
+    return chart.isEmpty() ? "" : chart.svg();
   }
 
   Look look() {

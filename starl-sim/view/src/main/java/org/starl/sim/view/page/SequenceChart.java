@@ -1,16 +1,16 @@
-package org.starl.cli.report;
+package org.starl.sim.view.page;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport;
@@ -24,43 +24,68 @@ import org.starl.trace.TraceEvent.Sent;
 
 /**
  * A message sequence chart of the last events before a problem, as SVG: a line for each robot, time
- * runs down. An arrow is a message from its sending to its handler; a cross is a lost one; a box is
- * an action. Heights are in the order of events, not to scale.
+ * runs down. Each event has a row of its own, so no two cross: an arrow is a message when its handler
+ * gets it, an arrow with a cross is a lost one, a box is an action. The last message to a robot of the
+ * problem is emphasised. Heights are in the order of events, not to scale.
  */
 public final class SequenceChart implements SimObserver {
 
   private static final int MOST_ROWS = 60;
-  private static final int ROW = 20;
+  private static final int ROW = 24;
   private static final int LEFT = 80;
   private static final int LANE = 190;
   private static final int HEAD = 40;
-  private static final int MOST_CHARACTERS = 28;
+  private static final int CHARACTER = 6;
 
   /** What the arrows show already: both ends of a message. */
   private static final Pattern SHOWN = Pattern.compile("(from|to)=[^,\\]]*(, )?");
 
+  /** In a page, its colours are the page's. */
   private static final String STYLE =
-      "text{font:11px sans-serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:3px}.time{fill:#777}.lane{stroke:#bbb}.act{fill:#eef3fb;"
-          + "stroke:#7a95c4}.msg{stroke:#333;marker-end:url(#head)}.lost{stroke:#c22}.bad{fill:#c22;"
-          + "font-weight:bold}.back{fill:#fff}@media(prefers-color-scheme:dark){text{fill:#ddd;stroke:#1b1d21}"
-          + ".back{fill:#1b1d21}.lane{stroke:#555}.act{fill:#26324a}.msg{stroke:#ccc}}";
+      "svg:root{--ink:#222;--paper:#fff;--muted:#666;--line:#bbb;--alarm:#c02020;--pick:#e4eef6}"
+          + "@media(prefers-color-scheme:dark){svg:root{--ink:#ddd;--paper:#1b1d21;--muted:#aaa;--line:#555;"
+          + "--alarm:#ff6b60;--pick:#26324a}}.sequence text{font:11px sans-serif;fill:var(--ink);"
+          + "paint-order:stroke;stroke:var(--paper);stroke-width:3px}.sequence .time{fill:var(--muted)}"
+          + ".sequence .lane{stroke:var(--line)}.sequence .back{fill:var(--paper)}"
+          + ".sequence .act{fill:var(--pick);stroke:var(--line)}.sequence .msg{stroke:var(--ink);"
+          + "marker-end:url(#sequence-head)}.sequence .head{fill:var(--ink)}.sequence .lost{stroke:var(--alarm);"
+          + "stroke-dasharray:4 3;fill:none}.sequence .cross{stroke:var(--alarm);fill:none}"
+          + ".sequence .bad{fill:var(--alarm);font-weight:bold}"
+          + ".sequence .decisive .msg{stroke-width:3px;stroke:var(--alarm)}"
+          + ".sequence .decisive text{font-weight:bold}";
 
+  private final int mostRows;
   private final ArrayDeque<TraceEvent> last = new ArrayDeque<>();
   private final List<TraceEvent> kept = new ArrayList<>();
+  private final Map<String, Long> sentNs = new LinkedHashMap<>();
+  private @Nullable Delivered decisive;
   private String problem = "";
+
+  public SequenceChart() {
+    this(MOST_ROWS);
+  }
+
+  SequenceChart(int mostRows) {
+    this.mostRows = mostRows;
+  }
 
   @Override
   public void observed(TraceEvent event) {
+    if (!problem.isEmpty()) {
+      return;
+    }
+    if (event instanceof Sent sent) {
+      sentNs.put(sent.robot() + "/" + sent.seq(), sent.timeNs());
+    }
     boolean isShown =
-        event instanceof Sent
-            || event instanceof Delivered
+        event instanceof Delivered
             || event instanceof Action
             || event instanceof Dropped
             || (event instanceof Fault fault
                 && (fault.name().equals(Fault.CRASH) || fault.name().equals(Fault.RESTART)));
-    if (isShown && problem.isEmpty()) {
+    if (isShown) {
       last.add(event);
-      if (last.size() > 4 * MOST_ROWS) {
+      if (last.size() > 4 * mostRows) {
         last.remove();
       }
     }
@@ -71,6 +96,7 @@ public final class SequenceChart implements SimObserver {
     if (problem.isEmpty()) {
       problem = violation.toString();
       keep(violation.robots());
+      decide(violation.robots(), violation.timeNs());
     }
   }
 
@@ -82,23 +108,29 @@ public final class SequenceChart implements SimObserver {
     }
   }
 
+  /** Emphasises the last message to one of these robots until then. */
+  void decide(Collection<RobotId> culprits, long untilNs) {
+    for (TraceEvent event : kept.isEmpty() ? last : kept) {
+      if (event instanceof Delivered message
+          && message.timeNs() <= untilNs
+          && culprits.contains(message.robot())) {
+        decisive = message;
+      }
+    }
+  }
+
   /** Keeps the events of the culprits, and of the robots that they exchange messages with. */
   private void keep(Collection<RobotId> culprits) {
     for (TraceEvent event : last) {
       if (culprits.isEmpty()
           || culprits.contains(event.robot())
-          || (event instanceof Delivered message && culprits.contains(message.from()))
-          || (event instanceof Sent message && isTo(message.to(), culprits))) {
+          || (event instanceof Delivered message && culprits.contains(message.from()))) {
         kept.add(event);
       }
     }
-    if (kept.size() > MOST_ROWS) {
-      kept.subList(0, kept.size() - MOST_ROWS).clear();
+    if (kept.size() > mostRows) {
+      kept.subList(0, kept.size() - mostRows).clear();
     }
-  }
-
-  private static boolean isTo(String to, Collection<RobotId> robots) {
-    return to.equals("*") || robots.stream().anyMatch(robot -> robot.name().equals(to));
   }
 
   /** Whether there is no problem, or no event before it. */
@@ -110,30 +142,41 @@ public final class SequenceChart implements SimObserver {
   public String svg() {
     Map<String, Integer> lanes = lanes();
     int width = LEFT + LANE * Math.max(1, lanes.size()) + LANE / 2;
-    int height = HEAD + ROW * (kept.size() + 3);
+    int height = HEAD + ROW * (kept.size() + 2);
     StringBuilder svg = new StringBuilder();
     svg.append(
-        ("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\""
-                + " height=\"%d\"><style>%s</style><defs><marker id=\"head\" viewBox=\"0 0 8 8\""
-                + " refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">"
-                + "<path d=\"M0 0L8 4L0 8z\" fill=\"#777\"/></marker></defs>"
+        ("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sequence\" viewBox=\"0 0 %d %d\""
+                + " width=\"%d\" height=\"%d\"><style>%s</style><defs><marker id=\"sequence-head\""
+                + " viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\""
+                + " markerUnits=\"userSpaceOnUse\" orient=\"auto\">"
+                + "<path class=\"head\" d=\"M0 0L8 4L0 8z\"/></marker></defs>"
                 + "<rect class=\"back\" width=\"%d\" height=\"%d\"/>")
             .formatted(width, height, width, height, STYLE, width, height));
     lanes.forEach((robot, x) -> {
       svg.append(
           "<line class=\"lane\" x1=\"%d\" x2=\"%d\" y1=\"%d\" y2=\"%d\"/>"
               .formatted(x, x, HEAD - 10, height - 2 * ROW));
-      text(svg, x, HEAD - 18, "text-anchor=\"middle\"", robot, robot);
+      text(svg, x, HEAD - 18, " text-anchor=\"middle\"", LANE, robot, robot);
     });
-    rows(svg, lanes);
-    text(svg, 8, height - ROW, "class=\"bad\"", problem, problem);
+    int y = HEAD;
+    for (TraceEvent event : kept) {
+      row(svg, lanes, event, y);
+      y += ROW;
+    }
+    text(svg, 8, height - ROW, " class=\"bad\"", Integer.MAX_VALUE, problem, problem);
     return svg.append("</svg>").toString();
   }
 
   /** The x of each robot's line, in the order of names. */
   private Map<String, Integer> lanes() {
-    Set<String> robots = new LinkedHashSet<>();
-    kept.stream().map(event -> event.robot().name()).sorted().forEach(robots::add);
+    TreeSet<String> robots = new TreeSet<>();
+    for (TraceEvent event : kept) {
+      robots.add(event.robot().name());
+      String from = from(event);
+      if (RobotId.isValid(from)) {
+        robots.add(from);
+      }
+    }
     Map<String, Integer> lanes = new LinkedHashMap<>();
     for (String robot : robots) {
       lanes.put(robot, LEFT + LANE / 2 + LANE * lanes.size());
@@ -141,76 +184,104 @@ public final class SequenceChart implements SimObserver {
     return lanes;
   }
 
-  private void rows(StringBuilder svg, Map<String, Integer> lanes) {
-    Map<String, Integer> sentAt = new LinkedHashMap<>();
-    int y = HEAD;
-    long shownMs = -1;
-    for (TraceEvent event : kept) {
-      y += ROW;
-      long ms = event.timeNs() / Time.NS_PER_MS;
-      if (ms != shownMs) {
-        shownMs = ms;
-        String time = String.format(Locale.ROOT, "%d.%03d s", ms / 1000, ms % 1000);
-        text(svg, 4, y + 4, "class=\"time\"", time, time);
-      }
-      int x = lanes.getOrDefault(event.robot().name(), LEFT);
-      switch (event) {
-        case Sent sent -> {
-          sentAt.put(sent.robot() + "/" + sent.seq(), y);
-          svg.append("<circle cx=\"%d\" cy=\"%d\" r=\"2.5\" fill=\"#777\"/>".formatted(x, y));
-        }
-        case Delivered message -> {
-          Integer fromY = sentAt.get(message.from() + "/" + message.seq());
-          Integer fromX = lanes.get(message.from().name());
-          arrow(svg, fromX == null ? x - LANE / 2 : fromX, fromY == null ? y - ROW : fromY, x, y);
-          label(svg, x + 6, y - 3, message.message().toString());
-        }
-        case Dropped dropped -> {
-          svg.append("<path class=\"lost\" d=\"M%d %dl8 8m0 -8l-8 8\"/>".formatted(x - 4, y - 4));
-          label(svg, x + 8, y + 4, dropped.why() + ", from " + dropped.from());
-        }
-        case Fault fault -> label(svg, x + 6, y + 4, fault.name() + " " + fault.detail());
-        case Action action -> action(svg, x, y, action);
-        default -> throw new IllegalStateException("not shown: " + event);
-      }
-    }
+  /** The sender of a message; empty if it is none. */
+  private static String from(TraceEvent event) {
+    return switch (event) {
+      case Delivered message -> message.from().name();
+      case Dropped message -> message.from();
+      default -> "";
+    };
   }
 
-  private static void arrow(StringBuilder svg, int fromX, int fromY, int toX, int toY) {
+  /** One event, in a group that a page may move, hide and click. */
+  private void row(StringBuilder svg, Map<String, Integer> lanes, TraceEvent event, int y) {
+    String channel = event instanceof Delivered message ? message.channel().name() : "";
     svg.append(
-        "<line class=\"msg\" x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\"/>"
-            .formatted(fromX, fromY, toX, toY));
+        ("<g class=\"row%s\" transform=\"translate(0,%d)\" data-ms=\"%s\" data-robots=\"%s %s\""
+                + " data-channel=\"%s\">")
+            .formatted(
+                event.equals(decisive) ? " decisive" : "",
+                y,
+                RunPage.millis(event.timeNs()),
+                event.robot(),
+                from(event),
+                escaped(channel)));
+    String time = seconds(event.timeNs());
+    text(svg, 4, 15, " class=\"time\"", LEFT, time, time);
+    int x = lanes.getOrDefault(event.robot().name(), LEFT);
+    switch (event) {
+      case Delivered message -> {
+        Long atNs = sentNs.get(message.from() + "/" + message.seq());
+        String sent = atNs == null ? "" : ", sent at " + seconds(atNs);
+        String words = message.message().toString();
+        arrow(
+            svg,
+            lanes.getOrDefault(from(event), x),
+            x,
+            false,
+            words,
+            channel + sent + ": " + words);
+      }
+      case Dropped dropped -> {
+        String words = dropped.why() + ", from " + dropped.from();
+        arrow(svg, lanes.getOrDefault(from(event), x - LANE / 2), x, true, words, words);
+      }
+      case Action action -> action(svg, x, action);
+      case Fault fault -> {
+        String words = fault.name() + " " + fault.detail();
+        text(svg, x + 6, 15, " class=\"bad\"", LANE, words, words);
+      }
+      default -> throw new IllegalStateException("not shown: " + event);
+    }
+    svg.append("</g>");
   }
 
-  private static void action(StringBuilder svg, int x, int y, Action action) {
+  private static String seconds(long timeNs) {
+    long ms = timeNs / Time.NS_PER_MS;
+    return String.format(Locale.ROOT, "%d.%03d s", ms / 1000, ms % 1000);
+  }
+
+  /** From lane to lane, with its words above it; a robot's message to itself begins beside its lane. */
+  private static void arrow(
+      StringBuilder svg, int from, int toX, boolean isLost, String words, String whole) {
+    int fromX = from == toX ? toX - LANE / 2 : from;
+    svg.append(
+        "<line class=\"%s\" x1=\"%d\" y1=\"17\" x2=\"%d\" y2=\"17\"/>"
+            .formatted(isLost ? "lost" : "msg", fromX, toX));
+    if (isLost) {
+      svg.append("<path class=\"cross\" d=\"M%d 13l8 8m0 -8l-8 8\"/>".formatted(toX - 4));
+    }
+    int widthPx = Math.abs(toX - fromX) - 16;
+    text(svg, (fromX + toX) / 2, 12, " text-anchor=\"middle\"", widthPx, words, whole);
+  }
+
+  private static void action(StringBuilder svg, int x, Action action) {
     String words =
         action.args().stream()
             .map(String::valueOf)
             .collect(Collectors.joining(", ", action.name() + "(", ")"));
     svg.append(
-        "<rect class=\"act\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
-            .formatted(x - LANE / 2 + 8, y - 8, LANE - 16, ROW - 4));
-    text(svg, x, y + 4, "text-anchor=\"middle\"", words, action.source() + ": " + words);
+        "<rect class=\"act\" x=\"%d\" y=\"3\" width=\"%d\" height=\"%d\" rx=\"3\"/>"
+            .formatted(x - LANE / 2 + 8, LANE - 16, ROW - 6));
+    String middle = " text-anchor=\"middle\"";
+    text(svg, x, 16, middle, LANE - 20, words, action.source() + ": " + words);
   }
 
-  private static void label(StringBuilder svg, int x, int y, String words) {
-    text(svg, x, y, "", words, words);
-  }
-
-  /** Text, cut to its place unless it is the problem; the whole of it when pointed at. */
+  /** Text, cut to its place; the whole of it when pointed at. */
   private static void text(
-      StringBuilder svg, int x, int y, String attributes, String words, String whole) {
+      StringBuilder svg, int x, int y, String attributes, int widthPx, String words, String whole) {
     String brief = SHOWN.matcher(words).replaceAll("");
-    boolean isCut = brief.length() > MOST_CHARACTERS && !attributes.contains("bad");
-    String shown = isCut ? brief.substring(0, MOST_CHARACTERS - 1) + "\u2026" : brief;
-    svg.append("<text x=\"%d\" y=\"%d\" %s>".formatted(x, y, attributes))
+    int most = Math.max(2, widthPx / CHARACTER);
+    String shown = brief.length() > most ? brief.substring(0, most - 1) + "\u2026" : brief;
+    svg.append("<text x=\"%d\" y=\"%d\"%s>".formatted(x, y, attributes))
         .append(escaped(shown))
         .append("<title>")
         .append(escaped(whole))
         .append("</title></text>");
   }
 
+  /** For XML, in which "]]>" may not stand. */
   private static String escaped(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    return RunPage.escaped(text).replace(">", "&gt;");
   }
 }

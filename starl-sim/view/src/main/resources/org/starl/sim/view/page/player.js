@@ -302,6 +302,50 @@
     $('play').textContent = 'Play';
   }
 
+  // ---- messages in sequence: rows of a picture, which move up when others are hidden
+
+  let rows = [], places = [];
+
+  function drawSequence() {
+    $('messages').hidden = !run.sequence;
+    $('sequence').innerHTML = run.sequence || '';
+    rows = [...$('sequence').querySelectorAll('.row')];
+    places = rows.map(row => row.getAttribute('transform'));
+    const list = (id, names) => $(id).append(...[...new Set(names)].filter(name => name).sort().map(name => new Option(name)));
+    list('of', rows.flatMap(row => row.dataset.robots.split(' ')));
+    list('on', rows.map(row => row.dataset.channel));
+    rows.forEach(row => { row.onclick = () => { pause(); seek(Number(row.dataset.ms)); link(); }; });
+  }
+
+  const shownRows = () => rows.filter(row => row.style.display !== 'none');
+
+  function filterRows() {
+    const of = $('of').value, on = $('on').value;
+    for (const row of rows) {
+      const isShown = (!of || row.dataset.robots.split(' ').includes(of)) && (!on || row.dataset.channel === on);
+      row.style.display = isShown ? '' : 'none';
+    }
+    shownRows().forEach((row, i) => row.setAttribute('transform', places[i]));
+    markRow();
+  }
+
+  /** Marks the latest row of the moment, and scrolls to it. */
+  function markRow() {
+    if (!$('messages').open) return;
+    const now = shownRows().filter(row => Number(row.dataset.ms) <= nowMs + 1e-6).pop();
+    for (const row of rows) row.classList.toggle('now', row === now);
+    if (now) $('sequence').scrollTop = now.getBoundingClientRect().top - $('sequence').firstChild.getBoundingClientRect().top - $('sequence').clientHeight / 2;
+  }
+
+  function walkRows(event) {
+    const shown = shownRows(), at = shown.findIndex(row => row.classList.contains('now'));
+    const to = { ArrowUp: at - 1, ArrowDown: at + 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (shown[to]) shown[to].onclick();
+  }
+
   const isGrowing = () => run.isOver === false;
 
   /** Adds a part of a run that goes on. */
@@ -312,6 +356,8 @@
     if (part.lanes) {
       run.lanes = part.lanes;
       drawLanes();
+      run.sequence = part.sequence;
+      drawSequence();
     }
     if (part.failure) {
       run.failure = part.failure;
@@ -346,6 +392,7 @@
     $('time').value = nowMs;
     if (run.lanes) $('now').style.left = laneScale() * inLanes(nowMs) + 'px';
     $('time').setAttribute('aria-valuetext', seconds(nowMs));
+    markRow();
     $('clock').textContent = seconds(nowMs) + ' of ' + seconds(run.toMs);
     const violations = run.marks.filter(mark => mark[1] === 'VIOLATION' && mark[0] <= nowMs);
     const failed = run.failure && nowMs >= run.failure.ms - 1e-6 ? run.failure.headline : '';
@@ -597,6 +644,10 @@
   $('time').onchange = link;
   $('find').oninput = show;
   $('robots').onkeydown = walkRobots;
+  drawSequence();
+  $('messages').ontoggle = markRow;
+  $('of').onchange = $('on').onchange = filterRows;
+  $('sequence').onkeydown = walkRows;
   $('play').onclick = KEYS[' '];
   $('back').onclick = () => step(-1);
   $('forward').onclick = () => step(1);

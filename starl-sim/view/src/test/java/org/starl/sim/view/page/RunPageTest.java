@@ -197,6 +197,28 @@ class RunPageTest {
     return browser().evaluate("Number(document.getElementById('time').value)").asDouble();
   }
 
+  @Test
+  void aMessageInSequenceLeadsToItsMoment() throws Exception {
+    browser().evaluate("document.querySelector('#messages summary').click()");
+    assertThat(browser().evaluate("document.querySelectorAll('#sequence .row').length").asInt())
+        .isEqualTo(2); // a message and a crash
+    browser().evaluate("document.querySelector('#sequence .row').onclick()");
+    assertThat(nowMs()).isEqualTo(2700);
+    browser().await("document.querySelector('#sequence .now').dataset.ms === '2700.0'");
+    String filter =
+        "{ const list = document.getElementById('%s'); list.value = '%s'; list.onchange(); }";
+    String shown =
+        "[...document.querySelectorAll('#sequence .row')]"
+            + ".filter(row => row.style.display === '').map(row => row.dataset.ms).join(' ')";
+    browser().evaluate(filter.formatted("of", "bot2"));
+    assertThat(browser().evaluate(shown).asText()).isEqualTo("3000.0");
+    browser().evaluate(filter.formatted("of", ""));
+    browser().evaluate(filter.formatted("on", MUTEX.name()));
+    assertThat(browser().evaluate(shown).asText()).isEqualTo("2700.0");
+    browser().evaluate(filter.formatted("on", ""));
+    browser().evaluate("document.querySelector('#messages summary').click()");
+  }
+
   /** How the page fits its pictures into the canvas. */
   private static AffineTransform fitted(Viewport viewport, JsonNode canvas) {
     double width = canvas.path("width").asDouble();
