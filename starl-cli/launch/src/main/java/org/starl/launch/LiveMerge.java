@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.TreeSet;
+import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.robot.trace.ProcessFact;
 import org.starl.sim.Diagnosis;
@@ -18,6 +19,7 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * Shows the events of several processes as one run while they come. It holds each event back for a
@@ -36,6 +38,7 @@ public final class LiveMerge {
       new PriorityQueue<>(Comparator.comparingLong(Held::timeNs).thenComparingLong(Held::number));
   private final RunObservers observers;
   private final Set<RobotId> simulated = new TreeSet<>();
+  private final Beliefs beliefs = new Beliefs();
   private final Set<RobotId> onFloor = new TreeSet<>();
   private long number;
   private int behind;
@@ -122,23 +125,38 @@ public final class LiveMerge {
         if (hasTrueBodies) {
           simulated.add(robot);
         } else if (simulated.contains(robot)) {
+          believe(robot, joined.pose(), joined.timeNs());
           return;
         }
         boolean isAgain = !onFloor.add(robot);
-        observers.record(isAgain ? new Moved(joined.timeNs(), robot, joined.pose(), 0, 0) : joined);
+        record(isAgain ? new Moved(joined.timeNs(), robot, joined.pose(), 0, 0) : joined);
       }
       case Moved moved -> {
-        if (onFloor.contains(robot) && (hasTrueBodies || !simulated.contains(robot))) {
-          observers.record(moved);
+        if (!hasTrueBodies && simulated.contains(robot)) {
+          believe(robot, moved.pose(), moved.timeNs());
+        } else if (onFloor.contains(robot)) {
+          record(moved);
         }
       }
       case Left left -> {
         if (hasTrueBodies || !simulated.contains(robot)) {
           onFloor.remove(robot);
-          observers.record(left);
+          record(left);
         }
       }
-      default -> observers.record(event);
+      default -> record(event);
+    }
+  }
+
+  private void record(TraceEvent event) {
+    beliefs.observe(event);
+    observers.record(event);
+  }
+
+  private void believe(RobotId robot, Pose measured, long timeNs) {
+    Variable belief = beliefs.of(robot, measured, timeNs);
+    if (belief != null) {
+      observers.record(belief);
     }
   }
 }

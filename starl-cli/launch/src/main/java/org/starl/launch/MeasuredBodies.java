@@ -16,6 +16,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The real bodies of a deployment: the robots' traces have their measured positions, and the true
@@ -95,7 +96,11 @@ final class MeasuredBodies {
     return withinMm.isEmpty() ? List.of() : DEVIATIONS;
   }
 
-  /** The events of a trace, with its measured bodies in this case. */
+  /**
+   * The events of a trace, with its measured bodies in this case. Where a world's trace has the true
+   * body, a measured pose is what the robot believed: a {@link org.starl.motion.Deviation} from the
+   * origin.
+   */
   List<TraceEvent> events(RecordedTrace trace, Deviation deviation) {
     List<TraceEvent> events = new ArrayList<>();
     boolean isOnFloor = false;
@@ -111,9 +116,23 @@ final class MeasuredBodies {
                 ? new Moved(again.timeNs(), again.robot(), again.pose(), 0, 0)
                 : deviated);
         isOnFloor = true;
+      } else if (event instanceof Moved moved) {
+        events.add(believed(moved, moved.pose()));
+      } else if (event instanceof Joined joined) {
+        events.add(believed(joined, joined.pose()));
       }
     }
     return events;
+  }
+
+  private static Variable believed(TraceEvent event, Pose pose) {
+    var fromOrigin = new org.starl.motion.Deviation(pose.xMm(), pose.yMm(), pose.headingRad(), 0);
+    return new Variable(
+        event.timeNs(),
+        event.robot(),
+        org.starl.motion.Deviation.SOURCE,
+        org.starl.motion.Deviation.VAR,
+        fromOrigin);
   }
 
   private TraceEvent deviated(TraceEvent event, Deviation deviation) {

@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.launch.MeasuredBodies.Deviation;
@@ -28,6 +29,7 @@ import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.Vocabulary;
 
@@ -225,7 +227,28 @@ public final class TraceMerge {
     }
     List<TraceEvent> events = order.inOrder();
     events.sort(Comparator.comparingLong(TraceEvent::timeNs).thenComparing(TraceEvent::robot));
-    return new Case(events, Math.max(endNs, events.get(events.size() - 1).timeNs()));
+    return new Case(believing(events), Math.max(endNs, events.get(events.size() - 1).timeNs()));
+  }
+
+  /** With what the robots believed as deviations from their true poses. */
+  private static List<TraceEvent> believing(List<TraceEvent> events) {
+    Beliefs beliefs = new Beliefs();
+    List<TraceEvent> all = new ArrayList<>();
+    for (TraceEvent event : events) {
+      var fromOrigin =
+          event instanceof Variable variable ? variable.of(org.starl.motion.Deviation.VAR) : null;
+      if (fromOrigin == null) {
+        beliefs.observe(event);
+        all.add(event);
+      } else {
+        Pose measured = new Pose(fromOrigin.xMm(), fromOrigin.yMm(), fromOrigin.headingRad());
+        Variable belief = beliefs.of(event.robot(), measured, event.timeNs());
+        if (belief != null) {
+          all.add(belief);
+        }
+      }
+    }
+    return all;
   }
 
   private static SpecReport show(Case shown, SimulationPlan plan, RunObservers observers) {

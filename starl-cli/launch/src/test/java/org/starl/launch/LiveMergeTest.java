@@ -12,6 +12,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.Deviation;
 import org.starl.sim.SimObserver;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
@@ -19,6 +20,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
 
 /** Events of several processes as one run. */
 class LiveMergeTest {
@@ -104,5 +106,21 @@ class LiveMergeTest {
     assertThat(seen.stream().filter(Joined.class::isInstance)).containsExactly(truth);
     assertThat(seen.stream().filter(Moved.class::isInstance).map(e -> ((Moved) e).pose().xMm()))
         .containsExactly(4.0, 5.0);
+  }
+
+  @Example
+  void aMeasuredBodyIsABeliefWhereTheTrueOneIsKnown() {
+    merge.add(new Joined(0, BOT, new Pose(0, 0, 0), 150), 0, true);
+    merge.add(new Joined(1, BOT, new Pose(0.5, 0, 0), 150), 1, false); // not told: nearly true
+    merge.add(new Moved(2, BOT, new Pose(600, 0, 1), 0, 0), 2, false);
+    merge.add(new Moved(3, BOT, new Pose(100, 0, 0), 0, 0), 3, true);
+    merge.add(new Moved(4, BOT, new Pose(600, 0, 1), 0, 0), 4, false);
+    merge.end();
+    assertThat(seen.stream().filter(Variable.class::isInstance))
+        .containsExactly(deviation(2, 600), deviation(4, 500));
+  }
+
+  private static Variable deviation(long timeNs, double xMm) {
+    return new Variable(timeNs, BOT, Deviation.SOURCE, Deviation.VAR, new Deviation(xMm, 0, 1, 0));
   }
 }
