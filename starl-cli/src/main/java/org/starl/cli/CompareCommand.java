@@ -34,8 +34,6 @@ import picocli.CommandLine.Parameters;
     })
 final class CompareCommand extends BaseCommand implements Callable<Integer> {
 
-  private static final int MOST_CHARACTERS = 300;
-
   @Parameters(
       index = "0",
       paramLabel = "A",
@@ -90,8 +88,8 @@ final class CompareCommand extends BaseCommand implements Callable<Integer> {
       lines.add(
           "first difference at %s, event %s"
               .formatted(Time.text(difference.atNs(), 9), difference.index() + 1));
-      lines.add("  A: " + shown(difference.first()));
-      lines.add("  B: " + shown(difference.second()));
+      lines.add("  A: " + Difference.shown(difference.first()));
+      lines.add("  B: " + Difference.shown(difference.second()));
       result.put("difference_s", Time.seconds(difference.atNs()));
       result.put("event", difference.index() + 1);
       result.put("a_event", difference.first());
@@ -103,13 +101,6 @@ final class CompareCommand extends BaseCommand implements Callable<Integer> {
     }
     json.print(out(), result, lines);
     return ExitStatus.GOOD;
-  }
-
-  private static String shown(String event) {
-    if (event.isEmpty()) {
-      return "no more events";
-    }
-    return event.length() <= MOST_CHARACTERS ? event : event.substring(0, MOST_CHARACTERS) + "...";
   }
 
   private Prepared prepared(String name, String text) {

@@ -238,6 +238,11 @@ class ReportTest {
       assertThat(links.item(i).getTextContent())
           .isEqualTo(section.getElementsByTagName("h2").item(0).getTextContent());
     }
+    assertThat(Parsed.elements(page, "th")).noneMatch(head -> head.getTextContent().isEmpty());
+    assertThat(Parsed.elements(page, "div"))
+        .filteredOn(div -> div.getAttribute("class").equals("wide"))
+        .isNotEmpty()
+        .allMatch(div -> div.getAttribute("tabindex").equals("0"));
     for (Element drawing : Parsed.elements(page, "svg")) {
       boolean isSkipped =
           ((Element) drawing.getParentNode()).getAttribute("aria-hidden").equals("true");

@@ -152,7 +152,7 @@ final class CampaignTables {
       html.element(
           "p", text + (report.result().leavesUnchecked() ? verdict : ""), "class", "verdict bad");
     }
-    html.open("div", "class", "wide").open("table", "class", "lemmas").open("thead").open("tr");
+    html.wide().open("table", "class", "lemmas").open("thead").open("tr");
     html.element("th", "specification", "scope", "col");
     html.element("th", "meaning", "scope", "col");
     for (String head : List.of("checks", "violations", "runs with violations")) {
@@ -204,7 +204,7 @@ final class CampaignTables {
     }
     html.close();
     html.open("details").element("summary", "All settings");
-    html.open("div", "class", "wide").open("table").open("tbody");
+    html.wide().open("table").open("tbody");
     report
         .description()
         .settings()

@@ -77,7 +77,7 @@ final class CoverageTables {
   }
 
   private void table(String caption, List<String> names, List<String> numbers) {
-    html.open("div", "class", "wide").open("table", "class", "reached");
+    html.wide().open("table", "class", "reached");
     html.element("caption", caption).open("thead").open("tr");
     names.forEach(name -> html.element("th", name, "scope", "col"));
     numbers.forEach(name -> html.element("th", name, "scope", "col", "class", "n"));

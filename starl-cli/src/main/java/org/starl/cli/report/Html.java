@@ -104,15 +104,24 @@ final class Html {
     return close();
   }
 
+  /** Begins what may be wider than a screen; the keyboard can scroll it. */
+  Html wide() {
+    return open("div", "class", "wide", "tabindex", "0");
+  }
+
   /**
    * Opens a table with a caption and a row of headings, in its scrollable frame; {@link #endTable}
    * closes it. All columns but the first are numbers.
    */
   Html table(String cssClass, String caption, List<String> headings) {
-    open("div", "class", "wide").open("table", "class", cssClass).element("caption", caption);
+    wide().open("table", "class", cssClass).element("caption", caption);
     open("thead").open("tr").element("th", headings.get(0), "scope", "col");
     for (String heading : headings.subList(1, headings.size())) {
-      element("th", heading, "scope", "col", "class", "n");
+      if (heading.isEmpty()) {
+        element("td", "");
+      } else {
+        element("th", heading, "scope", "col", "class", "n");
+      }
     }
     return close().close().open("tbody");
   }

@@ -48,6 +48,8 @@ public final class ComparePage {
    */
   public record Difference(int index, long atNs, String first, String second) {
 
+    private static final int MOST = 300;
+
     /** The first difference of two finished runs; null if there is none. */
     public static @Nullable Difference of(Recording first, Recording second) {
       int most = Math.max(first.size(), second.size());
@@ -59,6 +61,12 @@ public final class ComparePage {
         }
       }
       return null;
+    }
+
+    /** An event for people: in at most 300 characters. */
+    public static String shown(String event) {
+      String brief = event.length() <= MOST ? event : event.substring(0, MOST) + "...";
+      return event.isEmpty() ? "no more events" : brief;
     }
 
     private static String line(Recording run, int index) {
@@ -102,7 +110,7 @@ public final class ComparePage {
         known == null
             ? new RunPage(run.recording).html("", 0)
             : new RunPage(run.recording).html("first difference", known.atNs);
-    String told = known == null || !event.isEmpty() ? event : "no more events";
+    String told = known == null ? "" : Difference.shown(event);
     return "<h2>%s</h2><code>%s</code><p>%s</p><iframe title=\"%s\" srcdoc=\"%s\"></iframe>"
         .formatted(
             RunPage.escaped(run.summary()),

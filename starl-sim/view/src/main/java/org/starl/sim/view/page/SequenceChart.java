@@ -152,18 +152,25 @@ public final class SequenceChart implements SimObserver {
                 + "<path class=\"head\" d=\"M0 0L8 4L0 8z\"/></marker></defs>"
                 + "<rect class=\"back\" width=\"%d\" height=\"%d\"/>")
             .formatted(width, height, width, height, STYLE, width, height));
-    lanes.forEach((robot, x) -> {
-      svg.append(
-          "<line class=\"lane\" x1=\"%d\" x2=\"%d\" y1=\"%d\" y2=\"%d\"/>"
-              .formatted(x, x, HEAD - 10, height - 2 * ROW));
-      text(svg, x, HEAD - 18, " text-anchor=\"middle\"", LANE, robot, robot);
-    });
+    lanes
+        .values()
+        .forEach(x ->
+            svg.append(
+                "<line class=\"lane\" x1=\"%d\" x2=\"%d\" y1=\"%d\" y2=\"%d\"/>"
+                    .formatted(x, x, HEAD - 10, height - 2 * ROW)));
     int y = HEAD;
     for (TraceEvent event : kept) {
       row(svg, lanes, event, y);
       y += ROW;
     }
     text(svg, 8, height - ROW, " class=\"bad\"", Integer.MAX_VALUE, problem, problem);
+    // Last, so that a page can keep them in sight above the rows.
+    svg.append(
+        "<g class=\"heads\"><rect class=\"back\" width=\"%d\" height=\"%d\"/>"
+            .formatted(width, HEAD - 8));
+    lanes.forEach(
+        (robot, x) -> text(svg, x, HEAD - 18, " text-anchor=\"middle\"", LANE, robot, robot));
+    svg.append("</g>");
     return svg.append("</svg>").toString();
   }
 

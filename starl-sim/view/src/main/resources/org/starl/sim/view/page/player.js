@@ -314,6 +314,8 @@
     const list = (id, names) => $(id).append(...[...new Set(names)].filter(name => name).sort().map(name => new Option(name)));
     list('of', rows.flatMap(row => row.dataset.robots.split(' ')));
     list('on', rows.map(row => row.dataset.channel));
+    const heads = $('sequence').querySelector('.heads');
+    $('sequence').onscroll = () => heads?.setAttribute('transform', 'translate(0,' + $('sequence').scrollTop + ')');
     rows.forEach(row => { row.onclick = () => { pause(); seek(Number(row.dataset.ms)); link(); }; });
   }
 
