@@ -60,6 +60,7 @@ public final class Main implements Runnable {
           ListCommand.class,
           RunCommand.class,
           CampaignCommand.class,
+          CiCommand.class,
           MergeCommand.class,
           SweepCommand.class,
           ExploreCommand.class,

@@ -92,6 +92,8 @@ final class ProjectTemplate {
     put(files, "build.gradle.kts", own("build.gradle.kts"));
     put(files, "settings.gradle.kts", "settings.gradle.kts");
     put(files, ".gitignore", "gitignore");
+    put(files, ".github/workflows/starl.yml", "github.yml");
+    put(files, ".gitlab-ci.yml", "gitlab-ci.yml");
     put(files, "scenario.yaml", "scenario.yaml");
     put(files, "deployment.yaml", "deployment.yaml");
     if (isProgram()) {

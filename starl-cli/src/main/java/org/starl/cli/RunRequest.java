@@ -181,11 +181,19 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
 
   /** The command line that makes the run of one seed smaller. */
   String shrink(long seed) {
-    List<String> shrink = new ArrayList<>(List.of("campaign"));
-    shrink.addAll(words(seed));
-    shrink.set(shrink.indexOf("--seed"), "--seeds");
+    List<String> shrink = campaign(new Seeds.Range(seed, seed));
     shrink.add("--shrink");
     return Shell.starl(shrink);
+  }
+
+  /** The words of the campaign with these seeds. */
+  List<String> campaign(Seeds.Range seeds) {
+    List<String> words = new ArrayList<>(List.of("campaign"));
+    words.addAll(words(seeds.first()));
+    int seed = words.indexOf("--seed");
+    words.set(seed, "--seeds");
+    words.set(seed + 1, seeds.size() == 1 ? Long.toString(seeds.first()) : seeds.toString());
+    return words;
   }
 
   /** The words of that command line after {@code run}. */

@@ -87,7 +87,8 @@ final class ShardOptions {
   /**
    * Runs the shard and writes its file.
    *
-   * @return the exit status: good if the file is complete. Its runs may be bad; the merge tells
+   * @return the exit status. A shard is good if its file is complete; its runs may be bad: a scheduler
+   *     would repeat it, and the merge tells
    */
   <R> int run(BaseCommand command, ShardWork<R> work, int workers, JsonOption json)
       throws InterruptedException, IOException {
@@ -132,7 +133,7 @@ final class ShardOptions {
       long planned = work.isNumbered() ? part.seeds(work.numbers()).size() : work.numbers().size();
       command.err().println(interrupted(command, counts.rows, planned, units));
     }
-    return ExitStatus.GOOD;
+    return shard == null && counts.bad > 0 ? ExitStatus.VIOLATED : ExitStatus.GOOD;
   }
 
   /**

@@ -1,0 +1,125 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.starl.cli.report.SeedRow;
+import org.starl.input.BadInput;
+
+/**
+ * The rows of seeds that went well, in a file of a folder. Equal classes, settings and Java give equal
+ * runs, so they need not run again. The file's name has a digest of all three: a change of one byte of
+ * code begins another file, and the old ones of the app are removed.
+ */
+final class GoodSeeds {
+
+  private static final int DIGEST_BYTES = 10;
+
+  private final Path folder;
+  private final String app;
+  private final Path file;
+  private final SortedMap<Long, SeedRow> rows = new TreeMap<>();
+
+  private GoodSeeds(Path folder, String app, Path file) {
+    this.folder = folder;
+    this.app = app;
+    this.file = file;
+  }
+
+  /**
+   * The seeds of this work that an earlier command saved.
+   *
+   * @param name of the work, part of a file's name
+   * @param classes a digest of the code
+   */
+  static GoodSeeds of(Path folder, String name, SeedWork work, String classes) throws IOException {
+    String digest = work.keys().getFirst() + "-" + classes;
+    GoodSeeds seeds = new GoodSeeds(folder, name, folder.resolve(name + "-" + digest + ".rows"));
+    if (Files.exists(seeds.file)) {
+      int number = 0;
+      for (String line : Files.readAllLines(seeds.file)) {
+        number++;
+        SeedRow row = work.row(seeds.file + ":" + number + ": ", line);
+        seeds.rows.put(row.seed(), row);
+      }
+    }
+    return seeds;
+  }
+
+  /** The saved rows by seed. */
+  SortedMap<Long, SeedRow> rows() {
+    return rows;
+  }
+
+  /** Adds a good run. */
+  void add(SeedRow row) {
+    rows.put(row.seed(), row);
+  }
+
+  /** Replaces the app's files. */
+  void save() throws IOException {
+    Files.createDirectories(folder);
+    List<String> lines = rows.values().stream().map(SeedRow::line).toList();
+    Path part = folder.resolve("." + file.getFileName() + ".part");
+    Files.write(part, lines, StandardCharsets.UTF_8);
+    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path old : files.toList()) {
+        String name = String.valueOf(old.getFileName());
+        if (name.matches("\\Q" + app + "\\E-[0-9a-f]+-[0-9a-f]+\\.rows") && !old.equals(file)) {
+          Files.delete(old);
+        }
+      }
+    }
+  }
+
+  /**
+   * A digest of all classes and files of the class path, and of Java's version.
+   *
+   * @throws BadInput if one cannot be read
+   */
+  static String digest() {
+    try {
+      MessageDigest digest = MessageDigest.getInstance("SHA-256");
+      digest.update(Runtime.version().toString().getBytes(StandardCharsets.UTF_8));
+      String separator = System.getProperty("path.separator");
+      for (String entry :
+          System.getProperty("java.class.path").split(Pattern.quote(separator), -1)) {
+        for (Path file : files(Path.of(entry))) {
+          digest.update(
+              Path.of(entry).relativize(file).toString().getBytes(StandardCharsets.UTF_8));
+          digest.update(Files.readAllBytes(file));
+        }
+      }
+      return HexFormat.of().formatHex(digest.digest(), 0, DIGEST_BYTES);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException(e);
+    } catch (IOException | UncheckedIOException e) {
+      throw new BadInput("the class path cannot be read: " + e.getMessage());
+    }
+  }
+
+  /** The regular files below an entry of the class path, in order. */
+  private static List<Path> files(Path entry) throws IOException {
+    if (!Files.isDirectory(entry)) {
+      return Files.isRegularFile(entry) ? List.of(entry) : List.of();
+    }
+    List<Path> files = new ArrayList<>();
+    try (Stream<Path> all = Files.walk(entry)) {
+      all.filter(Files::isRegularFile).sorted().forEach(files::add);
+    }
+    return files;
+  }
+}
