@@ -112,6 +112,7 @@ public final class WebServer implements PageServer {
       routes.get("/", this::home);
       routes.get("/site.js", context -> file(context, "site.js", "text/javascript"));
       routes.get("/site.css", context -> file(context, "site.css", "text/css"));
+      routes.get("/favicon.ico", context -> context.status(204)); // browsers ask for one
       routes.get("/run/{number}", this::page);
       routes.get("/run/{number}/parts", this::parts);
       routes.get("/api/overview", context -> json(context, site.overview()));

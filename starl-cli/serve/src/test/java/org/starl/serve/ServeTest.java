@@ -263,6 +263,10 @@ class ServeTest {
       browser.evaluate("document.querySelector('#bad button').click()");
       browser.await(
           "document.querySelector('iframe')?.contentDocument?.documentElement?.dataset.ready === 'true'");
+      browser.await(
+          "(page => page.getElementById('play').textContent === 'Play' && page.getElementById("
+              + "'clock').textContent.split(' ')[0] > 30)"
+              + "(document.querySelector('iframe').contentDocument)");
       assertThat(browser.errors()).isEmpty();
     }
   }

@@ -207,6 +207,7 @@
   const laneScale = () => strip.parentElement.clientWidth / run.lanes.width;
 
   function drawLanes() {
+    $('lanes').hidden = !run.lanes;
     if (!run.lanes) return; // of a run that goes on
     const scale = laneScale(), dpr = window.devicePixelRatio || 1;
     const height = run.lanes.robots.reduce((sum, robot) => sum + robot[1], 0);
@@ -350,8 +351,12 @@
 
   const isGrowing = () => run.isOver === false;
 
-  /** Adds a part of a run that goes on. */
+  let isTouched = false;
+  for (const kind of ['pointerdown', 'keydown']) document.addEventListener(kind, () => { isTouched = true; }, { once: true });
+
+  /** Adds a part of a run that goes on; one without a speed opens at what went wrong, unless a person has begun. */
   function grow(part) {
+    let isFound = false;
     for (const list of ['marks', 'texts', 'styles', 'frames']) run[list].push(...part[list]);
     for (const value of ['toMs', 'isOver', 'box']) run[value] = part[value];
     last = run.frames.length - 1;
@@ -364,8 +369,10 @@
     if (part.failure) {
       run.failure = part.failure;
       tellFailure(part.failure);
+      isFound = !run.speed && !isTouched;
     }
     listTimes();
+    if (isFound) follow();
     if (isFollowing && run.toMs - nowMs > FAR_MS * speed) nowMs = run.toMs;
     show();
   }
