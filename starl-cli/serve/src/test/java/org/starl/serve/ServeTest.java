@@ -1,3 +1,4 @@
+// Longer than 500 lines because all pages of the server are tested with the same clients.
 package org.starl.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
@@ -194,6 +195,50 @@ class ServeTest {
         }
         ids.addAll(List.of(id, "x", "7", "-1", "a-b-c"));
       }
+    }
+  }
+
+  /** A run that goes on, at this time. */
+  private static Site site(String title, long atNs) {
+    RobotId bot = new RobotId("bot0");
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
+    recording.started(new TraceHeader("0", title, 7, 8, Map.of(), List.of(bot)));
+    recording.observed(new TraceEvent.Joined(0, bot, new Pose(0, 0, 0), 150));
+    recording.reached(atNs);
+    return new OneRun(new Site.Shown(title, "", recording, new LivePage(recording, 1)));
+  }
+
+  /** The titles that a page has while it loads anew, which ends what is evaluated. */
+  private static Stream<String> titles(Browser browser) {
+    return Stream.generate(
+            () -> {
+              try {
+                return browser
+                    .evaluate("new Promise(done => setTimeout(() => done(document.title), 20))")
+                    .asText();
+              } catch (Exception | AssertionError replaced) {
+                return "";
+              }
+            })
+        .limit(2000);
+  }
+
+  @Test
+  void aPageTellsThatItsServerIsGoneAndShowsTheRunOfTheNextOne() throws Exception {
+    PageServer.Access any = new PageServer.Access("127.0.0.1", 0, "", List.of());
+    PageServer.Running first = new WebServer().start(any, site("first", 2_000_000_000));
+    int port = first.port();
+    try (first;
+        Browser browser = browser(URI.create("http://127.0.0.1:" + port + "/"))) {
+      browser.await(nowMs() + " >= 1900");
+      first.close();
+      browser.await("document.getElementById('lacks').textContent.startsWith('No connection')");
+      PageServer.Access same = new PageServer.Access("127.0.0.1", port, "", List.of());
+      try (PageServer.Running next = new WebServer().start(same, site("next", 1_000_000_000))) {
+        assertThat(next.port()).isEqualTo(port);
+        assertThat(titles(browser)).anyMatch("next"::equals);
+      }
+      browser.takeErrors(); // of the connection
     }
   }
 
