@@ -1,5 +1,7 @@
 package org.starl;
 
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.starl.gvh.Variables;
 import org.starl.motion.MotionController;
@@ -11,6 +13,7 @@ import org.starl.platform.Platform;
 import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
+import org.starl.shape.Shape;
 
 /** {@code gvh.plat}: motion control, and the ports that primitives and apps use. */
 public final class Plat {
@@ -29,6 +32,7 @@ public final class Plat {
 
   public final LightControl light;
   private final Background background;
+  private final Set<String> persistent = new TreeSet<>();
 
   Plat(MotionController moat, Platform platform, Variables variables) {
     this.moat = moat;
@@ -40,6 +44,22 @@ public final class Plat {
     this.objects = platform.objects();
     this.light = new LightControl(platform.light(), variables);
     this.background = platform.background();
+  }
+
+  /**
+   * The variable that is stored under this name. It has the value that this robot's programs have set
+   * last, as far as it was flushed, or {@code initial}.
+   *
+   * @param name of the variable on this robot; primitives begin theirs with their own name and a slash
+   * @throws IllegalStateException if this program has this variable already, or if its stored bytes are
+   *     none of {@code shape}
+   */
+  public <T> Persistent<T> persistent(String name, Shape<T> shape, T initial) {
+    if (!persistent.add(name)) {
+      throw new IllegalStateException(
+          "stable storage: '" + name + "' is in use: expected one owner");
+    }
+    return new Persistent<>(stable, name, shape, initial);
   }
 
   /**

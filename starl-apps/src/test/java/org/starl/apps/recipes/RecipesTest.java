@@ -111,6 +111,13 @@ class RecipesTest {
   }
 
   @Test
+  void persistent() {
+    Simulation.Builder crashed =
+        four(PersistentRecipe::new).fault("crash(all,at=2500ms,restart=1s,lose=unsynced)");
+    assertThat(results(crashed, TubesSpec::new)).containsOnly(List.of("program 2: 5 rooms"));
+  }
+
+  @Test
   void agreement() {
     Collection<List<Object>> colours = results(four(AgreementRecipe::new), AgreementSpec::new);
     assertThat(colours.stream().distinct()).hasSize(1);

@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import static org.starl.shape.Shapes.U8;
 import static org.starl.shape.Shapes.part;
 
 import java.util.Collections;
@@ -26,9 +27,26 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
   static final AcceptorRecord NEW = new AcceptorRecord(null, new TreeMap<>());
 
   private static final int FORMAT = 1;
-  private static final Shape<Optional<Decided>> DECIDED =
-      Shapes.optional(Decided.shape(Value.SHAPE));
-  private static final Shape<Long> NUMBER = Shapes.atLeast(1, "decree number");
+
+  private static final Shape<AcceptorRecord> SHAPE =
+      Shapes.of(
+          AcceptorRecord.class,
+          part("format", U8.where(AcceptorRecord::checkFormat), record -> FORMAT),
+          part(
+              "decided",
+              Shapes.optional(Decided.shape(Value.SHAPE)),
+              record -> Optional.ofNullable(record.decided())),
+          part(
+              "slots",
+              Shapes.map(Shapes.atLeast(1, "decree number"), Slot.SHAPE, 0xFFFF),
+              AcceptorRecord::slots),
+          (format, decided, slots) -> new AcceptorRecord(decided.orElse(null), slots));
+
+  private static void checkFormat(int format) {
+    if (format != FORMAT) {
+      throw new IllegalArgumentException("acceptor record of format " + format);
+    }
+  }
 
   AcceptorRecord {
     slots = Collections.unmodifiableSortedMap(new TreeMap<>(slots));
@@ -48,37 +66,14 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
   }
 
   byte[] toBytes() {
-    return WireWriter.toBytes(out -> {
-      out.u8(FORMAT);
-      DECIDED.write(Optional.ofNullable(decided), out);
-      out.u16(slots.size());
-      slots.forEach((number, slot) -> {
-        NUMBER.write(number, out);
-        Slot.SHAPE.write(slot, out);
-      });
-    });
+    return WireWriter.toBytes(out -> SHAPE.write(this, out));
   }
 
   /** Throws {@link WireFormatException} on bytes that {@link #toBytes} cannot have written. */
   static AcceptorRecord fromBytes(byte[] bytes) {
     WireReader in = new WireReader(bytes);
-    int format = in.u8();
-    if (format != FORMAT) {
-      throw new WireFormatException("acceptor record of format " + format);
-    }
-    Decided decided = DECIDED.read(in).orElse(null);
-    SortedMap<Long, Slot> slots = new TreeMap<>();
-    int count = in.u16();
-    for (int i = 0; i < count; i++) {
-      long number = NUMBER.read(in);
-      if (!slots.isEmpty() && slots.lastKey() >= number) {
-        throw new WireFormatException("decree " + number + " out of order");
-      }
-      slots.put(number, Slot.SHAPE.read(in));
-    }
-    if (in.remaining() > 0) {
-      throw new WireFormatException(in.remaining() + " bytes after the record");
-    }
-    return new AcceptorRecord(decided, slots);
+    AcceptorRecord record = SHAPE.read(in);
+    in.expectEnd();
+    return record;
   }
 }

@@ -2,6 +2,9 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -9,12 +12,14 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.Persistent;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.shape.Shapes;
 
 /**
  * Connects the {@link TubeClaimant} and the {@link TubeVoter} of a robot to its gvh. At the first
@@ -26,7 +31,8 @@ final class TubeClaims {
   private final TubeSettings settings;
   private final int radiusMm;
   private final Listener listener;
-  private final TubeStore store;
+  private final Persistent<Optional<TubeVoter.Note>> own;
+  private final Map<RobotId, Persistent<Optional<TubeVoter.Note>>> notes = new TreeMap<>();
   private final TubeVoter voter;
   private final TubeClaimant claimant;
   private final Endpoint<TubeMessage> endpoint;
@@ -69,16 +75,15 @@ final class TubeClaims {
     this.settings = settings;
     this.radiusMm = radiusMm;
     this.listener = listener;
-    store = new TubeStore(gvh.plat.stable, channel.name());
+    own = stored(channel.name() + ".own");
     voter = new TubeVoter(participants, new VoterWiring());
     for (RobotId robot : participants) {
-      TubeVoter.Note note = store.note(robot);
-      if (note != null) {
-        voter.restore(robot, note);
-      }
+      Persistent<Optional<TubeVoter.Note>> note = stored(channel.name() + ".note." + robot);
+      notes.put(robot, note);
+      note.get().ifPresent(known -> voter.restore(robot, known));
     }
-    Holding before = store.own();
-    Holding start = before == null ? Holding.NONE : before;
+    // The held tubes and, before the first grant, the disc at the robot's place.
+    Holding start = own.get().map(TubeVoter.Note::holding).orElse(Holding.NONE);
     standing = start.wanted().isEmpty() ? null : start.wanted().get(0);
     claimant =
         new TubeClaimant(
@@ -95,6 +100,10 @@ final class TubeClaims {
       claimant.keep(start.held(), nowNs());
       rearm();
     }
+  }
+
+  private Persistent<Optional<TubeVoter.Note>> stored(String name) {
+    return gvh.plat.persistent(name, Shapes.optional(TubeVoter.Note.SHAPE), Optional.empty());
   }
 
   boolean isPlaced() {
@@ -192,10 +201,10 @@ final class TubeClaims {
     write(new Holding(0, List.of(), List.of(disc)), () -> ask(disc));
   }
 
-  private void write(Holding own, Runnable then) {
+  private void write(Holding holding, Runnable then) {
     writes++;
-    store.putOwn(
-        own,
+    own.set(
+        Optional.of(new TubeVoter.Note(holding, false)),
         () -> {
           if (!closed) {
             writes--;
@@ -249,14 +258,14 @@ final class TubeClaims {
 
     @Override
     public void persist(RobotId about, TubeVoter.Note note, TubeMessage answer) {
-      store.putNote(
-          about,
-          note,
-          () -> {
-            if (!closed) {
-              endpoint.send(about, answer);
-            }
-          });
+      Objects.requireNonNull(notes.get(about))
+          .set(
+              Optional.of(note),
+              () -> {
+                if (!closed) {
+                  endpoint.send(about, answer);
+                }
+              });
     }
   }
 

@@ -7,13 +7,11 @@ import static org.starl.shape.Shapes.part;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.Persistent;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
-import org.starl.platform.StableStorage;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
-import org.starl.shape.WireReader;
-import org.starl.shape.WireWriter;
 
 /**
  * The stroke that a painter works on, if any, its progress, and the note of both on stable storage:
@@ -46,10 +44,11 @@ final class CurrentWork {
             part("doneMm", REAL, Note::doneMm),
             part("isAtWork", BOOL, Note::isAtWork),
             Note::new);
+    private static final Note NONE = new Note(CurrentWork.NONE, false, 0, false);
   }
 
   private final List<Stroke> strokes;
-  private final StableStorage stable;
+  private final Persistent<Note> noted;
   private final GvhCell<Integer> number;
   private boolean isReversed;
 
@@ -57,11 +56,10 @@ final class CurrentWork {
   private double doneMm;
 
   private double notedMm;
-  private int unflushedNotes;
 
   CurrentWork(GlobalVarHolder gvh, List<Stroke> strokes) {
     this.strokes = strokes;
-    stable = gvh.plat.stable;
+    noted = gvh.plat.persistent(KEY, Note.SHAPE, Note.NONE);
     number = gvh.variable(PaintFact.STROKE, NONE);
   }
 
@@ -117,7 +115,7 @@ final class CurrentWork {
   /** Ends the work and erases the note. */
   void drop() {
     number.set(NONE);
-    put(new byte[0]);
+    noted.set(Note.NONE);
   }
 
   /**
@@ -135,19 +133,13 @@ final class CurrentWork {
    * @param isAtWork whether the painter stays on the stroke, where the work continues
    */
   void note(boolean isAtWork) {
-    Note note = new Note(number(), isReversed, doneMm, isAtWork);
+    noted.set(new Note(number(), isReversed, doneMm, isAtWork));
     notedMm = doneMm;
-    put(WireWriter.toBytes(out -> Note.SHAPE.write(note, out)));
   }
 
   /** Whether the latest note would survive a crash. */
   boolean isNoted() {
-    return unflushedNotes == 0;
-  }
-
-  private void put(byte[] bytes) {
-    unflushedNotes++;
-    stable.put(KEY, bytes, () -> unflushedNotes--);
+    return noted.isFlushed();
   }
 
   /**
@@ -158,9 +150,8 @@ final class CurrentWork {
    * @param errorMm the error of {@code here}
    */
   void resume(Point here, double errorMm) {
-    byte[] bytes = stable.get(KEY);
-    if (bytes != null && bytes.length > 0) {
-      Note note = Note.SHAPE.read(new WireReader(bytes));
+    Note note = noted.get();
+    if (note.stroke() != NONE) {
       number.set(note.stroke());
       isReversed = note.isReversed();
       doneMm = note.doneMm();
