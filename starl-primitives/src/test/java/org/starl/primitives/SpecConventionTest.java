@@ -17,6 +17,7 @@ import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.ledger.LedgerSpec;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.MutexFact;
@@ -41,6 +42,7 @@ class SpecConventionTest {
         BarrierSpec.class,
         ElectionSpec.class,
         GeocastSpec.class,
+        LedgerSpec.class,
         MotionSpec.class,
         MutexSpec.class,
         RegistrationSpec.class,
@@ -62,6 +64,8 @@ class SpecConventionTest {
         .containsExactly("barrier.NotHung");
     assertThat(lemmasAdded(new ElectionSpec(), new ElectionSpec(1, 1)))
         .containsExactly("election.Elected", "election.Told");
+    assertThat(lemmasAdded(new LedgerSpec(), new LedgerSpec(1, 1)))
+        .containsExactly("ledger.Answered", "ledger.Freed");
     assertThat(lemmasAdded(new RegistrationSpec(), new RegistrationSpec(1)))
         .containsExactly("registration.Registered");
     assertThat(lemmasAdded(new TubesSpec(), new TubesSpec(1))).containsExactly("tubes.Told");

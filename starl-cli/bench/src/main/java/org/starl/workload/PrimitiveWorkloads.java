@@ -15,6 +15,7 @@ import org.starl.input.Quantities;
 import org.starl.input.Quantity;
 import org.starl.primitives.geocast.GeocastFact;
 import org.starl.primitives.geocast.GeocastMessage;
+import org.starl.primitives.ledger.LedgerSettings;
 import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.shape.Shapes;
@@ -78,6 +79,15 @@ public final class PrimitiveWorkloads {
               List.of(),
               GeocastClient::setUp,
               GeocastClient::settings),
+          new Workload(
+              "ledger",
+              "robots add tasks to a ledger, claim them, do them and finish them",
+              Envelope.LOGICAL,
+              32,
+              Duration.ofMillis(LedgerSettings.DEFAULT.leaseMs()),
+              parameters(5, "20s", Setup.PATIENCE),
+              List.of(new Variant(Setup.PATIENCE, Setup.SHORT)),
+              LedgerClient::setUp),
           new Workload(
               "messages",
               "robots send letters to one and to all, reliably and not, on channels that close",

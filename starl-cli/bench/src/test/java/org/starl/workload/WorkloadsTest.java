@@ -42,7 +42,7 @@ class WorkloadsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"agreement", "barrier", "election", "mutex", "registration"})
+  @ValueSource(strings = {"agreement", "barrier", "election", "ledger", "mutex", "registration"})
   void aRunThatLosesAllMessagesDoesNotFinish(String name) {
     Plan plan = Runs.plan(name, 7, Map.of("faults", "loss(1,at=5s)"));
     SimResult result = plan.simulation().build().run();

@@ -29,6 +29,7 @@ class PrimitivesProofTest {
         "SetAgreement_decls",
         "Election_decls",
         "Barrier_decls",
+        "Ledger_decls",
         "Geocast_decls",
         "MotionControl_decls"
       })

@@ -24,6 +24,7 @@ class WitnessTheoryTest {
         "SetAgreement_decls",
         "Election_decls",
         "Barrier_decls",
+        "Ledger_decls",
         "Geocast_decls",
         "MotionControl_decls",
         "IcpProgram"

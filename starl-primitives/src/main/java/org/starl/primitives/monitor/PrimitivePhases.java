@@ -6,6 +6,7 @@ import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.barrier.BarrierFact;
 import org.starl.primitives.election.ElectionFact;
 import org.starl.primitives.geocast.GeocastFact;
+import org.starl.primitives.ledger.LedgerFact;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.paths.TubeFact;
 import org.starl.primitives.registration.RegistrationFact;
@@ -21,6 +22,7 @@ public final class PrimitivePhases {
           ElectionFact.PHASES,
           GeocastFact.PHASES,
           GeocastFact.BROADCAST_PHASES,
+          LedgerFact.PHASES,
           MutexFact.PHASES,
           RegistrationFact.PHASES,
           TubeFact.PHASES);

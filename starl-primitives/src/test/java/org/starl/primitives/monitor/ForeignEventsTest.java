@@ -16,6 +16,7 @@ import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.ledger.LedgerSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.paths.TubesSpec;
@@ -35,6 +36,7 @@ class ForeignEventsTest {
           BarrierSpec::new,
           ElectionSpec::new,
           GeocastSpec::new,
+          LedgerSpec::new,
           MotionSpec::new,
           MutexSpec::new,
           RegistrationSpec::new,

@@ -85,6 +85,7 @@ class PrimitivePhasesTest {
             "broadcast",
             "election",
             "geocast",
+            "ledger",
             "mutex",
             "registration",
             "tubes");

@@ -46,6 +46,7 @@ final class MutantReplay {
           "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
           "Election_decls", new Twin("election", "election.ElectionConformance"),
           "Barrier_decls", new Twin("barrier", "barrier.BarrierConformance"),
+          "Ledger_decls", new Twin("ledger", "ledger.LedgerConformance"),
           "Geocast_decls", new Twin("geocast", "geocast.GeocastConformance"),
           "MotionControl_decls", new Twin("motion", "motion.MotionConformance"));
 

@@ -72,6 +72,7 @@ class MutantsTest {
         "SetAgreement_decls",
         "Election_decls",
         "Barrier_decls",
+        "Ledger_decls",
         "Geocast_decls",
         "MotionControl_decls",
         "Traffic_decls"

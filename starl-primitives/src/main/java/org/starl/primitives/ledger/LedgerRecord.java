@@ -1,0 +1,203 @@
+package org.starl.primitives.ledger;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.primitives.ledger.LedgerEntry.Add;
+import org.starl.primitives.ledger.LedgerEntry.Begin;
+import org.starl.primitives.ledger.LedgerEntry.Claim;
+import org.starl.primitives.ledger.LedgerEntry.Finish;
+import org.starl.primitives.ledger.LedgerEntry.Free;
+import org.starl.primitives.ledger.LedgerEntry.Reopen;
+import org.starl.primitives.ledger.LedgerEntry.Start;
+import org.starl.spec.Monitor.Report;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Action;
+
+/**
+ * One ledger, as {@link LedgerSpec} sees it in the trace: what the first robot at each number applied, and
+ * what follows from that. Memory grows with the tasks.
+ */
+final class LedgerRecord {
+
+  /** Older decrees are forgotten: no robot is so far behind. */
+  private static final int KEPT_NUMBERS = 1024;
+
+  private final Instance source;
+  private final Set<RobotId> voters = new TreeSet<>();
+  private final Set<RobotId> seen = new TreeSet<>();
+  private final Map<RobotId, Integer> open = new TreeMap<>();
+  private final TreeMap<Long, First> decrees = new TreeMap<>();
+  private final Map<TaskId, Task> tasks = new TreeMap<>();
+  private int unfinished;
+
+  LedgerRecord(Instance source) {
+    this.source = source;
+  }
+
+  /** The first robot at a number, what it applied, and how many tasks are not finished then. */
+  private record First(RobotId robot, List<LedgerEntry> entries, int tasks) {}
+
+  /** What the log says of one task. */
+  private static final class Task {
+    private @Nullable RobotId claimant;
+    private @Nullable RobotId worker;
+    private boolean isFinished;
+
+    // By the claim's number.
+    private final Map<Long, RobotId> begun = new TreeMap<>();
+  }
+
+  void voters(List<RobotId> robots) {
+    voters.addAll(robots);
+  }
+
+  Set<RobotId> voters() {
+    return voters;
+  }
+
+  /** All robots that have had a claim, in order. */
+  Set<RobotId> robots() {
+    return seen;
+  }
+
+  void asked(RobotId robot) {
+    open.merge(robot, 1, Integer::sum);
+  }
+
+  boolean isAnswered(RobotId robot) {
+    return open.getOrDefault(robot, 0) == 0;
+  }
+
+  void ended(RobotId robot) {
+    open.remove(robot);
+  }
+
+  boolean hasClaim(RobotId robot) {
+    return tasks.values().stream().anyMatch(task -> robot.equals(task.claimant));
+  }
+
+  void applied(LedgerFact.Applied decree, Action event, Report report) {
+    long number = decree.number();
+    if (decrees.isEmpty() || number > decrees.lastKey()) {
+      decree.entries().forEach(entry -> take(entry, event, report));
+      decrees.put(number, new First(event.robot(), decree.entries(), unfinished));
+      if (decrees.size() > KEPT_NUMBERS) {
+        decrees.pollFirstEntry();
+      }
+    }
+    First first = decrees.get(number);
+    if (first != null) {
+      check(
+          LedgerSpec.ONE_LOG,
+          first.entries().equals(decree.entries()),
+          event,
+          first.robot() + " applied " + first.entries() + " at " + number,
+          report);
+      kept(number, decree.tasks(), first, event, report);
+    }
+  }
+
+  void installed(LedgerFact.Installed known, Action event, Report report) {
+    First first = decrees.get(known.number());
+    if (first != null) {
+      kept(known.number(), known.tasks(), first, event, report);
+    }
+  }
+
+  private void kept(long number, int has, First first, Action event, Report report) {
+    check(
+        LedgerSpec.KEPT,
+        has == first.tasks(),
+        event,
+        "has " + has + " tasks at " + number + ", but " + first.tasks() + " are not finished",
+        report);
+  }
+
+  private void take(LedgerEntry entry, Action event, Report report) {
+    switch (entry) {
+      case Start e ->
+          tasks.values().stream()
+              .filter(task -> e.who().robot().equals(task.claimant))
+              .forEach(task -> task.claimant = null);
+      case Add e -> {
+        check(LedgerSpec.KEPT, tasks.put(e.task(), new Task()) == null, event, "twice", report);
+        unfinished++;
+      }
+      case Claim e -> {
+        Task task = task(e.task(), event, report);
+        boolean isFree = task.claimant == null && task.worker == null && !task.isFinished;
+        check(LedgerSpec.BEGUN_BY_ONE, isFree, event, e + " of a task that is not open", report);
+        task.claimant = e.who().robot();
+        seen.add(e.who().robot());
+      }
+      case Begin e -> {
+        Task task = task(e.task(), event, report);
+        boolean isClaimed = e.who().robot().equals(task.claimant) && task.worker == null;
+        check(LedgerSpec.BEGUN_BY_ONE, isClaimed, event, e + " without a claim", report);
+        task.claimant = null;
+        task.worker = e.who().robot();
+        task.begun.put(e.claim(), e.who().robot());
+      }
+      case Finish e -> {
+        Task task = task(e.task(), event, report);
+        boolean isRight = e.who().robot().equals(task.worker) && !task.isFinished;
+        check(LedgerSpec.FINISHED_ONCE, isRight, event, e + " without its begin", report);
+        task.worker = null;
+        task.isFinished = true;
+        unfinished--;
+      }
+      case Free e -> task(e.task(), event, report).claimant = null;
+      case Reopen e -> task(e.task(), event, report).worker = null;
+    }
+  }
+
+  private Task task(TaskId id, Action event, Report report) {
+    check(LedgerSpec.KEPT, tasks.containsKey(id), event, id + " was never added", report);
+    return tasks.computeIfAbsent(id, any -> new Task());
+  }
+
+  void told(LedgerFact.Told told, Action event, Report report) {
+    open.computeIfPresent(event.robot(), (robot, calls) -> calls - 1);
+    if (told.outcome() != LedgerOutcome.DONE) {
+      return;
+    }
+    switch (told.entry()) {
+      case Add e -> task(e.task(), event, report);
+      case Begin e -> {
+        RobotId worker = task(e.task(), event, report).begun.get(e.claim());
+        check(
+            LedgerSpec.BEGUN_BY_ONE,
+            event.robot().equals(worker),
+            event,
+            "was told to do " + e.task() + ", which " + worker + " has begun",
+            report);
+      }
+      case Finish e ->
+          check(
+              LedgerSpec.FINISHED_ONCE,
+              task(e.task(), event, report).isFinished,
+              event,
+              "was told that " + e.task() + " is finished",
+              report);
+      default -> {
+        // A claim, or its end, obliges no robot.
+      }
+    }
+  }
+
+  private void check(String lemma, boolean holds, Action event, String wrong, Report report) {
+    report.checked(lemma);
+    if (!holds) {
+      report.violated(
+          lemma,
+          event.timeNs(),
+          List.of(event.robot()),
+          source + ": " + event.robot() + " " + wrong);
+    }
+  }
+}

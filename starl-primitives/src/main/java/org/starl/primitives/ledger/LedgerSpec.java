@@ -1,0 +1,134 @@
+package org.starl.primitives.ledger;
+
+import java.util.List;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodSpec;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.InstanceSpec;
+import org.starl.spec.Monitor;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * The specification of ledgers, after the package's contract: {@code OneLog}, {@code BegunByOne}, {@code
+ * FinishedOnce}, {@code Kept}, and, where bounds are given, {@code Answered} and {@code Freed}.
+ */
+public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
+
+  static final String ONE_LOG = "ledger.OneLog";
+  static final String BEGUN_BY_ONE = "ledger.BegunByOne";
+  static final String FINISHED_ONCE = "ledger.FinishedOnce";
+  static final String KEPT = "ledger.Kept";
+  static final String ANSWERED = "ledger.Answered";
+  static final String FREED = "ledger.Freed";
+
+  private final Deadlines answered;
+  private final Deadlines freed;
+
+  /** Safety only. */
+  public LedgerSpec() {
+    this(Deadlines.NO_BOUND, Deadlines.NO_BOUND);
+  }
+
+  /**
+   * Safety, and progress within bounds; while a majority of the voters is up and no fault but crashes is
+   * active, and owed again with the whole bound once that holds again.
+   *
+   * @param answeredWithinNs from a robot's latest call until no call of it is open, in ns; of robots that
+   *     add tasks in the order of their numbers
+   * @param freedWithinNs from a robot's crash until it has no claim that is not begun, in ns: the lease
+   *     and more
+   */
+  public LedgerSpec(long answeredWithinNs, long freedWithinNs) {
+    super(LedgerFact::isLedger);
+    lemma(ONE_LOG, "All robots apply the same entries at one number of the log.");
+    lemma(BEGUN_BY_ONE, "No two robots are told to do a task, unless it was reopened between.");
+    lemma(FINISHED_ONCE, "A task is finished at most once, by the robot that has begun it.");
+    lemma(KEPT, "A task that was added stays in the ledger until it is finished.");
+    answered =
+        progress(
+            ANSWERED,
+            "A call is answered within the bound.",
+            answeredWithinNs,
+            sinceNs -> "has a call without an answer since " + sinceNs + " ns");
+    freed =
+        progress(
+            FREED,
+            "A claim of a crashed robot that is not begun ends within the bound.",
+            freedWithinNs,
+            sinceNs -> "is down, and holds a claim that is not begun, since " + sinceNs + " ns");
+  }
+
+  @Override
+  protected LedgerRecord begin(Instance source) {
+    return new LedgerRecord(source);
+  }
+
+  @Override
+  public List<String> perRobotLemmas() {
+    return List.of(ONE_LOG);
+  }
+
+  @Override
+  public List<Monitor> companions() {
+    return List.of(new LedgerConformance(), new SynodSpec());
+  }
+
+  @Override
+  protected void acted(Action action, Report report) {
+    LedgerRecord log = instance(action.source());
+    RobotId robot = action.robot();
+    ProcessKey key = new ProcessKey(action.source(), robot);
+    switch (action.fact()) {
+      case LedgerFact.Voters voters -> log.voters(voters.robots());
+      case LedgerFact.Applied decree -> log.applied(decree, action, report);
+      case LedgerFact.Installed known -> log.installed(known, action, report);
+      case LedgerFact.Asked call -> {
+        log.asked(robot);
+        answered.start(key, action.timeNs());
+      }
+      case LedgerFact.Told told -> {
+        log.told(told, action, report);
+        if (log.isAnswered(robot)) {
+          answered.meet(key, report);
+        }
+      }
+      default -> {}
+    }
+  }
+
+  @Override
+  protected void changed(Variable variable, Report report) {}
+
+  @Override
+  protected void ended(RobotId robot) {
+    instances()
+        .forEach((source, log) -> {
+          log.ended(robot);
+          answered.stop(new ProcessKey(source, robot));
+        });
+  }
+
+  @Override
+  protected void review(long nowNs, Report report) {
+    instances()
+        .forEach((source, log) -> {
+          for (RobotId robot : log.robots()) {
+            ProcessKey key = new ProcessKey(source, robot);
+            if (!faults.isUp(robot) && log.hasClaim(robot)) {
+              freed.start(key, nowNs);
+            } else if (freed.stop(key)) {
+              report.checked(FREED);
+            }
+          }
+          freed.assumeEach(key -> isFair(key.source()), nowNs);
+          answered.assumeEach(key -> isFair(key.source()), nowNs);
+        });
+  }
+
+  private boolean isFair(Instance source) {
+    return faults.isFaultFree() && hasMajorityUp(instance(source).voters());
+  }
+}

@@ -1,0 +1,170 @@
+package org.starl.primitives.ledger;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.primitives.ledger.Seen.A;
+import static org.starl.primitives.ledger.Seen.ADD;
+import static org.starl.primitives.ledger.Seen.B;
+import static org.starl.primitives.ledger.Seen.BEGIN_A;
+import static org.starl.primitives.ledger.Seen.CLAIM_A;
+import static org.starl.primitives.ledger.Seen.FINISH_A;
+import static org.starl.primitives.ledger.Seen.FREE;
+import static org.starl.primitives.ledger.Seen.PB;
+import static org.starl.primitives.ledger.Seen.REOPEN;
+import static org.starl.primitives.ledger.Seen.START_A;
+import static org.starl.primitives.ledger.Seen.START_B;
+import static org.starl.primitives.ledger.Seen.T;
+import static org.starl.primitives.ledger.Seen.acts;
+import static org.starl.primitives.ledger.Seen.applies;
+import static org.starl.primitives.ledger.Seen.asks;
+import static org.starl.primitives.ledger.Seen.installs;
+import static org.starl.primitives.ledger.Seen.isTold;
+import static org.starl.primitives.ledger.Seen.votes;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.primitives.ledger.LedgerEntry.Begin;
+import org.starl.primitives.ledger.LedgerEntry.Claim;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+
+class LedgerSpecTest {
+
+  private static final RobotId C = new RobotId("c");
+  private static final long BOUND_NS = 100;
+  private static final long FREED_NS = 500;
+
+  private final Monitors monitors = new Monitors(List.of(new LedgerSpec(BOUND_NS, FREED_NS)));
+
+  private void sees(TraceEvent... events) {
+    for (TraceEvent event : events) {
+      monitors.observe(event);
+    }
+  }
+
+  private long violations(String lemma) {
+    return monitors.report().violations(lemma);
+  }
+
+  @Test
+  void oneTaskFromItsAddToItsFinishHolds() {
+    sees(
+        votes(0, A),
+        asks(1, A, ADD),
+        applies(2, A, 1, 1, START_A, ADD, CLAIM_A),
+        isTold(2, A, ADD, LedgerOutcome.DONE),
+        applies(3, B, 1, 1, START_A, ADD, CLAIM_A),
+        applies(4, A, 2, 1, BEGIN_A),
+        isTold(4, A, BEGIN_A, LedgerOutcome.DONE),
+        applies(5, A, 3, 0, FINISH_A),
+        isTold(5, A, FINISH_A, LedgerOutcome.DONE),
+        installs(6, B, 3, 0));
+    monitors.finish(1_000);
+    assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
+  }
+
+  @Test
+  void otherEntriesAtOneNumberViolateOneLog() {
+    sees(applies(1, A, 1, 1, ADD), applies(2, B, 1, 0));
+    assertThat(violations(LedgerSpec.ONE_LOG)).isEqualTo(1);
+  }
+
+  /** A slow carrier that trusts its clock: its claim has ended. */
+  @Test
+  void aRobotThatIsToldToDoWhatAnotherHasBegunViolatesBegunByOne() {
+    Claim second = new Claim(T, 2, PB);
+    Begin begin = new Begin(T, 2, PB);
+    sees(applies(1, B, 1, 1, START_A, START_B, ADD, CLAIM_A, FREE, second, begin));
+    assertThat(monitors.report().holds()).isTrue();
+    sees(isTold(2, B, begin, LedgerOutcome.DONE));
+    assertThat(monitors.report().holds()).isTrue();
+    sees(isTold(2, A, BEGIN_A, LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.BEGUN_BY_ONE)).isEqualTo(1);
+  }
+
+  @Test
+  void aBegunTaskThatIsClaimedAgainViolatesBegunByOneUnlessItWasReopened() {
+    sees(
+        applies(1, A, 1, 1, START_A, START_B, ADD, CLAIM_A, BEGIN_A, REOPEN),
+        applies(1, A, 2, 1, new Claim(T, 2, PB)));
+    assertThat(monitors.report().holds()).isTrue();
+    sees(applies(1, A, 3, 1, new Begin(T, 2, PB), new Claim(T, 3, PB)));
+    assertThat(violations(LedgerSpec.BEGUN_BY_ONE)).isEqualTo(1);
+  }
+
+  @Test
+  void aSecondFinishViolatesFinishedOnce() {
+    sees(applies(1, A, 1, 0, START_A, ADD, CLAIM_A, BEGIN_A, FINISH_A));
+    assertThat(monitors.report().holds()).isTrue();
+    sees(applies(2, A, 2, -1, FINISH_A));
+    assertThat(violations(LedgerSpec.FINISHED_ONCE)).isEqualTo(1);
+  }
+
+  /** A restarted carrier that believes that it has delivered. */
+  @Test
+  void aRobotThatIsToldThatAnOpenTaskIsFinishedViolatesFinishedOnce() {
+    sees(
+        applies(1, A, 1, 1, START_A, ADD, CLAIM_A, BEGIN_A),
+        isTold(1, A, FINISH_A, LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.FINISHED_ONCE)).isEqualTo(1);
+  }
+
+  @Test
+  void aTaskThatIsMissingViolatesKept() {
+    sees(applies(1, A, 1, 1, ADD), installs(2, B, 1, 0));
+    assertThat(violations(LedgerSpec.KEPT)).isEqualTo(1);
+  }
+
+  @Test
+  void aTaskThatIsSaidToBeAddedAndIsNotViolatesKept() {
+    sees(applies(1, A, 1, 0, START_A), isTold(2, A, ADD, LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.KEPT)).isEqualTo(1);
+  }
+
+  @Test
+  void aCallWithoutAnAnswerViolatesAnsweredWhileAMajorityIsUp() {
+    sees(
+        votes(1, A),
+        asks(1, A, ADD),
+        new Fault(50, B, Fault.CRASH, ""),
+        new Fault(300, B, Fault.RESTART, ""));
+    assertThat(violations(LedgerSpec.ANSWERED)).isZero();
+    monitors.finish(401);
+    assertThat(violations(LedgerSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
+  void anUnknownOutcomeIsAnAnswer() {
+    sees(votes(1, A), asks(1, A, ADD), isTold(99, A, ADD, LedgerOutcome.UNKNOWN));
+    monitors.finish(401);
+    assertThat(monitors.report().checks(LedgerSpec.ANSWERED)).isEqualTo(1);
+    assertThat(violations(LedgerSpec.ANSWERED)).isZero();
+  }
+
+  @Test
+  void aClaimOfACrashedRobotThatStaysViolatesFreed() {
+    sees(
+        acts(0, A, LedgerFact.VOTERS, new LedgerFact.Voters(List.of(A, B, C))),
+        applies(1, A, 1, 1, START_A, START_B, ADD, new Claim(T, 1, PB)),
+        new Fault(10, B, Fault.CRASH, ""),
+        new Fault(20, C, Fault.CRASH, ""));
+    sees(applies(2_000, A, 2, 1, START_A)); // one of three voters is no majority
+    assertThat(violations(LedgerSpec.FREED)).isZero();
+    sees(new Fault(3_000, C, Fault.RESTART, ""));
+    monitors.finish(3_501);
+    assertThat(violations(LedgerSpec.FREED)).isEqualTo(1);
+  }
+
+  @Test
+  void aClaimThatEndsInTimeIsFreed() {
+    sees(
+        acts(0, A, LedgerFact.VOTERS, new LedgerFact.Voters(List.of(A, B, C))),
+        applies(1, A, 1, 1, START_A, START_B, ADD, new Claim(T, 1, PB)),
+        new Fault(10, B, Fault.CRASH, ""),
+        applies(510, A, 2, 1, FREE));
+    monitors.finish(9_000);
+    assertThat(violations(LedgerSpec.FREED)).isZero();
+    assertThat(monitors.report().checks(LedgerSpec.FREED)).isEqualTo(1);
+  }
+}

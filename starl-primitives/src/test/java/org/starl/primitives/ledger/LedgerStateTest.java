@@ -1,0 +1,127 @@
+package org.starl.primitives.ledger;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.primitives.ledger.Seen.PA;
+import static org.starl.primitives.ledger.Seen.PA2;
+import static org.starl.primitives.ledger.Seen.PB;
+import static org.starl.primitives.ledger.Seen.T;
+import static org.starl.primitives.ledger.Seen.U;
+import static org.starl.primitives.ledger.Seen.WHAT;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import net.jqwik.api.statistics.Statistics;
+import org.starl.id.ProcessId;
+import org.starl.primitives.ledger.LedgerEntry.Add;
+import org.starl.primitives.ledger.LedgerEntry.Begin;
+import org.starl.primitives.ledger.LedgerEntry.Claim;
+import org.starl.primitives.ledger.LedgerEntry.Finish;
+import org.starl.primitives.ledger.LedgerEntry.Free;
+import org.starl.primitives.ledger.LedgerEntry.Reopen;
+import org.starl.primitives.ledger.LedgerEntry.Start;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
+
+/** What any log does, with any entries in any order: they come from robots that are late, wrong or gone. */
+class LedgerStateTest {
+
+  private static final List<LedgerEntry> ALL = all();
+
+  private static List<LedgerEntry> all() {
+    List<LedgerEntry> all = new ArrayList<>();
+    for (ProcessId who : List.of(PA, PA2, PB)) {
+      all.add(new Start(who));
+      for (TaskId task : List.of(T, U)) {
+        for (long claim = 1; claim <= 4; claim++) {
+          all.add(new Claim(task, claim, who));
+          all.add(new Begin(task, claim, who));
+          all.add(new Finish(task, claim, who));
+        }
+      }
+    }
+    for (TaskId task : List.of(T, U)) {
+      all.add(new Add(task, WHAT));
+      for (long claim = 1; claim <= 4; claim++) {
+        all.add(new Free(task, claim));
+        all.add(new Reopen(task, claim));
+      }
+    }
+    return all;
+  }
+
+  /** Half of the entries are such as the log allows. */
+  private static LedgerEntry next(LedgerState state, int pick) {
+    List<LedgerEntry> allowed = ALL.stream().filter(state::allows).toList();
+    List<LedgerEntry> from = pick % 2 == 0 || allowed.isEmpty() ? ALL : allowed;
+    return from.get(pick / 2 % from.size());
+  }
+
+  private static byte[] bytes(LedgerState state) {
+    return WireWriter.toBytes(out -> LedgerState.SHAPE.write(state, out));
+  }
+
+  @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
+  void noEntryTakesEffectTwiceAndATaskIsFinishedOnce(
+      @ForAll @Size(min = 20, max = 120) List<@IntRange(max = 9_999) Integer> picks) {
+    LedgerState state = new LedgerState();
+    Set<LedgerEntry> effective = new HashSet<>();
+    Set<TaskId> finished = new HashSet<>();
+    for (int pick : picks) {
+      LedgerEntry entry = next(state, pick);
+      boolean isAllowed = state.allows(entry);
+      byte[] before = bytes(state);
+      assertThat(state.apply(entry)).isEqualTo(isAllowed);
+      if (isAllowed) {
+        assertThat(effective.add(entry)).as("%s", entry).isTrue();
+        assertThat(state.outcome(entry)).as("%s", entry).isEqualTo(LedgerOutcome.DONE);
+      } else {
+        assertThat(bytes(state)).isEqualTo(before);
+      }
+      if (isAllowed && entry instanceof Finish done) {
+        assertThat(finished.add(done.task())).isTrue();
+      }
+      assertThat(state.tasks()).doesNotContainKeys(finished.toArray(TaskId[]::new));
+    }
+    Statistics.label("a task was finished").collect(!finished.isEmpty());
+  }
+
+  @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
+  void theBytesOfAStateAreTheState(
+      @ForAll @Size(min = 20, max = 120) List<@IntRange(max = 9_999) Integer> picks) {
+    LedgerState state = new LedgerState();
+    LedgerState copied = new LedgerState();
+    for (int pick : picks) {
+      LedgerEntry entry = next(state, pick);
+      copied = LedgerState.SHAPE.read(new WireReader(bytes(copied)));
+      assertThat(copied.apply(entry)).isEqualTo(state.apply(entry));
+      assertThat(bytes(copied)).isEqualTo(bytes(state));
+    }
+  }
+
+  /** A change that a robot has proposed and was told is LATE is never made. */
+  @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
+  void aLateChangeIsNeverMade(
+      @ForAll @Size(min = 20, max = 120) List<@IntRange(max = 9_999) Integer> picks) {
+    LedgerState state = new LedgerState();
+    Set<LedgerEntry> proposed = new HashSet<>();
+    Set<LedgerEntry> late = new HashSet<>();
+    for (int pick : picks) {
+      LedgerEntry entry = next(state, pick);
+      ALL.stream().filter(state::allows).forEach(proposed::add);
+      if (state.apply(entry)) {
+        assertThat(late).doesNotContain(entry);
+      }
+      proposed.stream()
+          .filter(each -> state.outcome(each) == LedgerOutcome.LATE)
+          .forEach(late::add);
+    }
+    Statistics.label("something was late").collect(!late.isEmpty());
+  }
+}
