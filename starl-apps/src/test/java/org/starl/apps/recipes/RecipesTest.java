@@ -20,6 +20,7 @@ import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.ledger.LedgerSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.paths.TubeFailure;
@@ -108,6 +109,14 @@ class RecipesTest {
   void barrier() {
     assertThat(results(four(BarrierRecipe::new), BarrierSpec::new))
         .containsOnly(List.of("three phases"));
+  }
+
+  @Test
+  void ledger() {
+    Simulation.Builder crashed = four(LedgerRecipe::new).fault("crash(bot1,at=2s,restart=1s)");
+    List<Object> done =
+        results(crashed, LedgerSpec::new).stream().flatMap(List::stream).sorted().toList();
+    assertThat(done).doesNotHaveDuplicates().hasSizeBetween(5, 6); // bot1 forgets what it has done
   }
 
   @Test

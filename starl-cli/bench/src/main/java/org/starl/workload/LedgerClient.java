@@ -1,9 +1,13 @@
 package org.starl.workload;
 
+import java.util.List;
 import java.util.Optional;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.Parameter;
 import org.starl.id.ProcessId;
+import org.starl.input.Form;
 import org.starl.primitives.ledger.Allocation;
+import org.starl.primitives.ledger.Auction;
 import org.starl.primitives.ledger.LedgerCall;
 import org.starl.primitives.ledger.LedgerOutcome;
 import org.starl.primitives.ledger.LedgerSettings;
@@ -21,6 +25,7 @@ import org.starl.time.Time;
  */
 final class LedgerClient extends Client {
 
+  private static final String XID = "jobs";
   private static final long THINK_MS = 500;
   private static final int PLACES = 100;
   private static final int GIVE_BACK_ONE_OF = 8;
@@ -29,12 +34,29 @@ final class LedgerClient extends Client {
   private static final long PROMPT_MS = 20_000;
   private static final int PROMPT_MESSAGES = 200;
 
+  static final String AUCTION = "auction";
+
+  private static final List<String> ALLOCATIONS = List.of("nearest", AUCTION);
+
+  static final Parameter ALLOCATION =
+      new Parameter(
+          "allocation",
+          ALLOCATIONS.get(0),
+          "whether a robot claims the nearest task at once (nearest) or bids for it first (auction)",
+          Form.choice(ALLOCATIONS));
+
+  private static final long BIDS_MS = 300;
+
   private final TaskLedger<Integer> ledger;
+  private final Auction auction;
+  private final boolean isAuction;
 
   private LedgerClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     LedgerSettings settings = LedgerSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
-    ledger = new TaskLedger<>(gvh, "jobs", Shapes.INT, gvh.id.participants(), settings);
+    ledger = new TaskLedger<>(gvh, XID, Shapes.INT, gvh.id.participants(), settings);
+    auction = new Auction(gvh, XID, BIDS_MS);
+    isAuction = setup.choice(ALLOCATION, ALLOCATIONS).equals(AUCTION);
   }
 
   static void setUp(Setup setup) {
@@ -71,6 +93,9 @@ final class LedgerClient extends Client {
         await(() -> ledger.tasks().values().stream().anyMatch(LedgerTask::isOpen), LOOK_MS);
         continue;
       }
+      if (isAuction && !isWon(nearest.get(), here)) {
+        continue;
+      }
       LedgerOutcome outcome = told(ledger.claim(nearest.get()));
       if (outcome == LedgerOutcome.DONE && rng.nextInt(GIVE_BACK_ONE_OF) == 0) {
         outcome = told(ledger.giveBack(nearest.get()));
@@ -85,6 +110,16 @@ final class LedgerClient extends Client {
         return false;
       }
     }
+  }
+
+  private boolean isWon(TaskId id, int here) {
+    LedgerTask<Integer> task = ledger.tasks().get(id);
+    if (task == null) {
+      return false;
+    }
+    auction.bid(task, Math.abs(task.what() - here));
+    await(auction::isOver);
+    return auction.isWon();
   }
 
   private void reopenSilent() {

@@ -85,8 +85,10 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               32,
               Duration.ofMillis(LedgerSettings.DEFAULT.leaseMs()),
-              parameters(5, "20s", Setup.PATIENCE),
-              List.of(new Variant(Setup.PATIENCE, Setup.SHORT)),
+              parameters(5, "20s", Setup.PATIENCE, LedgerClient.ALLOCATION),
+              List.of(
+                  new Variant(Setup.PATIENCE, Setup.SHORT),
+                  new Variant(LedgerClient.ALLOCATION, LedgerClient.AUCTION)),
               LedgerClient::setUp),
           new Workload(
               "messages",

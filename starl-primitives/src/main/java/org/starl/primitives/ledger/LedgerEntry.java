@@ -23,20 +23,29 @@ public sealed interface LedgerEntry {
   /** A new task: the next one of its source. */
   record Add(TaskId task, Value what) implements LedgerEntry {}
 
+  /** A change of a task that is in the ledger, under a claim of it. */
+  sealed interface OfClaim extends LedgerEntry {
+
+    TaskId task();
+
+    /** Its number, from 1. */
+    long claim();
+  }
+
   /** The robot's program takes the open task, as its claim of this number. */
-  record Claim(TaskId task, long claim, ProcessId who) implements LedgerEntry {}
+  record Claim(TaskId task, long claim, ProcessId who) implements OfClaim {}
 
   /** The point of no return, while the claim stands. */
-  record Begin(TaskId task, long claim, ProcessId who) implements LedgerEntry {}
+  record Begin(TaskId task, long claim, ProcessId who) implements OfClaim {}
 
   /** The task is done, by the robot that has begun it. */
-  record Finish(TaskId task, long claim, ProcessId who) implements LedgerEntry {}
+  record Finish(TaskId task, long claim, ProcessId who) implements OfClaim {}
 
   /** Ends a claim that is not begun: it is given back, or its lease has run out. */
-  record Free(TaskId task, long claim) implements LedgerEntry {}
+  record Free(TaskId task, long claim) implements OfClaim {}
 
   /** Ends a claim that is begun: the application says that the task can be done again. */
-  record Reopen(TaskId task, long claim) implements LedgerEntry {}
+  record Reopen(TaskId task, long claim) implements OfClaim {}
 
   /** Its shape. */
   SumShape<LedgerEntry> SHAPE =

@@ -27,6 +27,9 @@ public final class LedgerFact {
   /** The Synod's own channel. */
   static final String SYNOD = "ledger.synod";
 
+  /** The channel of auctions. */
+  static final String BIDS = "ledger.bids";
+
   private static final Shape<Long> NUMBER = Shapes.atLeast(0, "decree number");
 
   /** Whether the log has the start of the robot's program. */
@@ -108,6 +111,7 @@ public final class LedgerFact {
       Vocabulary.NONE
           .messages(PRIMITIVE, LedgerMessage.SHAPE)
           .messages(SYNOD, SynodMessage.SHAPE)
+          .messages(BIDS, Auction.Bid.SHAPE)
           .facts(PRIMITIVE, VOTERS, ASKED, TOLD, APPLIED, INSTALLED)
           .variables(PRIMITIVE, READY, HELD);
 

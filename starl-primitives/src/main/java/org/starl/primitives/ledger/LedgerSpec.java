@@ -83,7 +83,12 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
     ProcessKey key = new ProcessKey(action.source(), robot);
     switch (action.fact()) {
       case LedgerFact.Voters voters -> log.voters(voters.robots());
-      case LedgerFact.Applied decree -> log.applied(decree, action, report);
+      case LedgerFact.Applied decree -> {
+        log.applied(decree, action, report);
+        if (freed.isBounded() && decree.entries().stream().anyMatch(LedgerSpec::endsAClaim)) {
+          report.checked(FREED);
+        }
+      }
       case LedgerFact.Installed known -> log.installed(known, action, report);
       case LedgerFact.Asked call -> {
         log.asked(robot);
@@ -97,6 +102,10 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
       }
       default -> {}
     }
+  }
+
+  private static boolean endsAClaim(LedgerEntry entry) {
+    return entry instanceof LedgerEntry.Begin || entry instanceof LedgerEntry.Free;
   }
 
   @Override

@@ -14,6 +14,7 @@ import org.starl.primitives.ledger.LedgerEntry.Begin;
 import org.starl.primitives.ledger.LedgerEntry.Claim;
 import org.starl.primitives.ledger.LedgerEntry.Finish;
 import org.starl.primitives.ledger.LedgerEntry.Free;
+import org.starl.primitives.ledger.LedgerEntry.OfClaim;
 import org.starl.primitives.ledger.LedgerEntry.Reopen;
 import org.starl.primitives.ledger.LedgerEntry.Start;
 import org.starl.shape.Shape;
@@ -103,26 +104,20 @@ final class LedgerState {
         yield known == null || known.compareTo(e.who()) < 0;
       }
       case Add e -> e.task().number() == added(e.task().source()) + 1;
-      case Claim e -> {
+      case OfClaim e -> {
         LedgerTask<Value> task = tasks.get(e.task());
-        yield task != null && task.isOpen() && task.claim() + 1 == e.claim() && isPresent(e.who());
+        yield task != null && allows(e, task);
       }
-      case Begin e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        yield task != null && task.isHeldBy(e.who(), e.claim()) && !task.isBegun();
-      }
-      case Finish e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        yield task != null && task.isBegunBy(e.who(), e.claim()) && isPresent(e.who());
-      }
-      case Free e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        yield task != null && !task.isOpen() && !task.isBegun() && task.claim() == e.claim();
-      }
-      case Reopen e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        yield task != null && task.isBegun() && task.claim() == e.claim();
-      }
+    };
+  }
+
+  private boolean allows(OfClaim entry, LedgerTask<Value> task) {
+    return switch (entry) {
+      case Claim e -> task.isOpen() && task.claim() + 1 == e.claim() && isPresent(e.who());
+      case Begin e -> task.isHeldBy(e.who(), e.claim()) && !task.isBegun();
+      case Finish e -> task.isBegunBy(e.who(), e.claim()) && isPresent(e.who());
+      case Free e -> !task.isOpen() && !task.isBegun() && task.claim() == e.claim();
+      case Reopen e -> task.isBegun() && task.claim() == e.claim();
     };
   }
 
@@ -163,43 +158,37 @@ final class LedgerState {
 
   /** What this log tells about a change that a robot wants. */
   LedgerOutcome outcome(LedgerEntry entry) {
+    if (allows(entry)) {
+      return LedgerOutcome.PENDING;
+    }
     return switch (entry) {
-      case Start e -> allows(e) ? LedgerOutcome.PENDING : LedgerOutcome.DONE;
+      case Start e -> LedgerOutcome.DONE;
       case Add e -> {
         LedgerTask<Value> task = tasks.get(e.task());
         boolean isOther = task != null && !task.what().equals(e.what());
-        yield e.task().number() > added(e.task().source())
-            ? LedgerOutcome.PENDING
-            : doneIf(!isOther);
+        yield isKnown(e.task()) ? doneIf(!isOther) : LedgerOutcome.PENDING;
       }
-      case Claim e -> {
+      case OfClaim e -> {
         LedgerTask<Value> task = tasks.get(e.task());
-        boolean mayCome = task != null && task.isOpen() && task.claim() + 1 == e.claim();
-        yield mayCome
-            ? LedgerOutcome.PENDING
-            : doneIf(task != null && task.isHeldBy(e.who(), e.claim()));
+        yield task != null
+            ? outcome(e, task)
+            : doneIf(isKnown(e.task()) && (e instanceof Finish || e instanceof Free));
       }
-      case Begin e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        yield allows(e)
-            ? LedgerOutcome.PENDING
-            : doneIf(task != null && task.isBegunBy(e.who(), e.claim()));
-      }
-      case Finish e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        boolean mayCome = task != null && task.isBegunBy(e.who(), e.claim());
-        yield mayCome ? LedgerOutcome.PENDING : doneIf(task == null && isKnown(e.task()));
-      }
-      case Free e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        boolean stands = task != null && task.isBegun() && task.claim() == e.claim();
-        yield allows(e) ? LedgerOutcome.PENDING : doneIf(!stands);
-      }
-      case Reopen e -> {
-        LedgerTask<Value> task = tasks.get(e.task());
-        boolean isOver = task != null && (task.isOpen() || task.claim() > e.claim());
-        yield allows(e) ? LedgerOutcome.PENDING : doneIf(isOver);
-      }
+    };
+  }
+
+  /** Of a change that the log does not allow now. A robot that is not ready must wait. */
+  private LedgerOutcome outcome(OfClaim entry, LedgerTask<Value> task) {
+    return switch (entry) {
+      case Claim e ->
+          task.isOpen() && task.claim() + 1 == e.claim()
+              ? LedgerOutcome.PENDING
+              : doneIf(task.isHeldBy(e.who(), e.claim()));
+      case Begin e -> doneIf(task.isBegunBy(e.who(), e.claim()));
+      case Finish e ->
+          task.isBegunBy(e.who(), e.claim()) ? LedgerOutcome.PENDING : LedgerOutcome.LATE;
+      case Free e -> doneIf(!(task.isBegun() && task.claim() == e.claim()));
+      case Reopen e -> doneIf(task.isOpen() || task.claim() > e.claim());
     };
   }
 

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.ledger.LedgerAutomaton.States;
 
-/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+/** Which events are which actions, line by line of the table; and what is no run of {@code Ledger_decls}. */
 class LedgerConformanceTest {
 
   private final ShownRun<States, LedgerAction> run = new ShownRun<>(LedgerConformance::new);
@@ -51,6 +51,7 @@ class LedgerConformanceTest {
   void aBeginAfterTheClaimHasEndedDeviates() {
     run.has(applies(0, A, 1, 1, START_A, ADD, CLAIM_A, FREE, BEGIN_A));
     assertThat(run.details()).hasSize(1);
+    assertThat(new LedgerConformance().lemmas()).containsExactly("Ledger_decls");
     assertThat(run.details().get(0)).contains("commit(a, orders/1, 1) is not enabled");
   }
 
