@@ -1,5 +1,6 @@
 package org.starl.primitives.ledger;
 
+import org.starl.id.RobotId;
 import org.starl.primitives.ledger.LedgerAutomaton.States;
 import org.starl.primitives.ledger.LedgerEntry.Add;
 import org.starl.primitives.ledger.LedgerEntry.Begin;
@@ -10,6 +11,7 @@ import org.starl.primitives.ledger.LedgerEntry.Reopen;
 import org.starl.primitives.ledger.LedgerEntry.Start;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
+import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Replay;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
@@ -19,12 +21,12 @@ import org.starl.trace.TraceEvent.Action;
  * where {@code i} is the event's robot:
  *
  * <pre>
- * event                              action
- * applied, at a number that no       the actions of its entries, in order: restart for Start, insert for
- *   robot has applied before           Add, take for Claim, commit for Begin, and finish, free,
- *                                      reopen
- * told DONE of Begin(t, n)           tell(i, t, n)
- * all other events                   none
+ * event                           action
+ * applied, at a number that no    the actions of its entries, in order: restart(i) for Start, after
+ *   robot has applied before        which told(i) is 0 everywhere; insert for Add, take for Claim, commit
+ *                                   for Begin, finish, free, reopen
+ * told DONE of Begin(t, n)        tell(i, t, n); told(i)(t) is n
+ * all other events                none
  * </pre>
  *
  * Memory grows with the tasks.
@@ -54,6 +56,18 @@ public final class LedgerConformance extends Conformance<LedgerConformance.Log> 
     Log(Instance source, AutomatonListener<States, LedgerAction> steps) {
       replay = new Replay<>(new LedgerAutomaton(), source, steps);
     }
+
+    Fun<TaskId, Long> told(RobotId i) {
+      return replay.state().told().at(i);
+    }
+
+    void take(Action action, LedgerEntry entry, Report report) {
+      replay.step(action, step(entry), report);
+      if (entry instanceof Start start) {
+        RobotId i = start.who().robot();
+        replay.<Fun<TaskId, Long>>result(action, "told", i, Fun.always(0L), told(i), report);
+      }
+    }
   }
 
   @Override
@@ -62,12 +76,14 @@ public final class LedgerConformance extends Conformance<LedgerConformance.Log> 
     switch (action.fact()) {
       case LedgerFact.Applied decree when decree.number() > log.number -> {
         log.number = decree.number();
-        decree.entries().forEach(entry -> log.replay.step(action, step(entry), report));
+        decree.entries().forEach(entry -> log.take(action, entry, report));
       }
       case LedgerFact.Told told
-          when told.outcome() == LedgerOutcome.DONE && told.entry() instanceof Begin e ->
-          log.replay.step(
-              action, new LedgerAction.tell(action.robot(), e.task(), e.claim()), report);
+          when told.outcome() == LedgerOutcome.DONE && told.entry() instanceof Begin e -> {
+        RobotId i = action.robot();
+        log.replay.step(action, new LedgerAction.tell(i, e.task(), e.claim()), report);
+        log.replay.<Long>result(action, "told", i, e.claim(), log.told(i).at(e.task()), report);
+      }
       default -> {}
     }
   }

@@ -37,12 +37,15 @@ class LedgerConformanceTest {
     assertThat(run.steps())
         .containsExactly(
             "restart(a)",
+            "told(a) = ()",
             "insert(orders/1)",
             "take(a, orders/1, 1)",
             "commit(a, orders/1, 1)",
             "tell(a, orders/1, 1)",
+            "told(a) = 1",
             "reopen(orders/1, 1)",
             "restart(a)",
+            "told(a) = ()",
             "take(a, orders/1, 2)",
             "free(orders/1, 2)");
   }

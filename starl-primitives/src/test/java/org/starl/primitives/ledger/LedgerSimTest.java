@@ -164,12 +164,13 @@ class LedgerSimTest {
               }
               if (robot.is("bot0", 2)) {
                 String held = robot.held();
-                return List.of(held, robot.told(robot.ledger.finish(ONE)), robot.held());
+                LedgerOutcome back = robot.told(robot.ledger.giveBack(ONE));
+                return List.of(held, back, robot.told(robot.ledger.finish(ONE)), robot.held());
               }
               return List.of();
             },
             "crash(bot0,at=10s,restart=2s)");
-    assertThat(result.results().toString()).contains("[[orders/1], DONE, []]");
+    assertThat(result.results().toString()).contains("[[orders/1], LATE, DONE, []]");
   }
 
   /** Its own clock tells a slow robot nothing: the log does. */

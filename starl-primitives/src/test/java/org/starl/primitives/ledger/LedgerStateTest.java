@@ -19,6 +19,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import net.jqwik.api.statistics.Statistics;
 import org.starl.id.ProcessId;
+import org.starl.primitives.agreement.Value;
 import org.starl.primitives.ledger.LedgerEntry.Add;
 import org.starl.primitives.ledger.LedgerEntry.Begin;
 import org.starl.primitives.ledger.LedgerEntry.Claim;
@@ -90,6 +91,27 @@ class LedgerStateTest {
       assertThat(state.tasks()).doesNotContainKeys(finished.toArray(TaskId[]::new));
     }
     Statistics.label("a task was finished").collect(!finished.isEmpty());
+  }
+
+  /** Neither a lease that runs out nor a restart ends what is begun. */
+  @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
+  void onlyItsFinishOrTheApplicationEndsABegunTask(
+      @ForAll @Size(min = 20, max = 120) List<@IntRange(max = 9_999) Integer> picks) {
+    LedgerState state = new LedgerState();
+    int kept = 0;
+    for (int pick : picks) {
+      LedgerEntry entry = next(state, pick);
+      LedgerTask<Value> before = state.task(T);
+      state.apply(entry);
+      boolean mayEnd =
+          (entry instanceof Finish done && done.task().equals(T))
+              || (entry instanceof Reopen open && open.task().equals(T));
+      if (before != null && before.isBegun() && !mayEnd) {
+        assertThat(state.task(T)).isEqualTo(before);
+        kept++;
+      }
+    }
+    Statistics.label("a begun task was kept").collect(kept > 0);
   }
 
   @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
