@@ -128,8 +128,8 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
             ProcessKey key = new ProcessKey(source, robot);
             if (!faults.isUp(robot) && log.hasClaim(robot)) {
               freed.start(key, nowNs);
-            } else if (freed.stop(key)) {
-              report.checked(FREED);
+            } else {
+              freed.stop(key);
             }
           }
           freed.assumeEach(key -> isFair(key.source()), nowNs);
