@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Liveness;
@@ -29,7 +30,8 @@ import org.starl.trace.TraceEvent.Sent;
  * <ul>
  *   <li>{@code Consent}: a participant enters only with the consent of all whose consent it needs:
  *       those in its latest view, and those that were admitted later and have asked it. It enters no
- *       section of another robot's ghost.
+ *       section of another robot's ghost. Of a section with a capacity, some may have told that they
+ *       take a place themselves; with the ghosts, they are fewer than its places.
  *   <li>{@code Fenced}: a participant that has fenced another consents to nothing more of it, also
  *       after it has retired.
  * </ul>
@@ -77,12 +79,14 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     private boolean isTrying;
     private long num;
     private boolean inOrder;
+    private boolean resumes;
     private SortedSet<String> held = Sections.NONE;
     private SortedSet<String> waiting = Sections.NONE;
     private Collection<ProcessId> known = List.of();
     private View view = View.NONE;
     private final Map<ProcessId, Long> heard = new TreeMap<>();
     private final Map<ProcessId, SortedSet<String>> answered = new TreeMap<>();
+    private final Map<ProcessId, SortedSet<String>> sharers = new TreeMap<>();
     private final Map<ProcessId, Long> granted = new TreeMap<>();
     private final Set<ProcessId> fenced = new TreeSet<>();
     private final Set<ProcessId> awaited = new TreeSet<>();
@@ -105,11 +109,51 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       return missing;
     }
 
+    /** Those of {@link #missing} that have not even told that they take a place of each of these. */
+    private Set<ProcessId> silent(SortedSet<String> sections) {
+      Set<ProcessId> silent = missing(sections);
+      silent.removeIf(id ->
+          Sections.union(
+                  answered.getOrDefault(id, Sections.NONE), sharers.getOrDefault(id, Sections.NONE))
+              .containsAll(sections));
+      return silent;
+    }
+
+    /** Whether one of {@code sections} has no place beside its ghosts and the robots that told so. */
+    private boolean isFull(SortedSet<String> sections) {
+      return sections.stream()
+          .anyMatch(section -> {
+            Set<RobotId> sharing = ghostsIn(section);
+            missing(new TreeSet<>(Set.of(section))).stream()
+                .filter(id -> sharers.getOrDefault(id, Sections.NONE).contains(section))
+                .forEach(id -> sharing.add(id.robot()));
+            return !hasPlace(section, sharing);
+          });
+    }
+
+    private Set<RobotId> ghostsIn(String section) {
+      Set<RobotId> robots = new TreeSet<>();
+      ghosts()
+          .filter(ghost -> ghost.getValue().sections().contains(section))
+          .forEach(ghost -> robots.add(ghost.getKey().robot()));
+      return robots;
+    }
+
+    /** A resumed request may be for where its body is: that is a place already. */
+    private boolean hasPlace(String section, Set<RobotId> others) {
+      others.remove(who.robot());
+      return others.size() < Sections.capacity(section) || (resumes && Sections.isLimited(section));
+    }
+
+    /** Whether ghosts alone keep it from one of {@code sections}. */
     private boolean hasGhostIn(SortedSet<String> sections) {
+      return ghosts().anyMatch(ghost -> Sections.exclude(ghost.getValue().sections(), sections))
+          || sections.stream().anyMatch(each -> !hasPlace(each, ghostsIn(each)));
+    }
+
+    private Stream<Map.Entry<ProcessId, View.Ghost>> ghosts() {
       return view.ghosts().entrySet().stream()
-          .anyMatch(ghost ->
-              !ghost.getKey().robot().equals(who.robot())
-                  && Sections.meet(ghost.getValue().sections(), sections));
+          .filter(ghost -> !ghost.getKey().robot().equals(who.robot()));
     }
 
     @Override
@@ -170,10 +214,12 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       case MutexFact.DoMutex e -> {
         asker.num = e.num();
         asker.inOrder = !e.sequence().isEmpty();
+        asker.resumes = e.resumes();
         asker.held = Sections.NONE;
         asker.waiting = e.want();
         asker.known = e.known();
         asker.answered.clear();
+        asker.sharers.clear();
         asker.isTrying = true;
       }
       case MutexFact.Known e -> asker.known = e.known();
@@ -219,7 +265,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       Asker asker = mutex.of(ok.to());
       if (asker.num == ok.num()) {
         SortedSet<String> all = Sections.union(asker.held, asker.waiting);
-        asker.answered.merge(from.who, ok.part().isEmpty() ? all : ok.part(), Sections::union);
+        asker.sharers.merge(from.who, ok.counted(), Sections::union);
+        asker.answered.merge(
+            from.who, Sections.without(ok.granted(all), ok.counted()), Sections::union);
         await(mutex, asker, sent.timeNs());
       }
     }
@@ -241,10 +289,11 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       return;
     }
     report.checked(CONSENT);
-    Set<ProcessId> missing = asker.missing(sections);
-    if (!missing.isEmpty() || asker.hasGhostIn(sections)) {
-      String detail =
-          asker + " enters " + (missing.isEmpty() ? "a ghost's section" : "without " + missing);
+    Set<ProcessId> missing = asker.silent(sections);
+    boolean hasGhost = asker.hasGhostIn(sections);
+    if (!missing.isEmpty() || hasGhost || asker.isFull(sections)) {
+      String what = hasGhost ? "a ghost's section" : "a section that is full";
+      String detail = asker + " enters " + (missing.isEmpty() ? what : "without " + missing);
       report.violated(CONSENT, nowNs, List.of(asker.who.robot()), detail);
     }
   }

@@ -141,7 +141,7 @@ public final class M_Mutex implements PipelinePrim {
   @Override
   public void do_mutex(Collection<String> sections) {
     requireOpen();
-    SortedSet<String> want = Sections.copyOf(sections);
+    SortedSet<String> want = inOneMode("do_mutex", sections);
     if (lingering != null) {
       throw new IllegalStateException(
           source + ": do_mutex of " + want + " while holding " + lingering.held());
@@ -157,7 +157,7 @@ public final class M_Mutex implements PipelinePrim {
   @Override
   public void doSequence(List<String> sections) {
     requireOpen();
-    if (Sections.copyOf(sections).size() < sections.size()) {
+    if (inOneMode("doSequence", sections).size() < sections.size()) {
       throw new IllegalArgumentException(source + ": doSequence of " + sections + ": one twice");
     }
     if (!sections.containsAll(holder().held())) {
@@ -170,6 +170,25 @@ public final class M_Mutex implements PipelinePrim {
     }
     current.request(List.copyOf(sections), true, gvh.plat.clock.nowNs());
     settle();
+  }
+
+  /** A robot in two modes of a section could wait for another one that is in both, too. */
+  private SortedSet<String> inOneMode(String call, Collection<String> sections) {
+    SortedSet<String> want = Sections.copyOf(sections);
+    Set<String> places = new TreeSet<>();
+    for (String section : want) {
+      if (!places.add(Sections.place(section))) {
+        throw new IllegalArgumentException(
+            source
+                + ": "
+                + call
+                + " of "
+                + want
+                + ": expected one mode of "
+                + Sections.place(section));
+      }
+    }
+    return want;
   }
 
   @Override

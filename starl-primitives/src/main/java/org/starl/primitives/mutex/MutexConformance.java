@@ -6,6 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
@@ -35,7 +36,8 @@ import org.starl.trace.TraceEvent.Fault;
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
   private final Set<RobotId> gone = new TreeSet<>();
-  private final Set<Instance> withSequences = new LinkedHashSet<>();
+  // Those with sequences or modes, which are runs of other theories.
+  private final Set<Instance> ofOthers = new LinkedHashSet<>();
 
   public MutexConformance() {
     this(AutomatonListener.none());
@@ -72,10 +74,11 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
   @Override
   protected void acted(TraceEvent.Action action, Report report) {
     // The run of an instance begins with its first action: other facts are no actions.
-    if (action.fact() instanceof MutexFact.DoMutex request && !request.sequence().isEmpty()) {
-      withSequences.add(action.source());
+    if (action.fact() instanceof MutexFact.DoMutex request
+        && (!request.sequence().isEmpty() || Sections.haveMode(request.want()))) {
+      ofOthers.add(action.source());
     }
-    if (withSequences.contains(action.source())) {
+    if (ofOthers.contains(action.source())) {
       return;
     }
     if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {

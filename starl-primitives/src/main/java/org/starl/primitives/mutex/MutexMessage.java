@@ -30,7 +30,8 @@ sealed interface MutexMessage {
    * The sections of a request.
    *
    * @param waits at least one: these need consent
-   * @param holds which it has: of a sequence, when the request is repeated, or asks a newcomer
+   * @param holds which it has: of a sequence, when the request is repeated, or asks a newcomer; of a
+   *     resumed one, also those with a capacity that it asks for and its body is in, as many as fit
    */
   record Wish(Kind kind, SortedSet<String> waits, SortedSet<String> holds) {
     public Wish {
@@ -87,6 +88,11 @@ sealed interface MutexMessage {
       return wish.kind == Kind.RESUMED;
     }
 
+    /** Whether the sender's body is in {@code section} since an earlier process entered it. */
+    boolean isInside(String section) {
+      return resumes() && wish.holds.contains(section);
+    }
+
     public Req {
       requireOther(from, to);
     }
@@ -95,13 +101,25 @@ sealed interface MutexMessage {
   /**
    * {@code from} consents to request {@code num} of {@code to}, and to no other request.
    *
-   * @param part of a sequence, the sections to which it consents, with those of earlier answers; empty
-   *     for all
+   * @param part the sections to which it consents, with those of earlier answers
+   * @param counted others to which it consents, but of which {@code from} takes a place itself until a
+   *     later answer: it is one of the robots that their capacity limits. Both empty: all
    */
-  record Ok(ProcessId from, ProcessId to, long num, SortedSet<String> part)
+  record Ok(
+      ProcessId from, ProcessId to, long num, SortedSet<String> part, SortedSet<String> counted)
       implements MutexMessage {
     public Ok {
       requireOther(from, to);
+    }
+
+    /** All to which it consents, without a place of its own or with one. */
+    SortedSet<String> granted(SortedSet<String> want) {
+      return part.isEmpty() && counted.isEmpty() ? want : Sections.union(part, counted);
+    }
+
+    /** To a part. */
+    Ok(ProcessId from, ProcessId to, long num, SortedSet<String> part) {
+      this(from, to, num, part, Sections.NONE);
     }
 
     /** To all of it. */
@@ -197,6 +215,7 @@ sealed interface MutexMessage {
             part("to", PROCESS, Ok::to),
             part("num", num, Ok::num),
             part("part", Sections.SHAPE, Ok::part),
+            part("counted", Sections.SHAPE, Ok::counted),
             Ok::new),
         Shapes.of(
             Rem.class,

@@ -150,7 +150,7 @@ final class MutexProgress {
   void shrank(Request request, Collection<String> given, long nowNs) {
     for (Request other : contenders(request, given)) {
       Set<Request> before = ahead.get(other);
-      if (before != null && !Sections.meet(request.want, other.want) && before.remove(request)) {
+      if (before != null && !Sections.compete(request.want, other.want) && before.remove(request)) {
         undisturbed.assume(other, before.isEmpty() && !impeded.contains(other), nowNs);
       }
     }

@@ -3,10 +3,12 @@
 package org.starl.primitives.mutex;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.starl.comms.LamportClock;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -116,6 +118,8 @@ class MutexProtocol {
   private boolean inOrder;
   // The receivers of the current request, and for each the sections without its needed consent.
   private final TreeMap<ProcessId, SortedSet<String>> asked = new TreeMap<>();
+  // For each receiver that told so, the sections of which it takes a place before this request.
+  private final TreeMap<ProcessId, SortedSet<String>> sharers = new TreeMap<>();
   private final RequestTimers timers;
 
   // What it takes over. Requests of others that come before its own, as these told; and requests
@@ -225,7 +229,10 @@ class MutexProtocol {
 
   /** What earlier processes may still hold: where the body stands, and no consent of this process. */
   SortedSet<String> kept() {
-    return Sections.union(resume.stands, Sections.without(resume.claims, peers.open()));
+    TreeSet<String> rest = new TreeSet<>(resume.claims);
+    SortedSet<String> open = peers.open();
+    rest.removeIf(section -> Sections.compete(open, List.of(section)));
+    return Sections.union(resume.stands, rest);
   }
 
   /** What a later process of this robot takes over from this one. */
@@ -286,6 +293,7 @@ class MutexProtocol {
     ahead.clear();
     behind.clear();
     asked.clear();
+    sharers.clear();
     known().forEach(other -> asked.put(other, want));
     timers.begin(nowNs);
     effects.requested(num, ts, want, inOrder ? sections : List.of(), resumes(), known());
@@ -437,7 +445,7 @@ class MutexProtocol {
   /** Consents to what it does not defer, and tells that it is alive if something is left. */
   private void answer(Req req, Peers.Peer peer) {
     SortedSet<String> free = free(req);
-    boolean isNew = !peer.granted().containsAll(free);
+    boolean isNew = isNew(req, peer, free);
     if (isNew) {
       grant(req, peer, free);
     }
@@ -450,7 +458,7 @@ class MutexProtocol {
       if (isAhead || (isRepeated && !isNew && peer.granted().isEmpty())) {
         effects.send(new Noted(me, req.from(), req.num(), isAhead ? num : 0));
       } else if (isRepeated && !isNew) {
-        effects.send(new Ok(me, req.from(), req.num(), peer.granted()));
+        send(req, peer);
       }
     }
   }
@@ -458,7 +466,11 @@ class MutexProtocol {
   private void hearOk(Ok ok) {
     SortedSet<String> lacking = asked.get(ok.from());
     if (phase == Phase.TRYING && answersMyRequest(ok) && lacking != null) {
-      asked.put(ok.from(), Sections.without(lacking, ok.part().isEmpty() ? want : ok.part()));
+      if (!ok.counted().isEmpty()) {
+        sharers.merge(ok.from(), ok.counted(), Sections::union);
+      }
+      asked.put(
+          ok.from(), Sections.without(lacking, Sections.without(ok.granted(want), ok.counted())));
       timers.needsOnly(missing());
       enter();
     }
@@ -511,14 +523,43 @@ class MutexProtocol {
 
   /** Whether it defers its consent to {@code section} of {@code req}. */
   boolean defers(Req req, String section) {
-    if (held.contains(section)) {
+    if (bars(held, req, section)) {
       return true; // a holder defers every request: a new participant's clock may be low
     }
-    boolean isClaimed = resume.claims.contains(section) && !isBehind(req);
+    boolean isClaimed = bars(resume.claims, req, section) && !isBehind(req);
     if (isClaimed && !(req.resumes() && phase == Phase.TRYING)) {
       return true;
     }
-    return (isClaimed || want.contains(section)) && comesBefore(req);
+    return (isClaimed || bars(want, req, section)) && comesBefore(req);
+  }
+
+  /** Whether a participant with one of {@code mine} keeps {@code req} from {@code section}. */
+  private boolean bars(SortedSet<String> mine, Req req, String section) {
+    return mine.stream()
+        .anyMatch(own ->
+            Sections.exclude(own, section)
+                || (Sections.compete(own, section) && !counts(req, section)));
+  }
+
+  /**
+   * Whether of this request and {@code req} the later one counts the earlier one in {@code section}. If
+   * it does not, the two exclude each other there: {@code req} is of a new participant that this
+   * holder did not ask, or a resumed one, which has another place in the order. A resumed one whose
+   * body is inside was counted when it entered.
+   */
+  boolean counts(Req req, String section) {
+    return req.isInside(section)
+        || (want.contains(section)
+            && !req.resumes()
+            && !resumes()
+            && (isCounted(req.from(), section) || !held.contains(section) || isEarlierThan(req)));
+  }
+
+  /** The sections of {@code part} of which this process takes a place before {@code req}. */
+  private SortedSet<String> counted(Req req, SortedSet<String> part) {
+    TreeSet<String> shared = new TreeSet<>(Sections.common(part, want));
+    shared.removeIf(section -> !Sections.isLimited(section) || req.isInside(section));
+    return isEarlierThan(req) ? Sections.copyOf(shared) : Sections.NONE;
   }
 
   /** Whether its own request comes before {@code req}, where neither of them holds. */
@@ -554,8 +595,8 @@ class MutexProtocol {
 
   /** Whether it holds something of {@code req}, or its body may be there, or it has told so. */
   private boolean isInTheWayOf(Req req) {
-    return Sections.meet(held, req.waits())
-        || Sections.meet(resume.stands, req.waits())
+    return req.waits().stream()
+            .anyMatch(each -> bars(held, req, each) || bars(resume.stands, req, each))
         || Long.valueOf(req.num()).equals(behind.get(req.from()));
   }
 
@@ -573,7 +614,7 @@ class MutexProtocol {
         && !resumes()
         && phase == Phase.TRYING
         && held.isEmpty()
-        && Sections.meet(want, req.waits())) {
+        && Sections.compete(want, req.waits())) {
       withdraw(MutexFailure.LATE);
     }
   }
@@ -610,9 +651,30 @@ class MutexProtocol {
     }
   }
 
-  /** Whether all needed consents to {@code section} have arrived. */
+  /** Whether {@code other} has told that it takes a place of {@code section} before this request. */
+  final boolean isCounted(ProcessId other, String section) {
+    return sharers.getOrDefault(other, Sections.NONE).contains(section);
+  }
+
+  /** Whether all needed consents to {@code section} have arrived, and it has a place. */
   boolean hasConsents(String section) {
-    return asked.values().stream().noneMatch(lacking -> lacking.contains(section));
+    Set<RobotId> sharing = ghostsIn(section);
+    for (Map.Entry<ProcessId, SortedSet<String>> each : asked.entrySet()) {
+      if (each.getValue().contains(section)) {
+        if (!isCounted(each.getKey(), section)) {
+          return false;
+        }
+        sharing.add(each.getKey().robot());
+      }
+    }
+    return hasPlace(section, sharing);
+  }
+
+  /** Whether it finds a place in {@code section} beside these robots, or has it already. */
+  private boolean hasPlace(String section, Set<RobotId> others) {
+    others.remove(me.robot());
+    boolean isInside = resumes() && resume.stands.contains(section);
+    return others.size() < Sections.capacity(section) || (isInside && Sections.isLimited(section));
   }
 
   /** Ends this participant after a view that lists it no longer, or only as a ghost. */
@@ -631,11 +693,25 @@ class MutexProtocol {
     return waiting.stream().anyMatch(this::isOccupied);
   }
 
-  boolean isOccupied(String section) {
+  private boolean isOccupied(String section) {
+    return !hasPlace(section, ghostsIn(section))
+        || ghosts()
+            .anyMatch(ghost -> Sections.exclude(ghost.getValue().sections(), List.of(section)));
+  }
+
+  /** The robots of which a ghost is in {@code section}, in the same mode. */
+  private Set<RobotId> ghostsIn(String section) {
+    Set<RobotId> robots = new TreeSet<>();
+    ghosts()
+        .filter(ghost -> ghost.getValue().sections().contains(section))
+        .forEach(ghost -> robots.add(ghost.getKey().robot()));
+    return robots;
+  }
+
+  /** The ghosts of other robots. */
+  Stream<Map.Entry<ProcessId, View.Ghost>> ghosts() {
     return view.ghosts().entrySet().stream()
-        .anyMatch(ghost ->
-            !ghost.getKey().robot().equals(me.robot())
-                && ghost.getValue().sections().contains(section));
+        .filter(ghost -> !ghost.getKey().robot().equals(me.robot()));
   }
 
   static boolean isBefore(long ts, ProcessId id, long otherTs, ProcessId other) {
@@ -648,7 +724,9 @@ class MutexProtocol {
   final void enter() {
     int free = phase == Phase.TRYING ? grantable() : 0;
     if (free > 0) {
-      held = Sections.union(held, waiting.subList(0, free));
+      List<String> granted = waiting.subList(0, free);
+      held = Sections.union(held, granted);
+      asked.replaceAll((other, lacking) -> Sections.without(lacking, granted));
       waiting = List.copyOf(waiting.subList(free, waiting.size()));
       phase = waiting.isEmpty() ? Phase.CRITICAL : Phase.TRYING;
       timers.needsOnly(missing());
@@ -672,18 +750,31 @@ class MutexProtocol {
     return isAtOnce && free < waiting.size() ? 0 : free;
   }
 
+  private boolean isNew(Req req, Peers.Peer peer, SortedSet<String> free) {
+    return !peer.granted().containsAll(free)
+        || !peer.counted().equals(counted(req, peer.granted()));
+  }
+
   private void grant(Req req, Peers.Peer peer, SortedSet<String> sections) {
-    peer.grant(sections);
+    SortedSet<String> all = Sections.union(peer.granted(), sections);
+    peer.grant(sections, counted(req, all));
     boolean isWhole = peer.hasAll(req);
-    effects.granted(req.from(), req.num(), isWhole ? Sections.NONE : sections);
-    effects.send(new Ok(me, req.from(), req.num(), isWhole ? Sections.NONE : peer.granted()));
+    SortedSet<String> isNew = sections.isEmpty() ? all : sections;
+    effects.granted(req.from(), req.num(), isWhole ? Sections.NONE : isNew);
+    send(req, peer);
+  }
+
+  private void send(Req req, Peers.Peer peer) {
+    SortedSet<String> part =
+        peer.hasAll(req) ? Sections.NONE : Sections.without(peer.granted(), peer.counted());
+    effects.send(new Ok(me, req.from(), req.num(), part, peer.counted()));
   }
 
   private void answerPending() {
     for (Req req : peers.pending()) {
       Peers.Peer peer = peers.find(req.from());
       SortedSet<String> free = free(req);
-      if (peer != null && !refuses(req.from()) && !peer.granted().containsAll(free)) {
+      if (peer != null && !refuses(req.from()) && isNew(req, peer, free)) {
         grant(req, peer, free);
         peers.settle(req);
       }
@@ -727,7 +818,19 @@ class MutexProtocol {
             num,
             admittedBy,
             ts,
-            new MutexMessage.Wish(kind(), Sections.copyOf(waiting), held)));
+            new MutexMessage.Wish(kind(), Sections.copyOf(waiting), inside())));
+  }
+
+  /** What it holds; if it resumes, also the limited sections that it asks for and its body is in. */
+  private SortedSet<String> inside() {
+    TreeSet<String> inside = new TreeSet<>(held);
+    for (String section : resumes() ? resume.stands : Sections.NONE) {
+      boolean fits = inside.size() + waiting.size() < Sections.MAX_COUNT;
+      if (fits && Sections.isLimited(section) && waiting.contains(section)) {
+        inside.add(section);
+      }
+    }
+    return inside.size() == held.size() ? held : Sections.copyOf(inside);
   }
 
   private void tellRest() {
@@ -747,6 +850,7 @@ class MutexProtocol {
         .append(ahead)
         .append(behind)
         .append(asked)
+        .append(sharers)
         .append(held)
         .append(waiting)
         .append(heard);

@@ -219,20 +219,33 @@ final class MutexRecord {
     return view.ghosts().entrySet().stream()
         .anyMatch(ghost ->
             !ghost.getKey().robot().equals(request.who.robot())
-                && Sections.meet(ghost.getValue().sections(), request.want));
+                && Sections.compete(ghost.getValue().sections(), request.want));
   }
 
   private void checkExclusive(Requests.Request entering, long nowNs, Report report) {
     report.checked(MutexSpec.EXCLUSIVE);
+    report.checked(MutexSpec.CAPACITY);
     for (String section : entering.held) {
+      Set<RobotId> sharing = new TreeSet<>(Set.of(entering.who.robot()));
       for (Requests.Request other : requests.contendersFor(section)) {
-        if (other.held.contains(section) && !other.who.robot().equals(entering.who.robot())) {
+        if (other.held.contains(section)) {
+          sharing.add(other.who.robot());
+        }
+        if (Sections.exclude(other.held, List.of(section))
+            && !other.who.robot().equals(entering.who.robot())) {
           report.violated(
               MutexSpec.EXCLUSIVE,
               nowNs,
               robots(entering.who, other.who),
               entering.who + " and " + other.who + " both hold " + section);
         }
+      }
+      if (sharing.size() > Sections.capacity(section) && Sections.capacity(section) > 1) {
+        report.violated(
+            MutexSpec.CAPACITY,
+            nowNs,
+            List.copyOf(sharing),
+            entering.who + " is in " + section + " together with all of " + sharing);
       }
     }
   }
@@ -256,8 +269,8 @@ final class MutexRecord {
     SortedSet<String> promised =
         Sections.common(mayGet(to), by.consentedTo.getOrDefault(to, Sections.NONE));
     boolean isOutOfOrder =
-        Sections.meet(promised, by.want) && !to.resumes && !by.resumes && !to.isBefore(by);
-    if (isOutOfOrder || Sections.meet(promised, by.held)) {
+        Sections.exclude(promised, by.want) && !to.resumes && !by.resumes && !to.isBefore(by);
+    if (isOutOfOrder || Sections.exclude(promised, by.held)) {
       report.violated(
           MutexSpec.PROMISE,
           nowNs,

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Liveness;
@@ -27,6 +28,8 @@ import org.starl.trace.TraceEvent;
  *       hold is disjoint. A robot that crashed, left or closed its mutex without a release still
  *       holds its sections, since its body may be there, until the robot's next start declares
  *       otherwise.
+ *   <li>{@code Exclusive} also holds of modes: two robots are in one section only in one mode, and
+ *       {@code Capacity} says that there are not more than this has places.
  *   <li>{@code Promise}: of two participants with open, overlapping requests, one that has the
  *       other's consent comes first.
  *   <li>{@code Connected}: of two participants with open requests in the latest view, one needs the
@@ -59,6 +62,7 @@ import org.starl.trace.TraceEvent;
 public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   static final String EXCLUSIVE = "mutex.Exclusive";
+  static final String CAPACITY = "mutex.Capacity";
   static final String PROMISE = "mutex.Promise";
   static final String CONNECTED = "mutex.Connected";
 
@@ -72,7 +76,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
   private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
-  private boolean hasSequences;
+  private Supplier<Monitor> conformance = MutexConformance::new;
   private long confinedNs = Deadlines.NO_BOUND;
 
   /** Safety only. */
@@ -95,7 +99,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     super(MutexFact::isMutex);
     this.bounds = bounds;
     this.calm = calm;
-    lemma(EXCLUSIVE, "No two robots hold a section in common.");
+    lemma(EXCLUSIVE, "No two robots hold a section in common, unless in one mode.");
+    lemma(CAPACITY, "Not more robots hold a section in one mode than it has places.");
     lemma(
         PROMISE, "Of two overlapping requests, the one that has the other's consent comes first.");
     lemma(CONNECTED, "Of two requests by listed processes, one needs the other's consent.");
@@ -125,7 +130,13 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   /** Of mutexes with sequences, which are replayed on the theory of these. */
   public MutexSpec withSequences() {
-    hasSequences = true;
+    conformance = PipelineConformance::new;
+    return this;
+  }
+
+  /** Of mutexes with modes, which are replayed on the theory of these, sequences or not. */
+  public MutexSpec withModes() {
+    conformance = ModesConformance::new;
     return this;
   }
 
@@ -147,9 +158,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
         bounds == null
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
-    return List.of(
-        hasSequences ? new PipelineConformance() : new MutexConformance(),
-        new ConsentSpec(ghostNs, confinedNs));
+    return List.of(conformance.get(), new ConsentSpec(ghostNs, confinedNs));
   }
 
   @Override

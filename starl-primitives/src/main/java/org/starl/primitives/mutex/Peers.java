@@ -25,6 +25,8 @@ final class Peers {
     private SortedSet<String> want = Sections.NONE;
     private SortedSet<String> granted = Sections.NONE;
     private SortedSet<String> open = Sections.NONE;
+    // Of what was granted: the sections of which this process takes a place itself.
+    private SortedSet<String> counted = Sections.NONE;
 
     private void begin(long num, SortedSet<String> sections) {
       seen = num;
@@ -32,6 +34,7 @@ final class Peers {
       want = sections;
       granted = Sections.NONE;
       open = Sections.NONE;
+      counted = Sections.NONE;
     }
 
     /** It holds these already, without a consent that is asked now. */
@@ -44,12 +47,19 @@ final class Peers {
       return granted;
     }
 
-    boolean hasAll(Req req) {
-      return granted.containsAll(req.waits());
+    /** Of these, the ones of which this process takes a place itself. */
+    SortedSet<String> counted() {
+      return counted;
     }
 
-    void grant(SortedSet<String> sections) {
+    /** Whether it needs no further answer to {@code req}. */
+    boolean hasAll(Req req) {
+      return granted.containsAll(req.waits()) && !Sections.meet(counted, req.waits());
+    }
+
+    void grant(SortedSet<String> sections, SortedSet<String> nowCounted) {
       granted = Sections.union(granted, sections);
+      counted = nowCounted;
       SortedSet<String> all = Sections.union(open, sections);
       open = inOrder ? Sections.common(want, all) : all;
     }
@@ -109,9 +119,13 @@ final class Peers {
     }
   }
 
-  /** Number of participants that hold or wait for all of {@code sections}. */
+  /** Number of participants that compete for all of {@code sections}. */
   int wanting(List<String> sections) {
-    return (int) peers.values().stream().filter(peer -> peer.want.containsAll(sections)).count();
+    return (int)
+        peers.values().stream()
+            .filter(peer ->
+                sections.stream().allMatch(each -> Sections.compete(peer.want, List.of(each))))
+            .count();
   }
 
   @Nullable Peer find(ProcessId id) {
@@ -157,6 +171,7 @@ final class Peers {
             .append(':')
             .append(peer.seen)
             .append(peer.granted)
+            .append(peer.counted.isEmpty() ? "" : "c" + peer.counted)
             .append(peer.inOrder ? peer.want : "")
             .append(peer.done ? "d" : "")
             .append(peer.open));

@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 
@@ -67,6 +66,7 @@ final class Requests {
   private final Map<ProcessId, Request> latest = new TreeMap<>();
   private int sweepAt = LEAST_SWEEP;
   private final Set<Request> active = new LinkedHashSet<>();
+  // By place: names of one place may share it, or not.
   private final Map<String, Set<Request>> contenders = new LinkedHashMap<>();
 
   Request of(ProcessId who) {
@@ -83,9 +83,11 @@ final class Requests {
     return Collections.unmodifiableSet(active);
   }
 
-  /** The requests that wait for {@code section} or hold it. */
+  /** The requests that compete for {@code section}, or hold something that does. */
   List<Request> contendersFor(String section) {
-    return new ArrayList<>(contenders.getOrDefault(section, Set.of()));
+    List<Request> all = new ArrayList<>(contenders.getOrDefault(Sections.place(section), Set.of()));
+    all.removeIf(each -> !Sections.compete(each.want, List.of(section)));
+    return all;
   }
 
   void begin(Request request, MutexFact.DoMutex event, long nowNs) {
@@ -124,17 +126,17 @@ final class Requests {
   }
 
   private void wants(Request request, SortedSet<String> now) {
-    for (String section : new TreeSet<>(request.want)) {
-      if (!now.contains(section)) {
-        Set<Request> others = contenders.getOrDefault(section, Set.of());
-        others.remove(request);
-        if (others.isEmpty()) {
-          contenders.remove(section);
-        }
+    for (String section : Sections.without(request.want, now)) {
+      Set<Request> others = contenders.getOrDefault(Sections.place(section), Set.of());
+      others.remove(request);
+      if (others.isEmpty()) {
+        contenders.remove(Sections.place(section));
       }
     }
     for (String section : now) {
-      contenders.computeIfAbsent(section, name -> new LinkedHashSet<>()).add(request);
+      contenders
+          .computeIfAbsent(Sections.place(section), place -> new LinkedHashSet<>())
+          .add(request);
     }
     request.want = now;
     if (now.isEmpty()) {

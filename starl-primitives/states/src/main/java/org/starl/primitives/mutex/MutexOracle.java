@@ -31,8 +31,19 @@ final class MutexOracle {
     for (MutexNode i : nodes) {
       for (MutexNode j : nodes) {
         // A restarted robot may hold the sections of its own ghost.
-        if (!i.id.robot().equals(j.id.robot()) && Sections.meet(i.held(), j.held())) {
+        if (!i.id.robot().equals(j.id.robot()) && Sections.exclude(i.held(), j.held())) {
           found.add(MutexSpec.EXCLUSIVE + ": " + i.protocol + " and " + j.protocol);
+        }
+      }
+      for (String section : i.held()) {
+        long robots =
+            nodes.stream()
+                .filter(j -> j.held().contains(section))
+                .map(j -> j.id.robot())
+                .distinct()
+                .count();
+        if (robots > Sections.capacity(section)) {
+          found.add(MutexSpec.CAPACITY + ": " + robots + " robots in " + section);
         }
       }
       View.Ghost ghost = last.ghost(i.id);
@@ -70,7 +81,7 @@ final class MutexOracle {
     }
     SortedSet<String> promised =
         consent.part().isEmpty() ? i.want : Sections.common(i.want, consent.part());
-    return Sections.meet(promised, j.want) && !MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
+    return Sections.exclude(promised, j.want) && !MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
   }
 
   /** Whether it waits for a holder of its next section, which waits for the next one, and so on to it. */
@@ -80,7 +91,8 @@ final class MutexOracle {
       List<String> waiting = at.protocol.waiting();
       Optional<MutexNode> holder =
           active.stream()
-              .filter(other -> !waiting.isEmpty() && other.held().contains(waiting.get(0)))
+              .filter(other ->
+                  !waiting.isEmpty() && Sections.exclude(other.held(), waiting.subList(0, 1)))
               .findFirst();
       if (holder.isEmpty()) {
         return false;

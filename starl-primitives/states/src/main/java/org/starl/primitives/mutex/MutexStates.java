@@ -26,6 +26,10 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
 
   private static final int MOST_ROBOTS = 4;
 
+  /** One section, in one of two modes, of which the second may have a capacity. */
+  static final List<List<List<String>>> MODES =
+      List.of(List.of(List.of("A/e"), List.of("A/w")), List.of(List.of("A/e"), List.of("A/w*2")));
+
   static final List<List<String>> SEQUENCES = List.of(List.of("A", "B"), List.of("B", "A"));
 
   /** Members of one view request sections, enter, and release them one by one. */
@@ -37,6 +41,7 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
               new Bound("robots", "members", 1, 2, MOST_ROBOTS),
               new Bound("crashes", "members that crash for ever", 0, 0, MOST_ROBOTS),
               new Bound("requesters", "members that request; 0: all", 0, 0, MOST_ROBOTS),
+              new Bound("modes", "1: in one of two modes; 2: of which one has 2 places", 0, 0, 2),
               new Bound("requests", "requests of one member", 1, 1, 3),
               new Bound("sections", "1: of one section; 2: of one, or of two", 1, 1, 2),
               new Bound("sequences", "1: of two sections, one by one, in both orders", 0, 0, 1),
@@ -123,10 +128,11 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
     boolean inOrder = bounds.applyAsInt("sequences") == 1;
     List<List<String>> sets =
         List.of(List.of("A"), List.of("A", "B")).subList(0, bounds.applyAsInt("sections"));
+    int modes = bounds.applyAsInt("modes");
     Shape shape =
         new Shape(
             List.of(View.closed(members)),
-            inOrder ? SEQUENCES : sets,
+            inOrder ? SEQUENCES : modes > 0 ? MODES.get(modes - 1) : sets,
             inOrder,
             bounds.applyAsInt("requests"),
             requesters == 0 ? members.size() : requesters,

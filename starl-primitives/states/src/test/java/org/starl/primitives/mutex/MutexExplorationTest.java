@@ -3,6 +3,7 @@ package org.starl.primitives.mutex;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
@@ -24,6 +25,9 @@ class MutexExplorationTest {
   private static final List<View> THREE = List.of(View.closed(List.of(A, B, C)));
   private static final int MOST_STATES = 2_000_000;
   private static final List<List<String>> ONE_OR_TWO = List.of(List.of("x"), List.of("x", "y"));
+
+  private static final List<List<String>> MODES = MutexStates.MODES.get(1);
+  private static final List<List<String>> TWO_PLACES = List.of(List.of("x/e*2"));
 
   @Test
   void twoMembersAndTwoSections() {
@@ -80,6 +84,44 @@ class MutexExplorationTest {
   @Test
   void twoSequences() {
     assertHolds(sequences(), MutexProtocol::new);
+  }
+
+  @Test
+  void twoMembersInTwoModes() {
+    assertHolds(new Shape(List.of(BOTH), MODES, 2, false, 0), MutexProtocol::new);
+  }
+
+  @Test
+  @Tag("long")
+  void threeMembersInTwoModesOfWhichOneHasTwoPlaces() {
+    assertHolds(new Shape(THREE, MODES, 1, 3, false, 0, 0), MutexProtocol::new);
+  }
+
+  @Test
+  void threeMembersAtTwoPlaces() {
+    assertHolds(places(), MutexProtocol::new);
+  }
+
+  @Test
+  void membersAndAJoinerAtTwoPlaces() {
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>(Map.of(A, 1L, B, 1L, C, 2L));
+    List<View> views = List.of(BOTH, new View(2, admitted));
+    assertHolds(new Shape(views, TWO_PLACES, 1, false, 0), MutexProtocol::new);
+  }
+
+  @Test
+  void twoMembersOfWhichOneCrashesInAMode() {
+    assertHolds(new Shape(List.of(BOTH), MODES, 1, 2, false, 1, 1), MutexProtocol::new);
+  }
+
+  @Test
+  void notCountingTheEarlierOnesIsFound() {
+    Outcome outcome = explore(places(), Uncounted::new);
+    assertThat(outcome.violation()).last().asString().startsWith("mutex.Capacity");
+  }
+
+  private static Shape places() {
+    return new Shape(THREE, TWO_PLACES, 1, 3, false, 0, 0);
   }
 
   @Test
@@ -164,6 +206,18 @@ class MutexExplorationTest {
     @Override
     boolean comesBefore(MutexMessage.Req req) {
       return false;
+    }
+  }
+
+  /** Takes it for consent that another one has a place. */
+  private static final class Uncounted extends MutexProtocol {
+    Uncounted(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean hasConsents(String section) {
+      return missing().stream().allMatch(other -> isCounted(other, section));
     }
   }
 

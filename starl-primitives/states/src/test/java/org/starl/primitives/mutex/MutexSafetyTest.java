@@ -2,11 +2,14 @@ package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexWorld.Shape;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 
@@ -38,6 +41,41 @@ class MutexSafetyTest {
   @Test
   void mutualSuspicionKeepsTheInvariants() {
     assertThat(assertSafe(new Shape(2, 1, 1, 0, 6, ViewFault.NONE), 1_500, 1)).isGreaterThan(400);
+  }
+
+  @Test
+  void modesKeepTheInvariants() {
+    assertSafe(OPEN.with("/e", "/w", ""), 1_000, 10);
+    assertThat(assertSafe(HARSH.with("/e", "/w"), 1_000, 1)).isGreaterThan(100);
+  }
+
+  @Test
+  void capacitiesKeepTheInvariants() {
+    Shape many = new Shape(4, 2, 1, 0, 0, ViewFault.NONE);
+    assertSafe(many.with("/e*2"), 1_500, 4);
+    assertSafe(many.with("/e*3", "/w"), 1_000, 4);
+    assertThat(
+            assertSafe(
+                new Shape(4, 3, 2, 2, 4, ViewFault.NONE).with("/e*2", "/e*2", "/w"), 1_500, 1))
+        .isGreaterThan(100);
+  }
+
+  @Test
+  void notCountingTheEarlierOnesIsFound() {
+    assertFound(
+        "mutex.Capacity", new Shape(4, 0, 1, 0, 0, ViewFault.NONE).with("/e*2"), Uncounted::new);
+  }
+
+  @Test
+  void notCountingGhostsIsFound() {
+    assertFound(
+        "mutex.Capacity", new Shape(4, 0, 1, 1, 4, ViewFault.NONE).with("/e*2"), GhostBlind::new);
+  }
+
+  @Test
+  void lettingAnEarlierNewcomerIntoASectionWithACapacityIsFound() {
+    assertFound(
+        "mutex.Capacity", new Shape(2, 3, 1, 0, 0, ViewFault.NONE).with("/e*2"), Uncounting::new);
   }
 
   @Test
@@ -151,6 +189,28 @@ class MutexSafetyTest {
         "the mutant breaks nothing; but for the oracle, " + bySight + " times");
   }
 
+  private static class Uncounted extends MutexProtocol {
+    Uncounted(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean hasConsents(String section) {
+      return missing().stream().allMatch(other -> isCounted(other, section));
+    }
+  }
+
+  private static class Uncounting extends MutexProtocol {
+    Uncounting(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean counts(MutexMessage.Req req, String section) {
+      return wanted().contains(section);
+    }
+  }
+
   private static class Unasked extends MutexProtocol {
     Unasked(Self self, MutexEffects effects) {
       super(self, effects);
@@ -258,8 +318,8 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean isOccupied(String section) {
-      return false;
+    Stream<Map.Entry<ProcessId, View.Ghost>> ghosts() {
+      return Stream.empty();
     }
   }
 }

@@ -47,12 +47,28 @@ final class MutexWorld {
    * @param sections the number of sections A, B, ...
    * @param crashes the largest number of crashes
    * @param suspicions the largest number of suspicions
+   * @param modes of each section
    */
   record Shape(
-      int members, int joiners, int sections, int crashes, int suspicions, ViewFault fault) {
+      int members,
+      int joiners,
+      int sections,
+      int crashes,
+      int suspicions,
+      ViewFault fault,
+      List<String> modes) {
+
+    /** Without modes. */
+    Shape(int members, int joiners, int sections, int crashes, int suspicions, ViewFault fault) {
+      this(members, joiners, sections, crashes, suspicions, fault, List.of(""));
+    }
 
     Shape with(ViewFault other) {
       return new Shape(members, joiners, sections, crashes, suspicions, other);
+    }
+
+    Shape with(String... some) {
+      return new Shape(members, joiners, sections, crashes, suspicions, fault, List.of(some));
     }
   }
 
@@ -418,7 +434,9 @@ final class MutexWorld {
   private TreeSet<String> someSections() {
     TreeSet<String> all = new TreeSet<>();
     for (int i = 0; i < shape.sections(); i++) {
-      all.add(String.valueOf((char) ('A' + i)));
+      List<String> modes = shape.modes();
+      String mode = modes.size() == 1 ? modes.get(0) : modes.get(rng.nextInt(modes.size()));
+      all.add((char) ('A' + i) + mode);
     }
     return someOf(all);
   }
