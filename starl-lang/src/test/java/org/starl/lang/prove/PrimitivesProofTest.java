@@ -25,6 +25,7 @@ class PrimitivesProofTest {
         "Mutex_decls",
         "Mutex_group_decls",
         "Pipeline_decls",
+        "Modes_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",

@@ -20,6 +20,7 @@ class WitnessTheoryTest {
         "Mutex_decls",
         "Mutex_group_decls",
         "Pipeline_decls",
+        "Modes_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",
