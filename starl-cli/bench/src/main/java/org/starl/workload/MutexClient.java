@@ -22,11 +22,14 @@ import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.mutex.PipelinePrim;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSpec;
+import org.starl.random.Rng;
 import org.starl.time.Time;
 
 /**
  * Robots register, enter one or two of a few sections again and again, release them one by one, and
  * unregister. One that is removed while it holds sections may register again before it releases them.
+ *
+ * <p>With modes, each section is entered in one of them, drawn for each request.
  *
  * <p>With sequences, bodies pass two to four sections one after another, each from one into the next. A
  * body stays where it is when its robot's program restarts, and its next program resumes there.
@@ -69,6 +72,19 @@ final class MutexClient extends Client {
           "whether a robot asks for sections all at once (set) or one after another (sequence)",
           Form.choice(ORDERS));
 
+  static final Parameter MODES =
+      new Parameter(
+          "modes",
+          "0",
+          "how many modes each section has, 0 to 4; robots share it in one mode; 0: they never do",
+          Form.whole(0, 4));
+  static final Parameter CAPACITY =
+      new Parameter(
+          "capacity",
+          "0",
+          "how many robots share a section in one mode, 0 to 64; 0: any number",
+          Form.whole(0, 64));
+
   /** Shorter than some waits. */
   private static final long SOON_MS = 2_000;
 
@@ -89,6 +105,35 @@ final class MutexClient extends Client {
    */
   private record Body(SortedSet<String> in, List<String> path) {
     static final Body OUTSIDE = new Body(Sections.NONE, List.of());
+  }
+
+  /**
+   * The names of sections.
+   *
+   * @param modes how many each section has
+   * @param capacity of each mode; 0 for any number
+   */
+  private record Names(int sections, int modes, int capacity) {
+
+    static Names of(Setup setup) {
+      return new Names(
+          number(setup, SECTIONS, 1, 26),
+          number(setup, MODES, 0, 4),
+          number(setup, CAPACITY, 0, 64));
+    }
+
+    private static int number(Setup setup, Parameter parameter, int from, int to) {
+      return (int)
+          (long) setup.request().parse(parameter, text -> Quantities.whole(text, from, to));
+    }
+
+    String name(int section, Rng rng) {
+      String place = String.valueOf((char) ('A' + section));
+      if (modes == 0) {
+        return place;
+      }
+      return place + "/m" + rng.nextInt(modes) + (capacity == 0 ? "" : "*" + capacity);
+    }
   }
 
   /** Upper bound of the time to release two sections by a clock that is slow by a tenth. */
@@ -114,7 +159,7 @@ final class MutexClient extends Client {
   /** How often a robot leaves after a round, if members change. */
   private static final double LEAVES = 0.3;
 
-  private final int sections;
+  private final Names names;
   private final boolean leaves;
 
   /** A robot that waits longer waits for a silent one. */
@@ -135,14 +180,14 @@ final class MutexClient extends Client {
   private MutexClient(
       GlobalVarHolder gvh,
       Setup setup,
-      int sections,
+      Names names,
       long patienceMs,
       boolean leaves,
       PipelinePrim mux,
       @Nullable Registration reg,
       @Nullable Map<RobotId, Body> bodies) {
     super(gvh, setup, THINK_MS);
-    this.sections = sections;
+    this.names = names;
     this.patienceMs = patienceMs;
     this.leaves = leaves;
     this.mux = mux;
@@ -155,8 +200,7 @@ final class MutexClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    int sections =
-        (int) (long) setup.request().parse(SECTIONS, text -> Quantities.whole(text, 1, 26));
+    Names names = Names.of(setup);
     String members = setup.choice(MEMBERS, MEMBERSHIPS);
     boolean isOpen = !members.equals("fixed");
     MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
@@ -177,7 +221,9 @@ final class MutexClient extends Client {
         .simulation()
         .monitor(() -> {
           MutexSpec spec = new MutexSpec(bounds, calm);
-          if (isSequence) {
+          if (names.modes() > 0) {
+            spec.withModes();
+          } else if (isSequence) {
             spec.withSequences();
           }
           return isOpen && setup.isLossless() ? spec.confinedWithin(confinedNs) : spec;
@@ -190,7 +236,7 @@ final class MutexClient extends Client {
       Membership group = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
       M_Mutex mutex = new M_Mutex(gvh, XID, group, times);
       boolean isChanging = members.equals(CHANGING);
-      return new MutexClient(gvh, setup, sections, suspectMs / 2, isChanging, mutex, reg, bodies);
+      return new MutexClient(gvh, setup, names, suspectMs / 2, isChanging, mutex, reg, bodies);
     });
     if (isOpen) {
       setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
@@ -254,10 +300,10 @@ final class MutexClient extends Client {
   /** Two to four sections, or all if there are fewer; in half of the cases in the order of their names. */
   private List<String> someInOrder() {
     List<String> all = new ArrayList<>();
-    for (int i = 0; i < sections; i++) {
-      all.add(String.valueOf((char) ('A' + i)));
+    for (int i = 0; i < names.sections(); i++) {
+      all.add(names.name(i, rng));
     }
-    int length = (int) Math.min(rng.nextLong(MAX_REQUESTED, LONGEST), sections);
+    int length = (int) Math.min(rng.nextLong(MAX_REQUESTED, LONGEST), names.sections());
     List<String> some = new ArrayList<>();
     while (some.size() < length) {
       some.add(all.remove(rng.nextInt(all.size())));
@@ -279,11 +325,13 @@ final class MutexClient extends Client {
   }
 
   private Set<String> some() {
-    Set<String> some = new TreeSet<>();
+    Set<Integer> some = new TreeSet<>();
     for (int i = 0; i < MAX_REQUESTED; i++) {
-      some.add(String.valueOf((char) ('A' + rng.nextInt(sections))));
+      some.add(rng.nextInt(names.sections()));
     }
-    return some;
+    Set<String> all = new TreeSet<>();
+    some.forEach(section -> all.add(names.name(section, rng)));
+    return all;
   }
 
   @Override

@@ -121,12 +121,16 @@ public final class PrimitiveWorkloads {
                   MutexClient.SECTIONS,
                   MutexClient.MEMBERS,
                   MutexClient.SUSPECT,
-                  MutexClient.ORDER),
+                  MutexClient.ORDER,
+                  MutexClient.MODES,
+                  MutexClient.CAPACITY),
               List.of(
                   new Variant(MutexClient.SECTIONS, "2"),
                   new Variant(MutexClient.MEMBERS, MutexClient.CHANGING),
                   new Variant(MutexClient.SUSPECT, MutexClient.SOON),
-                  new Variant(MutexClient.ORDER, MutexClient.SEQUENCE)),
+                  new Variant(MutexClient.ORDER, MutexClient.SEQUENCE),
+                  new Variant(MutexClient.MODES, "2"),
+                  new Variant(MutexClient.CAPACITY, "2")),
               MutexClient::setUp),
           new Workload(
               "paths",

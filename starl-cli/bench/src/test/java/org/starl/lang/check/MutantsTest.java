@@ -68,6 +68,7 @@ class MutantsTest {
         "Mutex_decls",
         "Mutex_group_decls",
         "Pipeline_decls",
+        "Modes_decls",
         "Registration_decls",
         "SetAgreement_decls",
         "Election_decls",
