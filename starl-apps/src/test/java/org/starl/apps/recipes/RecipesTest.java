@@ -76,6 +76,12 @@ class RecipesTest {
   }
 
   @Test
+  void lane() {
+    assertThat(results(four(LaneRecipe::new), () -> new MutexSpec().withModes()))
+        .containsOnly(List.of("through"));
+  }
+
+  @Test
   void registration() {
     assertThat(results(four(RegistrationRecipe::new), RegistrationSpec::new))
         .containsOnly(List.of(true, true));

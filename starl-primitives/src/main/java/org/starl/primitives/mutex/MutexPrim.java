@@ -28,9 +28,12 @@ public interface MutexPrim extends StarLPrimitive {
    * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, {@link
    * #failed} when the request fails; until then both are false. Either may happen during this call.
    *
-   * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}
+   * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}; a name may end in a
+   *     mode, which robots share, and its capacity: {@code aisle/east*2} (see {@link
+   *     org.starl.primitives.membership.Sections})
    * @throws IllegalStateException while an earlier request waits or holds sections
-   * @throws IllegalArgumentException if {@code sections} is not such a set
+   * @throws IllegalArgumentException if {@code sections} is not such a set, or names a section in two
+   *     modes
    */
   void do_mutex(Collection<String> sections);
 

@@ -230,8 +230,7 @@ class MutexProtocol {
   /** What earlier processes may still hold: where the body stands, and no consent of this process. */
   SortedSet<String> kept() {
     TreeSet<String> rest = new TreeSet<>(resume.claims);
-    SortedSet<String> open = peers.open();
-    rest.removeIf(section -> Sections.compete(open, List.of(section)));
+    rest.removeIf(peers::isGiven);
     return Sections.union(resume.stands, rest);
   }
 
@@ -544,22 +543,35 @@ class MutexProtocol {
   /**
    * Whether of this request and {@code req} the later one counts the earlier one in {@code section}. If
    * it does not, the two exclude each other there: {@code req} is of a new participant that this
-   * holder did not ask, or a resumed one, which has another place in the order. A resumed one whose
-   * body is inside was counted when it entered.
+   * holder did not ask, or one of the two resumes, and so has another place in the order. A resumed
+   * one whose body is inside was counted when it entered.
    */
   boolean counts(Req req, String section) {
-    return req.isInside(section)
-        || (want.contains(section)
-            && !req.resumes()
-            && !resumes()
-            && (isCounted(req.from(), section) || !held.contains(section) || isEarlierThan(req)));
+    if (isInside(section)) {
+      boolean isFirst = want.contains(section) && isEarlierThan(req);
+      return req.isInside(section) || isCounted(req.from(), section) || isFirst;
+    }
+    return req.isInside(section) || (want.contains(section) && !req.resumes() && !resumes());
+  }
+
+  /** Whether it holds {@code section}, or its body is there since before a restart. */
+  private boolean isInside(String section) {
+    return held.contains(section) || resume.stands.contains(section);
   }
 
   /** The sections of {@code part} of which this process takes a place before {@code req}. */
   private SortedSet<String> counted(Req req, SortedSet<String> part) {
-    TreeSet<String> shared = new TreeSet<>(Sections.common(part, want));
-    shared.removeIf(section -> !Sections.isLimited(section) || req.isInside(section));
-    return isEarlierThan(req) ? Sections.copyOf(shared) : Sections.NONE;
+    TreeSet<String> counted = new TreeSet<>(part);
+    counted.removeIf(section ->
+        !Sections.isLimited(section) || req.isInside(section) || !isFirstIn(section, req));
+    return Sections.copyOf(counted);
+  }
+
+  private boolean isFirstIn(String section, Req req) {
+    boolean isEarlier = want.contains(section) && isEarlierThan(req);
+    return isInside(section)
+        ? isEarlier || !isCounted(req.from(), section)
+        : isEarlier && !req.resumes() && !resumes();
   }
 
   /** Whether its own request comes before {@code req}, where neither of them holds. */
@@ -765,9 +777,15 @@ class MutexProtocol {
   }
 
   private void send(Req req, Peers.Peer peer) {
-    SortedSet<String> part =
-        peer.hasAll(req) ? Sections.NONE : Sections.without(peer.granted(), peer.counted());
-    effects.send(new Ok(me, req.from(), req.num(), part, peer.counted()));
+    effects.send(
+        peer.hasAll(req)
+            ? new Ok(me, req.from(), req.num())
+            : new Ok(
+                me,
+                req.from(),
+                req.num(),
+                Sections.without(peer.granted(), peer.counted()),
+                peer.counted()));
   }
 
   private void answerPending() {

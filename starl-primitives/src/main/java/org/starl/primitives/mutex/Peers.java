@@ -27,6 +27,8 @@ final class Peers {
     private SortedSet<String> open = Sections.NONE;
     // Of what was granted: the sections of which this process takes a place itself.
     private SortedSet<String> counted = Sections.NONE;
+    // What was granted because its body is there.
+    private SortedSet<String> inside = Sections.NONE;
 
     private void begin(long num, SortedSet<String> sections) {
       seen = num;
@@ -35,6 +37,7 @@ final class Peers {
       granted = Sections.NONE;
       open = Sections.NONE;
       counted = Sections.NONE;
+      inside = Sections.NONE;
     }
 
     /** It holds these already, without a consent that is asked now. */
@@ -81,6 +84,7 @@ final class Peers {
     }
     if (!req.wish().holds().isEmpty()) {
       peer.holds(req.wish().holds());
+      peer.inside = Sections.common(req.waits(), req.wish().holds());
     }
     return peer;
   }
@@ -147,13 +151,13 @@ final class Peers {
     return peer == null ? Sections.NONE : peer.open;
   }
 
-  /** The granted parts of all newest requests that these may still hold. */
-  SortedSet<String> open() {
-    SortedSet<String> all = Sections.NONE;
-    for (Peer peer : peers.values()) {
-      all = Sections.union(all, peer.open);
-    }
-    return all;
+  /** Whether the grants of newest requests leave no place in {@code section} that it does not hold. */
+  boolean isGiven(String section) {
+    List<String> one = List.of(section);
+    return peers.values().stream()
+        .anyMatch(peer ->
+            Sections.exclude(peer.open, one)
+                || Sections.compete(Sections.without(peer.open, peer.inside), one));
   }
 
   void forget(Predicate<ProcessId> gone) {

@@ -42,7 +42,7 @@ public interface PipelinePrim extends MutexPrim {
    * once. Call it before {@code do_register}; and again, while it holds nothing and waits for nothing, if
    * the body is in fewer sections than it seemed.
    *
-   * @param stands among {@code sections}
+   * @param stands among {@code sections}, and held by the earlier program
    * @param sections the rest of the sequence
    */
   void resume(Collection<String> stands, List<String> sections);

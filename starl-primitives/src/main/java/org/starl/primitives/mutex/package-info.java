@@ -41,6 +41,18 @@
  * circles for requests that neither are late nor resume. The order after a restart is tested, not
  * proved; of how long a request waits, or how often it is late, nothing is proved.
  *
+ * <p><b>Modes.</b> A section's name may end in a mode and a capacity ({@code aisle/east*2}, see {@link
+ * org.starl.primitives.membership.Sections}). Two names <em>exclude</em> each other if they are of one
+ * section, and not of one mode; this relation takes the place of equal names in (a), (b) and (c). So a
+ * request of an earlier mode is never overtaken. Of a mode with capacity k at most k robots hold the
+ * section ({@code Capacity}): an answer may consent and say that its sender is counted, because it
+ * holds the section, or comes first. A request enters with fewer than k of these, ghosts included. The
+ * later of two requests counts the earlier one. If the order is another one, as of a resumed request,
+ * or of a new participant that a holder did not ask, the two exclude each other. A resumed robot keeps
+ * its place where its body is. {@link org.starl.primitives.mutex.ModesConformance} replays runs on
+ * the automaton of the theory {@code Modes_decls}, whose proofs cover exclusion and capacity of sets
+ * and sequences, not the order.
+ *
  * <p><b>Envelope.</b> Safety holds under every loss, delay, duplication, reordering and partition,
  * under all crashes and restarts, and for right and wrong suspicions; it depends on no clock.
  * Messages are not forged (a message in another robot's name is dropped). With dynamic membership,

@@ -82,6 +82,16 @@ class ModesProtocolTest {
   }
 
   @Test
+  void consentToTheRestIsToldBesideAPlace() {
+    holds("x/e*2", "y");
+    hears(new Req(A, B, 1, 1, LATER, new Wish(Kind.SEQUENCE, sections("x/e*2", "y"), none())));
+    hears(new Req(A, B, 1, 1, LATER, new Wish(Kind.SEQUENCE, sections("y"), sections("x/e*2"))));
+    sent.clear();
+    b.release(sections("y"));
+    assertThat(sent).contains(new Ok(B, A, 1)).noneMatch(counting("x/e*2")::equals);
+  }
+
+  @Test
   void oneOfTwoPlacesIsEnough() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x/e*2"), 0);
@@ -121,7 +131,7 @@ class ModesProtocolTest {
     Wish inside = new Wish(Kind.RESUMED, sections("x/e*2"), sections("x/e*2"));
     hears(new Req(A, B, 1, 1, LATER, inside));
     hears(new Req(C, B, 1, 1, LATER, new Wish(Kind.RESUMED, sections("x/e*2"), none())));
-    assertThat(sent).containsExactly(new Ok(B, A, 1));
+    assertThat(sent).containsExactly(new Ok(B, A, 1), new Ok(B, C, 1, none(), sections("x/e*2")));
   }
 
   @Test
@@ -140,6 +150,29 @@ class ModesProtocolTest {
     assertThat(sent).containsExactly(new Ok(B, A, 1));
     hears(new Ok(A, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+  }
+
+  @Test
+  void aResumedRobotTellsThatItsBodyHasAPlace() {
+    b.takeOver(new Resume(sections("x/e*2"), sections("x/e*2", "y")));
+    b.learn(View.closed(List.of(A, B)));
+    b.request(List.of("x/e*2", "y"), true, 0);
+    sent.clear();
+    Wish ahead = new Wish(Kind.RESUMED, sections("x/e*2"), none());
+    hears(new Req(A, B, 1, 1, LATER, ahead));
+    assertThat(sent).containsExactly(counting("x/e*2"));
+  }
+
+  @Test
+  void aClaimIsKeptBesideABodyOfItsModeAndNotBesideAnother() {
+    b.takeOver(new Resume(sections("y"), sections("x/e*2", "y")));
+    b.learn(View.closed(List.of(A, B)));
+    Wish inside = new Wish(Kind.RESUMED, sections("x/e*2"), sections("x/e*2"));
+    hears(new Req(A, B, 1, 1, LATER, inside));
+    assertThat(b.kept()).containsExactly("x/e*2", "y");
+    Wish opposite = new Wish(Kind.RESUMED, sections("x/w*2"), sections("x/w*2"));
+    hears(new Req(C, B, 1, 1, LATER, opposite));
+    assertThat(b.kept()).containsExactly("y");
   }
 
   private static ProcessId id(String name) {
