@@ -42,6 +42,7 @@ final class MutantReplay {
   private static final Map<String, Twin> TWINS =
       Map.of(
           "Mutex_decls", new Twin("mutex", "mutex.MutexConformance"),
+          "Modes_decls", new Twin("mutex", "mutex.ModesConformance"),
           "Registration_decls", new Twin("registration", "registration.RegistrationConformance"),
           "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
           "Election_decls", new Twin("election", "election.ElectionConformance"),
