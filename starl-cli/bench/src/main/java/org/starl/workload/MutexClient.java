@@ -76,13 +76,13 @@ final class MutexClient extends Client {
       new Parameter(
           "modes",
           "0",
-          "how many modes each section has, 0 to 4; robots share it in one mode; 0: they never do",
+          "how many modes each section has; robots share it in one mode; 0: none, they never share",
           Form.whole(0, 4));
   static final Parameter CAPACITY =
       new Parameter(
           "capacity",
           "0",
-          "how many robots share a section in one mode, 0 to 64; 0: any number",
+          "how many robots share a section in one mode; 0: any number",
           Form.whole(0, 64));
 
   /** Shorter than some waits. */
