@@ -37,7 +37,7 @@ class SpecificationsTest {
           "starl-apps/kotlin");
   private static final Pattern MONITOR =
       Pattern.compile(
-          "(?<!abstract )(?<!abstract static )\\bclass (\\w+)(?: extends (?:Conformance|InstanceSpec|InstanceMonitor|LemmaMonitor)\\b[^{;]*|"
+          "(?<!abstract )(?<!abstract static )\\bclass (\\w+)(?: extends (?:\\w*Conformance|InstanceSpec|InstanceMonitor|LemmaMonitor)\\b[^{;]*|"
               + "[^{;]*(?: implements |\\) : )[^{;]*\\b(?:App)?Monitor\\b(?!\\.)[^{;]*)\\{");
   private static final Pattern CONSTANT =
       Pattern.compile("(?:static final String|const val) (\\w+) = \"([^\"]+)\"");

@@ -29,6 +29,7 @@ final class MutexRecord {
   private final List<MutexProgress> progress = new ArrayList<>();
   private final Requests requests = new Requests();
   private final Liveness liveness;
+  private final String capacity;
 
   // The latest view that any robot has learned, and the ids of all views.
   private View last = View.NONE;
@@ -43,8 +44,14 @@ final class MutexRecord {
    * @param bounds null to check safety only
    * @param calm the bounds of a calm world, if they are to be checked
    * @param liveness of the run, which the specification keeps
+   * @param capacity the lemma of the number of robots in a section
    */
-  MutexRecord(@Nullable MutexBounds bounds, @Nullable MutexBounds calm, Liveness liveness) {
+  MutexRecord(
+      @Nullable MutexBounds bounds,
+      @Nullable MutexBounds calm,
+      Liveness liveness,
+      String capacity) {
+    this.capacity = capacity;
     this.bounds = bounds;
     this.liveness = liveness;
     this.hasCalmBounds = calm != null;
@@ -224,7 +231,9 @@ final class MutexRecord {
 
   private void checkExclusive(Requests.Request entering, long nowNs, Report report) {
     report.checked(MutexSpec.EXCLUSIVE);
-    report.checked(MutexSpec.CAPACITY);
+    if (capacity.equals(MutexSpec.CAPACITY)) {
+      report.checked(capacity);
+    }
     for (String section : entering.held) {
       Set<RobotId> sharing = new TreeSet<>(Set.of(entering.who.robot()));
       for (Requests.Request other : requests.contendersFor(section)) {
@@ -242,7 +251,7 @@ final class MutexRecord {
       }
       if (sharing.size() > Sections.capacity(section) && Sections.capacity(section) > 1) {
         report.violated(
-            MutexSpec.CAPACITY,
+            capacity,
             nowNs,
             List.copyOf(sharing),
             entering.who + " is in " + section + " together with all of " + sharing);

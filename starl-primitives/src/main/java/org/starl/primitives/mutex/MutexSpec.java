@@ -29,7 +29,7 @@ import org.starl.trace.TraceEvent;
  *       holds its sections, since its body may be there, until the robot's next start declares
  *       otherwise.
  *   <li>{@code Exclusive} also holds of modes: two robots are in one section only in one mode, and
- *       {@code Capacity} says that there are not more than this has places.
+ *       not more than this has places: {@code Capacity} with {@link #withModes}, else a part of it.
  *   <li>{@code Promise}: of two participants with open, overlapping requests, one that has the
  *       other's consent comes first.
  *   <li>{@code Connected}: of two participants with open requests in the latest view, one needs the
@@ -76,6 +76,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
   private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
+  private String capacity = EXCLUSIVE;
   private Supplier<Monitor> conformance = MutexConformance::new;
   private long confinedNs = Deadlines.NO_BOUND;
 
@@ -100,7 +101,6 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     this.bounds = bounds;
     this.calm = calm;
     lemma(EXCLUSIVE, "No two robots hold a section in common, unless in one mode.");
-    lemma(CAPACITY, "Not more robots hold a section in one mode than it has places.");
     lemma(
         PROMISE, "Of two overlapping requests, the one that has the other's consent comes first.");
     lemma(CONNECTED, "Of two requests by listed processes, one needs the other's consent.");
@@ -137,12 +137,14 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   /** Of mutexes with modes, which are replayed on the theory of these, sequences or not. */
   public MutexSpec withModes() {
     conformance = ModesConformance::new;
+    capacity = CAPACITY;
+    lemma(CAPACITY, "Not more robots hold a section in one mode than it has places.");
     return this;
   }
 
   @Override
   protected MutexRecord begin(Instance source) {
-    return new MutexRecord(bounds, calm, liveness);
+    return new MutexRecord(bounds, calm, liveness, capacity);
   }
 
   @Override

@@ -23,7 +23,7 @@ class ModesConformanceTest {
   private static final ProcessId K = ProcessId.first(new RobotId("k"), 1);
 
   private final ShownRun<States, ModesAction> run = new ShownRun<>(ModesConformance::new);
-  private final Monitors spec = new Monitors(List.of(new MutexSpec()));
+  private final Monitors spec = new Monitors(List.of(new MutexSpec().withModes()));
 
   private void event(MutexFact event) {
     TraceEvent.Action action =

@@ -78,7 +78,7 @@ final class MutexWorld {
   final List<MutexMessage> inFlight = new ArrayList<>();
   final List<View> log = new ArrayList<>();
   final List<TraceEvent.Action> trace = new ArrayList<>();
-  final Monitors monitors = new Monitors(List.of(new MutexSpec()));
+  final Monitors monitors = new Monitors(List.of(new MutexSpec().withModes()));
   long entries;
   long failures;
   long confinements;
