@@ -1,12 +1,12 @@
 package org.starl;
 
-import static org.starl.time.Time.NS_PER_MS;
-
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
+import org.starl.platform.Timer;
+import org.starl.time.Time;
 
 /**
  * A robot's app. Override {@link #callStarL}, a blocking state machine as in the paper's Figure 4;
@@ -147,6 +147,31 @@ public abstract class LogicThread {
   }
 
   /**
+   * Runs {@code action} every {@code periodMs}, also while {@link #callStarL} waits: a second flow of
+   * the same program, such as a dispatcher beside the robot's own work. It runs on the strand between
+   * two actions, so it needs no lock, and it must not wait. It ends with the program; periods that
+   * have passed while the strand was busy are left out.
+   *
+   * @param periodMs above 0; the first time is one period from now
+   * @return the timer, to cancel it; also from {@code action}
+   */
+  protected final Timer every(long periodMs, Runnable action) {
+    if (periodMs <= 0) {
+      throw new IllegalArgumentException("period " + periodMs + " ms: expected above 0");
+    }
+    long[] nextNs = {inMs(periodMs)};
+    Timer[] timer = new Timer[1];
+    timer[0] =
+        gvh.plat.timers.timer(() -> {
+          nextNs[0] = Math.max(Time.afterMs(nextNs[0], periodMs), clock.nowNs() + 1);
+          timer[0].set(nextNs[0]);
+          action.run();
+        });
+    timer[0].set(nextNs[0]);
+    return timer[0];
+  }
+
+  /**
    * Waits {@code ms} milliseconds. Messages and timers are handled meanwhile.
    *
    * @param ms above 0 in a loop: {@code sleep(0)} lets other events of this moment run, and no time
@@ -197,9 +222,7 @@ public abstract class LogicThread {
     return strand.awaitUntil(condition, inMs(timeoutMs));
   }
 
-  /** The time {@code ms} from now; {@code Long.MAX_VALUE} (never) if that overflows. */
   private long inMs(long ms) {
-    long nowNs = clock.nowNs();
-    return ms > (Long.MAX_VALUE - nowNs) / NS_PER_MS ? Long.MAX_VALUE : nowNs + ms * NS_PER_MS;
+    return Time.afterMs(clock.nowNs(), ms);
   }
 }

@@ -35,4 +35,9 @@ public final class Time {
     }
     return (ns < 0 && units > 0 ? "-" : "") + text + " s";
   }
+
+  /** The time {@code ms} after {@code nowNs}; {@code Long.MAX_VALUE} (never) if that overflows. */
+  public static long afterMs(long nowNs, long ms) {
+    return ms > (Long.MAX_VALUE - nowNs) / NS_PER_MS ? Long.MAX_VALUE : nowNs + ms * NS_PER_MS;
+  }
 }

@@ -38,6 +38,18 @@ final class OneLock implements MutexPrim {
     replace(sections);
   }
 
+  @Override
+  public MutexFailure acquire(Collection<String> sections, long timeoutMs) {
+    MutexFailure failure = inner.acquire(List.of(WHOLE), timeoutMs);
+    replace(sections);
+    return failure;
+  }
+
+  @Override
+  public List<Occupant> occupants() {
+    return inner.occupants();
+  }
+
   private void replace(Collection<String> sections) {
     zones.clear();
     zones.addAll(sections);

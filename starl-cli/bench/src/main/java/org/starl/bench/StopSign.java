@@ -70,6 +70,16 @@ final class StopSign implements MutexPrim {
 
   /** Also enters, if it may. */
   @Override
+  public MutexFailure acquire(Collection<String> sections, long timeoutMs) {
+    throw new UnsupportedOperationException("the cars of this benchmark do not block");
+  }
+
+  @Override
+  public List<Occupant> occupants() {
+    return List.of();
+  }
+
+  @Override
   public boolean od_mutex() {
     boolean hasStood = gvh.plat.clock.nowNs() - stoppedNs >= STOP_NS;
     if (!crit.get() && hasStood && junction.mayEnter(this)) {

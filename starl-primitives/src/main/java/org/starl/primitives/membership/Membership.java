@@ -21,6 +21,17 @@ public interface Membership {
   boolean mayRequest();
 
   /**
+   * Takes part again, if the others have given this robot up, and waits for it. Only from {@code
+   * callStarL}.
+   *
+   * @param timeoutMs how long at most, above 0
+   * @return {@link #mayRequest}
+   */
+  default boolean register(long timeoutMs) {
+    return mayRequest();
+  }
+
+  /**
    * Calls {@code listener} on the strand after each change of {@link #view}, {@link #me} or {@link
    * #mayRequest}, in the same strand piece as the change.
    */

@@ -2,7 +2,10 @@
 // robot.
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
@@ -33,6 +36,7 @@ import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.primitives.mutex.MutexProtocol.Resume;
 import org.starl.primitives.mutex.MutexProtocol.Self;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 
 /**
@@ -45,6 +49,9 @@ import org.starl.trace.Instance;
  * sections, may be requested at once.
  */
 public final class M_Mutex implements PipelinePrim {
+
+  /** Pause after a failed request. */
+  private static final long RETRY_MS = 500;
 
   private final GlobalVarHolder gvh;
   private final Membership membership;
@@ -68,6 +75,10 @@ public final class M_Mutex implements PipelinePrim {
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
   // Calls to the membership, which may call back: they run after the protocol's step.
   private final Queue<Runnable> membershipCalls = new ArrayDeque<>();
+
+  /** When this robot learned of each ghost. */
+  private final Map<ProcessId, Long> ghostsNs = new TreeMap<>();
+
   private boolean closed;
 
   /**
@@ -152,6 +163,44 @@ public final class M_Mutex implements PipelinePrim {
     }
     current.request(want, gvh.plat.clock.nowNs());
     settle();
+  }
+
+  @Override
+  public MutexFailure acquire(Collection<String> sections, long timeoutMs) {
+    long untilNs = Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs);
+    MutexFailure why = MutexFailure.WITHDRAWN;
+    while (true) {
+      do_mutex(sections);
+      gvh.plat.strand.awaitUntil(() -> crit.get() || failed.get(), untilNs);
+      if (crit.get()) {
+        return MutexFailure.NONE;
+      }
+      if (failed.get()) {
+        why = failure.get();
+      } else {
+        withdraw();
+      }
+      long leftNs = untilNs - gvh.plat.clock.nowNs();
+      if (leftNs <= RETRY_MS * NS_PER_MS) {
+        return why;
+      }
+      gvh.plat.strand.sleepUntil(Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS));
+      if (!membership.mayRequest() && !membership.register(leftNs / NS_PER_MS - RETRY_MS)) {
+        return MutexFailure.NOT_REGISTERED;
+      }
+    }
+  }
+
+  @Override
+  public List<Occupant> occupants() {
+    List<Occupant> occupants = new ArrayList<>();
+    membership
+        .view()
+        .ghosts()
+        .forEach((id, ghost) ->
+            occupants.add(
+                new Occupant(id.robot(), ghost.sections(), ghostsNs.getOrDefault(id, 0L))));
+    return occupants;
   }
 
   @Override
@@ -329,7 +378,7 @@ public final class M_Mutex implements PipelinePrim {
     SortedSet<String> held = held();
     String holds = held.isEmpty() ? "" : "holds " + held;
     if (closed || current.phase() != Phase.TRYING) {
-      String state = held.isEmpty() && failed.get() ? "failed: " + failure.get() : holds;
+      String state = held.isEmpty() && failed.get() ? "failed: " + failureText() : holds;
       return closed || state.isEmpty() ? null : new Wait(source, state, List.of());
     }
     SortedSet<ProcessId> missing = current.missing();
@@ -339,6 +388,11 @@ public final class M_Mutex implements PipelinePrim {
             + (missing.isEmpty() ? "; a removed process may still be inside" : "; answers missing");
     return new Wait(
         source, holds.isEmpty() ? waits : holds + ", " + waits, ProcessId.robots(missing));
+  }
+
+  private String failureText() {
+    boolean isOccupied = failure.get() == MutexFailure.OCCUPIED;
+    return isOccupied ? failure.get() + " by " + occupants() : failure.get().toString();
   }
 
   private MutexProtocol holder() {
@@ -389,6 +443,10 @@ public final class M_Mutex implements PipelinePrim {
 
   /** Updates the current participant from the membership. */
   private void follow() {
+    ghostsNs.keySet().retainAll(membership.view().ghosts().keySet());
+    for (ProcessId ghost : membership.view().ghosts().keySet()) {
+      ghostsNs.putIfAbsent(ghost, gvh.plat.clock.nowNs());
+    }
     current.learn(membership.view());
     if (current.mayRequest() && !membership.mayRequest()) {
       leave();

@@ -7,7 +7,9 @@ import java.util.stream.Collectors;
 import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.primitives.StarLPrimitive;
+import org.starl.time.Time;
 
 /**
  * The interface of mutual exclusion (paper, section 4.5): access to a set of sections, granted all
@@ -59,6 +61,45 @@ public interface MutexPrim extends StarLPrimitive {
    */
   default void do_mutex(List<ItemPosition> path, Participants plist) {
     do_mutex(path.stream().map(ItemPosition::name).collect(Collectors.toList()), plist);
+  }
+
+  /**
+   * Requests access to {@code sections} and waits for it: requests again after a failure, and
+   * registers again where that is needed. Only from {@code callStarL}.
+   *
+   * <pre>{@code
+   * if (mux.acquire(List.of("A", "C"), 60_000) == MutexFailure.NONE) {
+   *   // use
+   *   mux.release("A", "C");
+   * }
+   * }</pre>
+   *
+   * @param timeoutMs how long at most, above 0; then the request is withdrawn
+   * @return {@link MutexFailure#NONE} if access was granted; else why the latest of its requests
+   *     failed, or {@link MutexFailure#WITHDRAWN} if none did before the end
+   * @throws IllegalStateException as {@link #do_mutex(Collection)}
+   */
+  MutexFailure acquire(Collection<String> sections, long timeoutMs);
+
+  /**
+   * The robots that were given up as crashed and may still be in sections, as far as this robot has
+   * learned: for each who it was, in which sections, and since when this robot knows. A request for
+   * one of these sections fails with {@link MutexFailure#OCCUPIED}.
+   */
+  List<Occupant> occupants();
+
+  /**
+   * A robot that was given up as crashed and may still be in sections.
+   *
+   * @param sinceNs when this robot learned of it, by its clock
+   */
+  record Occupant(RobotId robot, SortedSet<String> sections, long sinceNs) {
+
+    /** {@code bot2 in [A, C] since 12.3 s}. */
+    @Override
+    public String toString() {
+      return robot + " in " + sections + " since " + Time.text(sinceNs, 1);
+    }
   }
 
   /** Whether access was granted and a section is still held; {@code crit().get()}. */

@@ -13,11 +13,21 @@ public interface RegPrim extends StarLPrimitive {
    * registered; or {@link #failed} becomes true at the deadline.
    *
    * <p>If other robots wrongly took this one for crashed, it is no longer registered: {@link #rList} is
-   * null and {@link #failed} is true. A call of this method registers it again.
+   * null and {@link #failed} is true. A call of this method registers it again. It has no effect on a
+   * robot that is registered or registering: {@link #rList} may be null for a while although it is.
    *
-   * @throws IllegalStateException if this robot is registered, registering or unregistering
+   * @throws IllegalStateException while this robot unregisters
    */
   void do_register();
+
+  /**
+   * Registers this robot and waits: calls {@link #do_register} again after each failure. Only from
+   * {@code callStarL}.
+   *
+   * @param timeoutMs how long at most, above 0
+   * @return whether this robot is registered
+   */
+  boolean register(long timeoutMs);
 
   /**
    * The agreed list, or null if there is none, as in the paper's Figure 4: {@code if (reg.getList()

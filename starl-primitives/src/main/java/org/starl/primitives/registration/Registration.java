@@ -18,6 +18,7 @@ import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 
 /**
@@ -76,6 +77,16 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
   @Override
   public void do_register() {
     wire.call(protocol::do_register);
+  }
+
+  @Override
+  public boolean register(long timeoutMs) {
+    long untilNs = Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs);
+    while (!mayRequest() && gvh.plat.clock.nowNs() < untilNs) {
+      do_register();
+      gvh.plat.strand.awaitUntil(() -> mayRequest() || failed.get(), untilNs);
+    }
+    return mayRequest();
   }
 
   @Override

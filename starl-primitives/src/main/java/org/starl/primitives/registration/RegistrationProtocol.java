@@ -100,8 +100,11 @@ class RegistrationProtocol extends SynodProtocol {
 
   void do_register(long now) {
     nowNs = now;
+    if (phase == Phase.LEAVING) {
+      throw new IllegalStateException("do_register while it unregisters: wait for isUnregistered");
+    }
     if (phase != Phase.OUT && phase != Phase.LEFT_HALFWAY) {
-      throw new IllegalStateException("do_register while " + phase + ": unregister first");
+      return; // registered, or about to be
     }
     if (phase == Phase.LEFT_HALFWAY) {
       pending.markIdle(me);

@@ -327,6 +327,12 @@ class RegistrationProtocolTest {
     Town town = fourUp();
     assertThatThrownBy(() -> town.robot(0).unregister()).isInstanceOf(IllegalStateException.class);
     town.robot(0).do_register();
+    // A program cannot know whether it is registered: the list may be null for a while.
+    town.robot(0).do_register();
+    assertThat(town.runUntil(() -> isIn(town, 0), 20_000)).isTrue();
+    town.robot(0).do_register();
+    assertThat(isIn(town, 0)).isTrue();
+    town.robot(0).unregister();
     assertThatThrownBy(() -> town.robot(0).do_register()).isInstanceOf(IllegalStateException.class);
   }
 

@@ -1,0 +1,93 @@
+package org.starl.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.platform.Timer;
+import org.starl.sim.fault.FaultPlan;
+
+/** {@link LogicThread#every}: a second flow beside {@code callStarL}. */
+class EveryTest {
+
+  private static final long MS = 1_000_000;
+
+  private final List<Long> ticksMs = new ArrayList<>();
+
+  private final class Ticker extends LogicThread {
+    private final Function<Ticker, List<Object>> body;
+
+    Ticker(GlobalVarHolder gvh, Function<Ticker, List<Object>> body) {
+      super(gvh);
+      this.body = body;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      return body.apply(this);
+    }
+
+    Timer tick(long periodMs) {
+      return every(periodMs, () -> ticksMs.add(gvh.plat.clock.nowNs() / MS));
+    }
+
+    List<Object> waitMs(long ms) {
+      sleep(ms);
+      return List.of();
+    }
+  }
+
+  private void run(Function<Ticker, List<Object>> body, String... faults) {
+    Simulation.Builder simulation =
+        Simulation.builder().robots(1, gvh -> new Ticker(gvh, body)).seed(1);
+    for (String fault : faults) {
+      simulation.faults(FaultPlan.parse(fault));
+    }
+    simulation.build().run();
+  }
+
+  @Test
+  void itRunsOncePerPeriodWhileTheProgramWaits() {
+    run(app -> {
+      app.tick(100);
+      return app.waitMs(350);
+    });
+    assertThat(ticksMs).containsExactly(100L, 200L, 300L);
+  }
+
+  @Test
+  void itCanBeCancelled() {
+    run(app -> {
+      Timer timer = app.tick(100);
+      app.waitMs(250);
+      timer.cancel();
+      return app.waitMs(500);
+    });
+    assertThat(ticksMs).containsExactly(100L, 200L);
+  }
+
+  @Test
+  void itEndsWithTheProgramAndTheNextOneHasItsOwn() {
+    run(
+        app -> {
+          app.tick(100);
+          return app.waitMs(250);
+        },
+        "crash(bot0,at=150ms,restart=1s)");
+    // The clock goes on; the program that starts again ticks from its own start.
+    assertThat(ticksMs).hasSize(3).startsWith(100L);
+    assertThat(ticksMs.get(1)).isGreaterThan(1_150L);
+    assertThat(ticksMs.get(2) - ticksMs.get(1)).isEqualTo(100);
+  }
+
+  @Test
+  void aPeriodIsAboveZero() {
+    assertThatThrownBy(() -> run(app -> List.of(app.tick(0))))
+        .hasRootCauseMessage("period 0 ms: expected above 0");
+  }
+}
