@@ -1,6 +1,7 @@
 package org.starl.primitives.paths;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.Computation;
@@ -17,6 +18,7 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
+import org.starl.primitives.mutex.MutexPrim;
 import org.starl.random.Rng;
 import org.starl.trace.Instance;
 
@@ -145,6 +147,43 @@ public final class DistributedPathPlanning implements StarLPrimitive {
       }
       fail(TubeFailure.STOPPED);
     }
+  }
+
+  /**
+   * Gives back what this robot holds, but the leg in which its body is: after a drive that failed or
+   * was stopped, or after a restart, where the robot will not go on at once. Others may then pass.
+   *
+   * @return whether it now holds that leg alone; false if its body is in no leg for certain, without a
+   *     fix, or before the others know its place: call it again
+   * @throws IllegalStateException while a drive is under way
+   */
+  public boolean standHere() {
+    if (isUnderWay() || closed) {
+      throw new IllegalStateException(
+          source + ": standHere while " + (closed ? "closed" : flag.get()));
+    }
+    for (Tube tube : claims.isSettled() ? claims.held() : List.<Tube>of()) {
+      for (int i = 0; i < tube.parts(); i++) {
+        if (TubeDriver.isInside(gvh, tube.part(i))) {
+          int last = Math.min(i + 1, tube.points().size() - 1);
+          Tube leg = new Tube(tube.points().subList(i, last + 1), tube.radiusMm());
+          if (!claims.held().equals(List.of(leg))) {
+            claims.keep(List.of(leg));
+          }
+          return claims.held().equals(List.of(leg)); // not before it is on stable storage
+        }
+      }
+    }
+    return false;
+  }
+
+  /**
+   * The same, and declares that the body is only in {@code sections} of {@code mutex}: one call of a
+   * restarted program for both.
+   */
+  public boolean standHere(MutexPrim mutex, Collection<String> sections) {
+    mutex.standsIn(sections);
+    return standHere();
   }
 
   /** Whether the latest {@code goTo} has not ended yet. */

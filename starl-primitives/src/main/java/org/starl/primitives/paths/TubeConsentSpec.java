@@ -1,5 +1,6 @@
 package org.starl.primitives.paths;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -114,7 +115,7 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
           claimant.asked != null
               && claimant.asked.wanted().contains(tube)
               && 2 * claimant.votes.size() > all.participants.size();
-      if (!isGranted && claimant.held.stream().noneMatch(before -> isRestOf(tube, before))) {
+      if (!isGranted && claimant.held.stream().noneMatch(before -> isPartOf(tube, before))) {
         String detail =
             ("holds " + tube + " after " + Tube.text(claimant.held))
                 + (", with the consent of " + claimant.votes);
@@ -135,13 +136,10 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
     claimant.untoldNs = NONE;
   }
 
-  private static boolean isRestOf(Tube tube, Tube before) {
-    for (int passed = 0; passed <= before.parts(); passed++) {
-      if (before.from(passed).equals(tube)) {
-        return true;
-      }
-    }
-    return false;
+  /** Whether it has legs of the other one alone. */
+  private static boolean isPartOf(Tube tube, Tube before) {
+    return tube.radiusMm() == before.radiusMm()
+        && Collections.indexOfSubList(before.points(), tube.points()) >= 0;
   }
 
   @Override
