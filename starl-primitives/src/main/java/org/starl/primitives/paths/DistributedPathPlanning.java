@@ -20,6 +20,7 @@ import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 
 /**
@@ -178,11 +179,15 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   /**
-   * The same, and declares that the body is only in {@code sections} of {@code mutex}: one call of a
-   * restarted program for both.
+   * One call of a restarted program for mutex and tubes: declares that the body is only in {@code
+   * sections} of {@code mutex}, and waits until {@link #standHere()}. Only from {@code callStarL}.
+   *
+   * @param timeoutMs how long at most, above 0
+   * @return whether it now holds the leg of its body alone
    */
-  public boolean standHere(MutexPrim mutex, Collection<String> sections) {
+  public boolean standHere(MutexPrim mutex, Collection<String> sections, long timeoutMs) {
     mutex.standsIn(sections);
+    gvh.plat.strand.awaitUntil(this::standHere, Time.afterMs(nowNs(), timeoutMs));
     return standHere();
   }
 
