@@ -30,19 +30,18 @@ class WarehouseTest {
   @Test
   @Tag("long")
   void anAisleWhoseDirectionsDoNotExcludeEachOtherIsFound() {
-    assertThat(firstSeedThatViolates("one_way", WarehouseApp.Bug.NO_CONFLICT, Envelope.NONE))
-        .isPositive();
+    // Reach tubes keep the bodies apart; so robots stand at both ends, each in the other's way.
+    assertThat(firstSeedThatLosesAnOrder(WarehouseApp.Bug.NO_CONFLICT, Envelope.NONE)).isOne();
   }
 
   @Test
   @Tag("long")
   void aCarrierThatBelievesAfterARestartThatItHasDeliveredIsFound() {
-    assertThat(firstSeedThatViolates("no_order_lost", WarehouseApp.Bug.FORGETS, Envelope.MOVING))
-        .isPositive();
+    assertThat(firstSeedThatLosesAnOrder(WarehouseApp.Bug.FORGETS, Envelope.MOVING)).isPositive();
   }
 
   /** Of the first ten seeds; 0 if none does. */
-  private static long firstSeedThatViolates(String lemma, WarehouseApp.Bug bug, Envelope chaos) {
+  private static long firstSeedThatLosesAnOrder(WarehouseApp.Bug bug, Envelope chaos) {
     for (long seed = 1; seed <= 10; seed++) {
       Simulation.Builder simulation =
           Simulation.builder()
@@ -50,7 +49,7 @@ class WarehouseTest {
               .settings(SimSettings.builder().set(Setting.CHAOS, chaos).build());
       WarehouseDemo.fill(simulation, WarehouseDemo.ROBOTS, 8, bug);
       SimResult result = simulation.build().run();
-      if (result.spec().violations().stream().anyMatch(v -> v.lemma().equals(lemma))) {
+      if (result.spec().violations().stream().anyMatch(v -> v.lemma().equals("no_order_lost"))) {
         return seed;
       }
     }
