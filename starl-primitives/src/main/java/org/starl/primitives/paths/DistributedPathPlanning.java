@@ -1,3 +1,5 @@
+// Longer than 500 lines because the calls of an app change one state: a plan, a claim, an entry, a
+// drive.
 package org.starl.primitives.paths;
 
 import java.util.ArrayList;
