@@ -47,7 +47,7 @@ final class ElectionClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    boolean isBully = setup.choice(STRATEGY, STRATEGIES).equals("bully");
+    boolean isBully = setup.request().choice(STRATEGY).equals("bully");
     ElectionSettings settings =
         ElectionSettings.DEFAULT
             .withStrategy(isBully ? ElectionStrategy.BULLY : ElectionStrategy.RANDOM_BALLOT)

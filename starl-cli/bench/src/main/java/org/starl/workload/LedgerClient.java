@@ -56,7 +56,7 @@ final class LedgerClient extends Client {
     LedgerSettings settings = LedgerSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
     ledger = new TaskLedger<>(gvh, XID, Shapes.INT, gvh.id.participants(), settings);
     auction = new Auction(gvh, XID, BIDS_MS);
-    isAuction = setup.choice(ALLOCATION, ALLOCATIONS).equals(AUCTION);
+    isAuction = setup.request().choice(ALLOCATION).equals(AUCTION);
   }
 
   static void setUp(Setup setup) {

@@ -10,9 +10,9 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
+import org.starl.apps.Request;
 import org.starl.id.RobotId;
 import org.starl.input.Form;
-import org.starl.input.Quantities;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.M_Mutex;
@@ -41,7 +41,7 @@ final class MutexClient extends Client {
   private static final List<String> MEMBERSHIPS = List.of("registered", "fixed", CHANGING);
 
   static final Parameter SECTIONS =
-      new Parameter("sections", "4", "how many sections there are, 1 to 26", Form.whole(1, 26));
+      new Parameter("sections", "4", "how many sections there are", Form.whole(1, 26));
   static final Parameter MEMBERS =
       new Parameter(
           "members",
@@ -115,16 +115,8 @@ final class MutexClient extends Client {
    */
   private record Names(int sections, int modes, int capacity) {
 
-    static Names of(Setup setup) {
-      return new Names(
-          number(setup, SECTIONS, 1, 26),
-          number(setup, MODES, 0, 4),
-          number(setup, CAPACITY, 0, 64));
-    }
-
-    private static int number(Setup setup, Parameter parameter, int from, int to) {
-      return (int)
-          (long) setup.request().parse(parameter, text -> Quantities.whole(text, from, to));
+    static Names of(Request request) {
+      return new Names(request.whole(SECTIONS), request.whole(MODES), request.whole(CAPACITY));
     }
 
     String name(int section, Rng rng) {
@@ -200,14 +192,14 @@ final class MutexClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    Names names = Names.of(setup);
-    String members = setup.choice(MEMBERS, MEMBERSHIPS);
+    Names names = Names.of(setup.request());
+    String members = setup.request().choice(MEMBERS);
     boolean isOpen = !members.equals("fixed");
     MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
     // After the bounds: a late grant violates the specification before the request fails.
-    boolean isSoon = setup.choice(SUSPECT, SUSPICIONS).equals(SOON);
+    boolean isSoon = setup.request().choice(SUSPECT).equals(SOON);
     long suspectMs = isSoon ? SOON_MS : MutexTimes.DEFAULT.suspectMs();
-    boolean isSequence = setup.choice(ORDER, ORDERS).equals(SEQUENCE);
+    boolean isSequence = setup.request().choice(ORDER).equals(SEQUENCE);
     MutexTimes times =
         MutexTimes.DEFAULT
             .withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS)

@@ -59,7 +59,7 @@ final class PathsClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    boolean isOptimal = setup.choice(PLANNER, PLANNERS).equals("optimal");
+    boolean isOptimal = setup.request().choice(PLANNER).equals("optimal");
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
     setup.simulation().obstacles(setup.walls());
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));

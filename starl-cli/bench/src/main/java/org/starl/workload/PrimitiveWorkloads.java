@@ -174,7 +174,7 @@ public final class PrimitiveWorkloads {
         new Parameter(
             "rounds",
             Integer.toString(rounds),
-            "number of requests of each robot, 1 or more",
+            "number of requests of each robot",
             Form.whole(1, Course.MAX_ROUNDS)));
     parameters.add(
         new Parameter(
@@ -244,9 +244,7 @@ public final class PrimitiveWorkloads {
     private Course course(Request request) {
       Parameter rounds = parameters.get(0);
       Parameter busy = parameters.get(1);
-      return new Course(
-          (int) (long) request.parse(rounds, text -> Quantities.whole(text, 1, Course.MAX_ROUNDS)),
-          request.parse(busy, Quantities::durationNs) / Time.NS_PER_MS);
+      return new Course(request.whole(rounds), (long) request.amount(busy) / Time.NS_PER_MS);
     }
 
     @Override

@@ -10,7 +10,6 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.sim.RobotSpec;
@@ -54,18 +53,6 @@ record Setup(
 
   /** A probability so small that no campaign meets it. */
   private static final double NEVER = 1e-9;
-
-  /** The value of a parameter, one of {@code values}. */
-  String choice(Parameter parameter, List<String> values) {
-    String value = request.parameter(parameter.key());
-    if (!values.contains(value)) {
-      throw new BadInput(
-          parameter.key()
-              + ("=" + BadInput.quote(value))
-              + (": expected " + String.join(" or ", values)));
-    }
-    return value;
-  }
 
   /** The robots start on a square grid; this is the length of the floor's sides. */
   double sideMm() {
@@ -164,7 +151,7 @@ record Setup(
 
   /** As {@link #deadlineMs}, or shorter than outages if {@link #PATIENCE} says so. */
   long drawnDeadlineMs() {
-    return choice(PATIENCE, PATIENCES).equals(SHORT) ? SHORT_MS : deadlineMs();
+    return request.choice(PATIENCE).equals(SHORT) ? SHORT_MS : deadlineMs();
   }
 
   RegistrationSettings registration() {

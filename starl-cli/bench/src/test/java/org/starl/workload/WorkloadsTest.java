@@ -80,9 +80,9 @@ class WorkloadsTest {
 
   @Test
   void badParametersAreRefused() {
-    assertRefused("mutex", "members", "some", "registered or fixed");
+    assertRefused("mutex", "members", "some", "registered, fixed, changing");
     assertRefused("mutex", "sections", "27", "1 to 26");
-    assertRefused("election", "strategy", "loud", "random or bully");
+    assertRefused("election", "strategy", "loud", "random, bully");
     assertRefused("agreement", "rounds", "0", "rounds");
     assertRefused("geocast", "busy", "20", "busy");
   }

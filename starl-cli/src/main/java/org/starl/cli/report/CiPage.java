@@ -51,7 +51,8 @@ public final class CiPage {
       html.close().close();
     }
     html.close().close().close().close();
-    Page.footer(html);
+    Page.footer(
+        html, "How many seeds ran depends on the machine; what each of them does, does not.");
     return html.page();
   }
 

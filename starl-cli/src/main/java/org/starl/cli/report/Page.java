@@ -64,15 +64,15 @@ public final class Page {
     }
   }
 
-  /** The end of a page: closes its body. */
+  /** The end of a page that the same command makes again: closes its body. */
   static void footer(Html html) {
+    footer(html, "Equal seeds give equal runs: the same command makes this page again.");
+  }
+
+  /** The end of a page: closes its body. */
+  static void footer(Html html, String how) {
     html.open("footer");
-    html.element(
-        "p",
-        "Made by StarL "
-            + Version.STARL
-            + ". All times are simulated. Equal seeds give equal runs: the same command makes this"
-            + " page again.");
+    html.element("p", "Made by StarL " + Version.STARL + ". All times are simulated. " + how);
     html.close();
     html.code("script", resource("report.js"));
     html.close().close();
