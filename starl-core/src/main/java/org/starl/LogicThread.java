@@ -163,7 +163,8 @@ public abstract class LogicThread {
     Timer[] timer = new Timer[1];
     timer[0] =
         gvh.plat.timers.timer(() -> {
-          nextNs[0] = Math.max(Time.afterMs(nextNs[0], periodMs), clock.nowNs() + 1);
+          long lateMs = (clock.nowNs() - nextNs[0]) / Time.NS_PER_MS;
+          nextNs[0] = Time.afterMs(nextNs[0], (lateMs / periodMs + 1) * periodMs);
           timer[0].set(nextNs[0]);
           action.run();
         });

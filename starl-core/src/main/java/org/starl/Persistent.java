@@ -12,7 +12,7 @@ import org.starl.shape.WireWriter;
  * an earlier value, never a mixture: what must not be forgotten is flushed before it is sent or done, as
  * in {@code done.set(5); await(done::isFlushed);}. Strand only.
  *
- * @param <T> the values; immutable
+ * @param <T> the values; one that was set is not changed without setting it again
  */
 public final class Persistent<T> {
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.starl.apps.Demo;
 import org.starl.cli.report.CiPage;
 import org.starl.cli.report.SeedRow;
@@ -20,6 +21,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.RunArtifacts;
 import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,7 +34,7 @@ import picocli.CommandLine.Parameters;
     description =
         "Runs campaigns until a time is over, for a CI server: as many seeds of each app as fit."
             + " Leaves one folder: index.html, a report of each app, junit.xml, and the page, picture"
-            + " and trace of each bad run as soon as it has come. Good seeds are kept there: while"
+            + " and trace of each bad run as soon as it is found. Good seeds are kept there: while"
             + " no class changes, the next time only further ones run.",
     footer = {
       "",
@@ -83,12 +85,11 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
     Path folder = Path.of(out);
     Files.createDirectories(folder.resolve("bad"));
     long endNs = System.nanoTime() + budgetNs;
-    String classes = GoodSeeds.digest();
     JunitXml junit = new JunitXml();
     List<CiPage.Row> rows = new ArrayList<>();
     for (Job job : jobs) {
       long shareNs = (endNs - System.nanoTime()) / (jobs.size() - rows.size());
-      rows.add(new Part(job, folder, junit).run(shareNs, classes));
+      rows.add(new Part(job, folder, junit).run(shareNs));
       write(folder.resolve("junit.xml"), junit::write);
       byte[] page = CiPage.of(rows).getBytes(StandardCharsets.UTF_8);
       write(folder.resolve("index.html"), stream -> stream.write(page));
@@ -101,7 +102,7 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
     return isGood ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  /** With a unit, minutes also as {@code m}, which everybody types. */
+  /** A time with its unit; {@code m} means minutes. */
   private long budgetNs() {
     return OptionValues.read(
         "--budget",
@@ -162,11 +163,13 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
       this.junit = junit;
     }
 
-    CiPage.Row run(long shareNs, String classes) throws InterruptedException, IOException {
+    CiPage.Row run(long shareNs) throws InterruptedException, IOException {
       long untilNs = System.nanoTime() + (long) (SEEDS_PART * shareNs);
       Seeds.Range all = new Seeds.Range(1, MOST_SEEDS);
       SeedWork work = SeedWork.campaign(job.request, all, Ending.NEVER);
-      GoodSeeds good = GoodSeeds.of(folder.resolve("good"), job.name, work, classes);
+      String code = GoodSeeds.digest(ShardHeader.settings(job.request).values());
+      GoodSeeds good = GoodSeeds.of(folder.resolve("good"), job.name, work, code);
+      removeOld();
       List<SeedRow> earlier = List.copyOf(good.rows().values());
       out().println(job.name + ": " + earlier.size() + " good seeds of an earlier run");
       CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(job.request));
@@ -184,7 +187,8 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
                 throw new IllegalStateException("ended before its time");
               }
             };
-        boolean isWhole = stop().completes(() -> runSeeds(work, earlier, take, untilNs));
+        int[] taken = new int[1];
+        boolean isWhole = stop().completes(() -> taken[0] = runSeeds(work, earlier, take, untilNs));
         good.save();
         Seeds.Range done = new Seeds.Range(1, Math.max(1, tally.runs()));
         CampaignCommand.Output output =
@@ -204,14 +208,19 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
               isWhole ? "a steered run is bad, or a lemma was not checked" : "interrupted");
           junit.add(job.name, "the campaign", problems.getFirst());
         }
-        return new CiPage.Row(
-            job.name, tally.runs(), earlier.size(), isGood, report, pages, problems);
+        long more = tally.runs() - tally.count(Verdict.GOOD) - problems.size();
+        if (more > 0) {
+          problems.add("and " + more + " more");
+        }
+        return new CiPage.Row(job.name, tally.runs(), taken[0], isGood, report, pages, problems);
       }
     }
 
-    /** Hands on all rows in order: those of an earlier command, and those of other seeds, which run. */
-    private void runSeeds(
-        SeedWork work, List<SeedRow> earlier, Consumer<SeedRow> take, long untilNs)
+    /**
+     * Hands on all rows in order: those of an earlier command, and those of other seeds, which run.
+     * Returns how many of the first it handed on.
+     */
+    private int runSeeds(SeedWork work, List<SeedRow> earlier, Consumer<SeedRow> take, long untilNs)
         throws InterruptedException {
       ShardWork.How how =
           new ShardWork.How(carriers, threads.count(), (finished, planned, bad) -> {});
@@ -219,22 +228,37 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
       Predicate<SeedRow> isLast =
           row -> {
             take.accept(row);
-            isOver[0] = System.nanoTime() >= untilNs;
+            isOver[0] = System.nanoTime() - untilNs >= 0;
             return isOver[0];
           };
+      int taken = 0;
       long next = 1;
       for (SeedRow row : earlier) {
         if (row.seed() > next) {
           work.runSeeds(new Seeds.Range(next, row.seed() - 1), how, true, isLast);
         }
         if (isOver[0]) {
-          return;
+          return taken;
         }
         take.accept(row);
+        taken++;
         next = row.seed() + 1;
       }
       if (next <= MOST_SEEDS) {
         work.runSeeds(new Seeds.Range(next, MOST_SEEDS), how, true, isLast);
+      }
+      return taken;
+    }
+
+    /** Removes the files of bad runs of an earlier command. */
+    private void removeOld() throws IOException {
+      try (Stream<Path> files = Files.list(folder.resolve("bad"))) {
+        for (Path old : files.toList()) {
+          String name = String.valueOf(old.getFileName());
+          if (name.matches("\\Q" + job.name + "\\E-[0-9]+\\.[a-z]+")) {
+            Files.delete(old);
+          }
+        }
       }
     }
 
@@ -245,7 +269,9 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
       if (!outcome.isGood()) {
         String line = new CampaignCommand.FirstBad(job.request, row).line();
         err().println(Colour.bad(job.name + ": " + line));
-        problems.add(line);
+        if (problems.size() < MOST_SHOWN) {
+          problems.add(line);
+        }
         details.addAll(List.of(outcome.detail(), "replay: " + job.request.replay(row.seed())));
         if (pages.size() < MOST_SHOWN) {
           List<String> files = files(job, row, folder);

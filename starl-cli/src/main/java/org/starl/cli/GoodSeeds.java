@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.SortedMap;
@@ -19,9 +21,9 @@ import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 
 /**
- * The rows of seeds that went well, in a file of a folder. Equal classes, settings and Java give equal
- * runs, so they need not run again. The file's name has a digest of all three: a change of one byte of
- * code begins another file, and the old ones of the app are removed.
+ * The rows of seeds that went well, in a file of a folder. Equal classes, settings, input files and Java
+ * give equal runs, so they need not run again. The file's name has a digest of all four: a change of one
+ * byte begins another file, and the old ones of the app are removed.
  */
 final class GoodSeeds {
 
@@ -86,17 +88,21 @@ final class GoodSeeds {
   }
 
   /**
-   * A digest of all classes and files of the class path, and of Java's version.
+   * A digest of all classes and files of the class path, of the files and folders that settings name,
+   * and of Java's version.
    *
+   * @param values of the settings
    * @throws BadInput if one cannot be read
    */
-  static String digest() {
+  static String digest(Collection<String> values) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
       digest.update(Runtime.version().toString().getBytes(StandardCharsets.UTF_8));
       String separator = System.getProperty("path.separator");
-      for (String entry :
-          System.getProperty("java.class.path").split(Pattern.quote(separator), -1)) {
+      String path = System.getProperty("java.class.path");
+      List<String> entries = new ArrayList<>(List.of(path.split(Pattern.quote(separator), -1)));
+      values.stream().filter(GoodSeeds::isFile).sorted().forEach(entries::add);
+      for (String entry : entries) {
         for (Path file : files(Path.of(entry))) {
           digest.update(
               Path.of(entry).relativize(file).toString().getBytes(StandardCharsets.UTF_8));
@@ -108,6 +114,14 @@ final class GoodSeeds {
       throw new IllegalStateException(e);
     } catch (IOException | UncheckedIOException e) {
       throw new BadInput("the class path cannot be read: " + e.getMessage());
+    }
+  }
+
+  private static boolean isFile(String value) {
+    try {
+      return !value.isBlank() && Files.exists(Path.of(value));
+    } catch (InvalidPathException e) {
+      return false; // another kind of value
     }
   }
 

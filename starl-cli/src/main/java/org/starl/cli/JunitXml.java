@@ -92,7 +92,7 @@ final class JunitXml {
         cases.stream().filter(c -> !c.problem.isEmpty() && c.isError == isError).count());
   }
 
-  /** XML has no place for other control characters. */
+  /** XML 1.0 forbids other control characters. */
   private static String printable(String text) {
     return text.replaceAll(
         "[\\x00-\\x08\\x0B\\x0C\\x0E-\\x1F\\uFFFE\\uFFFF]|[\\uD800-\\uDFFF]", "?");

@@ -26,7 +26,8 @@ final class Shell {
   }
 
   /**
-   * The words of a line as a POSIX shell splits it: by spaces outside of quotes.
+   * The words of a line as a POSIX shell splits it: by spaces outside of quotes. In double quotes a
+   * backslash stands for itself.
    *
    * @throws BadInput if a quote has no end
    */

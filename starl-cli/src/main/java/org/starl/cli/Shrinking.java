@@ -82,7 +82,7 @@ final class Shrinking {
           "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
       lines.add("replay: " + command());
       if (!twin.isEmpty()) {
-        lines.add("cause: " + causes() + ": without, the run is good: " + Shell.starl(twin));
+        lines.add("cause: " + causes() + ": without it the run is good: " + Shell.starl(twin));
       }
       lines.addAll(why);
       return lines;
@@ -100,8 +100,10 @@ final class Shrinking {
       json.put("runs", result.runs());
       json.put("bad", result.outcome().detail());
       json.put("replay", command());
-      json.put("cause", result.cause().stream().map(Object::toString).toList());
-      json.put("good_twin", twin.isEmpty() ? "" : Shell.starl(twin));
+      if (!twin.isEmpty()) {
+        json.put("cause", result.cause().stream().map(Object::toString).toList());
+        json.put("good_twin", Shell.starl(twin));
+      }
       json.put("why", why);
       return json;
     }

@@ -95,7 +95,7 @@ class IntersectionTest {
     SimSettings settings = new IntersectionDemo().defaultSettings(request).build();
     assertThatExceptionOfType(BadInput.class)
         .isThrownBy(() -> new IntersectionDemo().plan(request, settings))
-        .withMessage("car='lorry': expected flow, paper or program");
+        .withMessage("car: 'lorry': expected one of flow, paper, program");
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.starl.apps.recipes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.primitives.ledger.Allocation;
@@ -34,10 +35,14 @@ final class LedgerRecipe extends LogicThread {
     }
     while (!ledger.tasks().isEmpty()) {
       double xMm = gvh.gps.pose().xMm();
+      SortedSet<TaskId> mine = ledger.held().get(); // also by a call that was told UNKNOWN
       Optional<TaskId> next =
           Allocation.nearest(ledger.tasks().values(), placeMm -> Math.abs(placeMm - xMm));
+      if (!mine.isEmpty()) {
+        next = Optional.of(mine.first());
+      }
       if (next.isPresent()
-          && told(ledger.claim(next.get())) == LedgerOutcome.DONE
+          && (!mine.isEmpty() || told(ledger.claim(next.get())) == LedgerOutcome.DONE)
           && told(ledger.begin(next.get())) == LedgerOutcome.DONE) {
         deliver(next.get());
       } else {
@@ -49,9 +54,10 @@ final class LedgerRecipe extends LogicThread {
 
   private void deliver(TaskId task) {
     sleep(1_000); // it alone has the goods
-    if (told(ledger.finish(task)) == LedgerOutcome.DONE) {
-      done.add(task);
+    while (ledger.tasks().containsKey(task)) {
+      told(ledger.finish(task)); // again, if it is UNKNOWN
     }
+    done.add(task);
   }
 
   private LedgerOutcome told(LedgerCall call) {

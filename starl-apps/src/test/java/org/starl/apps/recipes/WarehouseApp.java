@@ -3,6 +3,7 @@ package org.starl.apps.recipes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.Persistent;
@@ -102,11 +103,15 @@ final class WarehouseApp extends LogicThread {
     goHome();
     while (!ledger.tasks().isEmpty()) {
       location.set("FREE");
+      SortedSet<TaskId> mine = ledger.held().get(); // also by a call that was told UNKNOWN
       Optional<TaskId> next =
           Allocation.nearest(
               ledger.tasks().values(),
               order -> WarehouseFloor.pick(order).at().distanceMm(gvh.gps.pose().at()));
-      if (next.isPresent() && told(ledger.claim(next.get())) == LedgerOutcome.DONE) {
+      if (!mine.isEmpty()) {
+        carry(mine.first(), carried);
+        goHome();
+      } else if (next.isPresent() && told(ledger.claim(next.get())) == LedgerOutcome.DONE) {
         carry(next.get(), carried);
         goHome();
       } else {

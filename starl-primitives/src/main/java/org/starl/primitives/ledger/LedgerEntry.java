@@ -28,7 +28,7 @@ public sealed interface LedgerEntry {
 
     TaskId task();
 
-    /** Its number, from 1. */
+    /** Its number, from 1; 0 for none: then it has no effect. */
     long claim();
   }
 

@@ -7,7 +7,7 @@ public enum LedgerOutcome {
   /** The change is in the log. To make the same change again is DONE, too. */
   DONE,
   /**
-   * The log went another way, and the change will never be made by this call: another robot was faster,
+   * Another entry came first, and the change will never be made by this call: another robot was faster,
    * the claim has ended, or the task is finished.
    */
   LATE,

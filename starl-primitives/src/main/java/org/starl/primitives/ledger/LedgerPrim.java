@@ -16,7 +16,7 @@ public interface LedgerPrim<T> extends StarLPrimitive {
 
   /**
    * Whether the log has the start of this robot's program. Before that {@link #tasks} and {@link #held}
-   * are empty, and no call of this program is made. Afterwards they have all that earlier programs of this
+   * are empty, and calls wait. Afterwards they have all that earlier programs of this
    * robot have claimed, begun and finished.
    */
   GvhVariable<Boolean> ready();
@@ -36,7 +36,7 @@ public interface LedgerPrim<T> extends StarLPrimitive {
   /**
    * Adds a task. Any number of robots may add the same one: it is in the ledger once. DONE as well if it
    * is finished already; LATE if another task has this name. A task waits until the one before it of its
-   * source is added.
+   * source is added, and while there are 65,535 tasks or sources of tasks.
    *
    * @param what in at most 200 bytes
    * @throws IllegalArgumentException if the shape does not write {@code what}, or in more bytes

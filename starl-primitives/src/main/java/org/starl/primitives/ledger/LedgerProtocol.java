@@ -334,7 +334,7 @@ class LedgerProtocol extends SynodProtocol {
   /** Tells the app what is settled. */
   private void settle() {
     for (Wanted each : new ArrayList<>(wanted)) {
-      LedgerOutcome outcome = state.outcome(each.entry());
+      LedgerOutcome outcome = isReady() ? state.outcome(each.entry()) : LedgerOutcome.PENDING;
       if (outcome == LedgerOutcome.PENDING && nowNs >= each.deadlineNs()) {
         outcome = LedgerOutcome.UNKNOWN;
       }
@@ -428,6 +428,7 @@ class LedgerProtocol extends SynodProtocol {
   }
 
   private void install(LedgerState newer) {
+    parts = new Value[0];
     state = newer;
     kept.clear();
     port.store(state);

@@ -103,7 +103,10 @@ final class LedgerState {
         ProcessId known = programs.get(e.who().robot());
         yield known == null || known.compareTo(e.who()) < 0;
       }
-      case Add e -> e.task().number() == added(e.task().source()) + 1;
+      case Add e ->
+          e.task().number() == added(e.task().source()) + 1
+              && tasks.size() < MOST
+              && (added.containsKey(e.task().source()) || added.size() < MOST);
       case OfClaim e -> {
         LedgerTask<Value> task = tasks.get(e.task());
         yield task != null && allows(e, task);

@@ -17,7 +17,7 @@ import org.starl.time.Time;
  * @param what identifies the failure: the first violated lemma or the type of the exception; empty
  *     if there is neither
  * @param atNs time of the failure, in ns of virtual time; -1 if unknown
- * @param isOwed whether it is about what robots have not done by the end of the run
+ * @param isOwed whether the failure is missing progress at the end of the run
  * @param detail one line: the first violation, the unfinished robots or the exception; empty if
  *     good
  * @param figures finite numbers for statistics, by name

@@ -24,8 +24,8 @@ import org.starl.time.Time;
  * the run goes well without its faults, each smaller one must not fail in the same way without them.
  * If faults are not to blame, a run that has not reached its goal keeps its robots and its time.
  *
- * <p>The cause is the smallest set of faults, found in the same way, without which the run that was
- * given is good.
+ * <p>The cause is a small set of faults, found in the same way, without which the run that was given
+ * is good: none of them alone can be put back.
  *
  * <p>Deterministic: equal runs give equal results. The runs are executed one after another, on the
  * calling thread.
@@ -46,7 +46,7 @@ public final class Shrink {
   private boolean areFaultsToBlame;
   private int runs;
 
-  /** Called after each run. */
+  /** Called after each run of a smaller trial; not after those that only compare. */
   @FunctionalInterface
   public interface Progress {
 
@@ -61,8 +61,8 @@ public final class Shrink {
    * The result of shrinking: the smallest trial.
    *
    * @param outcome of the trial
-   * @param cause faults of the run to shrink, without which it is good; empty if its faults are not
-   *     to blame
+   * @param cause faults of the run to shrink, without which it is good; empty if none were
+   *     found
    * @param runs number of runs executed
    * @param isSmallest false if the search ended at {@code mostRuns}
    */

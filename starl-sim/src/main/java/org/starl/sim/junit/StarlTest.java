@@ -45,7 +45,8 @@ public @interface StarlTest {
   long firstSeed() default 1;
 
   /**
-   * Values to combine, each as {@code key=value|value}: all seeds run for each combination. A key of
+   * Values to combine, each as {@code key=value|value}: all seeds run for each combination, up to the
+   * first one with a bad run. A key of
    * a setting ({@code messageLoss=0|0.3}) is set before the method is called; others are for the
    * method, which finds them in a parameter {@link Cell}.
    */

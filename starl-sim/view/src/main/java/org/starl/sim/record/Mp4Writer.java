@@ -69,10 +69,16 @@ final class Mp4Writer implements AnimationRecorder.FrameWriter {
   public void close() throws IOException {
     try (out) {
       if (encoder != null && channel != null && file != null) {
-        encoder.finish();
-        channel.close();
+        try {
+          encoder.finish();
+        } finally {
+          channel.close();
+        }
         Files.copy(file, out);
-        Files.delete(file);
+      }
+    } finally {
+      if (file != null) {
+        Files.deleteIfExists(file);
       }
     }
   }

@@ -54,10 +54,12 @@ public final class SequenceChart implements SimObserver {
           + ".sequence .decisive .msg{stroke-width:3px;stroke:var(--alarm)}"
           + ".sequence .decisive text{font-weight:bold}";
 
+  private static final int SENT_PER_ROW = 100;
+
   private final int mostRows;
   private final ArrayDeque<TraceEvent> last = new ArrayDeque<>();
   private final List<TraceEvent> kept = new ArrayList<>();
-  private final Map<String, Long> sentNs = new LinkedHashMap<>();
+  private final Map<String, Long> sentNs;
   private @Nullable Delivered decisive;
   private String problem = "";
 
@@ -67,6 +69,16 @@ public final class SequenceChart implements SimObserver {
 
   SequenceChart(int mostRows) {
     this.mostRows = mostRows;
+    // A message that is under way for longer shows no beginning.
+    sentNs =
+        new LinkedHashMap<>() {
+          private static final long serialVersionUID = 1;
+
+          @Override
+          protected boolean removeEldestEntry(Map.Entry<String, Long> eldest) {
+            return size() > SENT_PER_ROW * mostRows;
+          }
+        };
   }
 
   @Override
@@ -211,7 +223,7 @@ public final class SequenceChart implements SimObserver {
                 y,
                 RunPage.millis(event.timeNs()),
                 event.robot(),
-                from(event),
+                escaped(from(event)),
                 escaped(channel)));
     String time = seconds(event.timeNs());
     text(svg, 4, 15, " class=\"time\"", LEFT, time, time);

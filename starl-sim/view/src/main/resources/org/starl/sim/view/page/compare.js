@@ -36,7 +36,7 @@
   $('time').oninput = () => { pause(); seek(Number($('time').value)); };
   $('difference').onclick = () => { pause(); seek(atMs); };
 
-  addEventListener('message', ({ source, data }) => {
+  function heard({ source, data }) {
     if (!frames.some(frame => frame.contentWindow === source) || typeof data?.nowMs !== 'number') return;
     if (begun.size === frames.length) {
       pause();
@@ -48,5 +48,7 @@
         document.documentElement.dataset.ready = 'true';
       }
     }
-  });
+  }
+  early.forEach(heard); // of players that were ready before this script
+  addEventListener('message', heard);
 })();

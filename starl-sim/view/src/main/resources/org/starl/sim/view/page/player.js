@@ -16,7 +16,7 @@
       let hasBegun = false;
       events.onopen = () => lacks(leftOut);
       events.onerror = () => lacks(events.readyState === EventSource.CLOSED
-        ? 'The server has this run no more: this is what came before' : 'No connection to the server: the run may go on');
+        ? 'The server no longer has this run. This page shows what it received before' : 'No connection to the server. The run may still continue');
       events.addEventListener('begin', event => {
         if (hasBegun) location.reload();
         hasBegun = true;
