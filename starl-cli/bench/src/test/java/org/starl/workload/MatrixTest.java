@@ -26,7 +26,9 @@ import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.ledger.LedgerSpec;
 import org.starl.primitives.motion.MotionSpec;
+import org.starl.primitives.mutex.ModesConformance;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.PipelineConformance;
 import org.starl.primitives.paths.TubesSpec;
@@ -46,16 +48,18 @@ class MatrixTest {
   /** By the name of the workload that has the specification already. */
   private static final SortedMap<String, Function<SimSettings, Monitor>> SPECS =
       new TreeMap<>(
-          Map.of(
-              "agreement", settings -> new AgreementSpec(),
-              "barrier", settings -> new BarrierSpec(),
-              "election", settings -> new ElectionSpec(),
-              "geocast", settings -> new GeocastSpec(),
-              "motion", settings -> new MotionSpec(settings.motionParameters(0)),
-              "mutex", settings -> new MutexSpec(),
-              "mutex of sequences", settings -> new PipelineConformance(),
-              "paths", settings -> new TubesSpec(),
-              "registration", settings -> new RegistrationSpec()));
+          Map.<String, Function<SimSettings, Monitor>>ofEntries(
+              entry("agreement", settings -> new AgreementSpec()),
+              entry("barrier", settings -> new BarrierSpec()),
+              entry("election", settings -> new ElectionSpec()),
+              entry("geocast", settings -> new GeocastSpec()),
+              entry("ledger", settings -> new LedgerSpec()),
+              entry("motion", settings -> new MotionSpec(settings.motionParameters(0))),
+              entry("mutex", settings -> new MutexSpec()),
+              entry("mutex of modes", settings -> new ModesConformance()),
+              entry("mutex of sequences", settings -> new PipelineConformance()),
+              entry("paths", settings -> new TubesSpec()),
+              entry("registration", settings -> new RegistrationSpec())));
 
   /** Workloads that have another primitive's specification, too. */
   private static final Set<String> OTHERS = Set.of("barrier registration", "mutex registration");
