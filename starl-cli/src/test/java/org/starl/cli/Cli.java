@@ -92,7 +92,8 @@ record Cli(int status, List<String> out, List<String> err) {
         List.of(0, 10, header - 1, header, second - 1, second, second + 99, last, whole.length)) {
       Files.write(file, Arrays.copyOf(whole, kept));
       Cli cli = line(demos, line + " --resume --out", file);
-      assertThat(cli.status()).as("%s", cli).isZero();
+      // Its runs may be bad.
+      assertThat(cli.status()).as("%s", cli).isLessThan(ExitStatus.BAD_INPUT);
       assertThat(Files.readAllBytes(file)).as("after %s bytes", kept).isEqualTo(whole);
     }
   }

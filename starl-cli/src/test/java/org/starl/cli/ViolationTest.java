@@ -170,9 +170,7 @@ class ViolationTest {
     JsonNode run =
         new ObjectMapper().readTree(new InflaterInputStream(new ByteArrayInputStream(bytes)));
     assertThat(run.get("failure").get("headline").asText())
-        .isEqualTo(
-            "throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
-                + " purpose");
+        .isEqualTo("at 1000000000 ns: java.lang.IllegalStateException: thrown on purpose");
   }
 
   /** A scenario with a bug. */
