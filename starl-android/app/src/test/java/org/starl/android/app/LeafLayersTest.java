@@ -47,7 +47,7 @@ class LeafLayersTest {
                       DescribedPredicate.describe(
                           "factories",
                           type ->
-                              List.of("AppFactory", "Request", "RobotProgram")
+                              List.of("AppFactory", "Parameter", "Request", "RobotProgram")
                                   .contains(type.getName().replace("org.starl.apps.", ""))))
                   .or(DescribedPredicate.describe("primitive types", JavaClass::isPrimitive)));
 
