@@ -24,6 +24,11 @@ public record WheelCommand(double linearMmPerS, double angularRadPerS) {
     return linearMmPerS + angularRadPerS * trackMm / 2;
   }
 
+  /** The absolute speed of the faster wheel, with a distance of {@code trackMm} between the wheels. */
+  public double fastestMmPerS(double trackMm) {
+    return Math.max(Math.abs(leftMmPerS(trackMm)), Math.abs(rightMmPerS(trackMm)));
+  }
+
   public boolean isStop() {
     return linearMmPerS == 0 && angularRadPerS == 0;
   }

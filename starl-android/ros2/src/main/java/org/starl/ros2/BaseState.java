@@ -48,7 +48,7 @@ final class BaseState {
   @Nullable String odometry(Messages.Odometry odometry, long nowNs) {
     odometryNs = nowNs;
     WheelCommand now = new WheelCommand(odometry.linearMmPerS(), odometry.angularRadPerS());
-    double fastest = Math.max(Math.abs(now.leftMmPerS(axleMm)), Math.abs(now.rightMmPerS(axleMm)));
+    double fastest = now.fastestMmPerS(axleMm);
     boolean wasTold = isSpeedTold;
     isSpeedTold = fastest > (1 + limits.speedError()) * limits.speedMmPerS();
     return isSpeedTold && !wasTold

@@ -27,18 +27,18 @@ final class OdometryWay {
     maxMmPerS = (1 + limits.speedError()) * limits.speedMmPerS();
   }
 
-  /** The way so far; null if the message is no continuation of the one before it. */
-  @Nullable CreateTravel add(Messages.Odometry odometry) {
+  /** Takes the next message; returns whether it continues the way. */
+  boolean add(Messages.Odometry odometry) {
     Pose before = last;
     Pose now = odometry.pose();
     long elapsedNs = odometry.stampNs() - lastNs;
     last = now;
     lastNs = odometry.stampNs();
     if (before == null || now == null || elapsedNs <= 0) {
-      return null;
+      return false;
     }
     if (before.at().distanceMm(now.at()) > ROOM * maxMmPerS * Time.seconds(elapsedNs) + ROOM_MM) {
-      return null;
+      return false;
     }
     double turnRad = Angles.difference(now.headingRad(), before.headingRad());
     double middleRad = before.headingRad() + turnRad / 2;
@@ -46,7 +46,7 @@ final class OdometryWay {
         (now.xMm() - before.xMm()) * StrictMath.cos(middleRad)
             + (now.yMm() - before.yMm()) * StrictMath.sin(middleRad);
     travel = new CreateTravel(travel.forwardMm() + forwardMm, travel.turnedRad() + turnRad);
-    return travel;
+    return true;
   }
 
   /** The way so far. */

@@ -122,15 +122,14 @@ final class RosBase implements Wheelbase {
 
   // With the guard held.
   private void travel(Messages.Odometry odometry) {
-    boolean isContinued = way.add(odometry) != null;
+    boolean isContinued = way.add(odometry);
     if (odometer != null) {
       if (!isContinued) {
         odometer.lost();
       }
-      double fastestMmPerS =
-          Math.max(Math.abs(sent.leftMmPerS(axleMm)), Math.abs(sent.rightMmPerS(axleMm)));
       odometer.lifted(state.isLifted());
-      odometer.travelled(clock.nowNs(), way.travel(), fastestMmPerS, state.bumps().any());
+      odometer.travelled(
+          clock.nowNs(), way.travel(), sent.fastestMmPerS(axleMm), state.bumps().any());
     }
   }
 

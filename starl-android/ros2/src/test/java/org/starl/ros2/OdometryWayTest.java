@@ -48,7 +48,7 @@ class OdometryWayTest {
     double turnedSinceMessage = 0;
     double errorMm = 0;
     long nowNs = 1;
-    assertThat(way.add(message(nowNs, pose))).isNull();
+    assertThat(way.add(message(nowNs, pose))).isFalse();
     for (Step step : drive) {
       double middle = pose.headingRad() + step.turnRad / 2;
       pose =
@@ -63,7 +63,8 @@ class OdometryWayTest {
       // A message that was lost leaves a chord in place of an arc.
       errorMm += Math.abs(step.forwardMm) * turnedSinceMessage;
       if (!step.isLost) {
-        CreateTravel travel = way.add(message(nowNs, pose));
+        assertThat(way.add(message(nowNs, pose))).isTrue();
+        CreateTravel travel = way.travel();
         assertThat(travel.forwardMm()).isCloseTo(forwardMm, within(errorMm + 1e-6));
         assertThat(travel.turnedRad()).isCloseTo(turnedRad, within(1e-9));
         turnedSinceMessage = 0;
@@ -75,11 +76,12 @@ class OdometryWayTest {
   void aStepThatNoWheelsMakeIsANewBeginning() {
     OdometryWay way = new OdometryWay(LIMITS);
     way.add(message(1, new Pose(0, 0, 0)));
-    assertThat(way.add(message(1 + PERIOD_NS, new Pose(200, 0, 0)))).isNull();
-    assertThat(way.add(message(1 + 2 * PERIOD_NS, new Pose(210, 0, 0))).forwardMm()).isEqualTo(10);
-    assertThat(way.add(message(1 + 2 * PERIOD_NS, new Pose(220, 0, 0)))).isNull(); // the same time
-    assertThat(way.add(message(1 + 3 * PERIOD_NS, null))).isNull();
-    assertThat(way.add(message(1 + 4 * PERIOD_NS, new Pose(230, 0, 0)))).isNull();
+    assertThat(way.add(message(1 + PERIOD_NS, new Pose(200, 0, 0)))).isFalse();
+    assertThat(way.add(message(1 + 2 * PERIOD_NS, new Pose(210, 0, 0)))).isTrue();
+    assertThat(way.travel().forwardMm()).isEqualTo(10);
+    assertThat(way.add(message(1 + 2 * PERIOD_NS, new Pose(220, 0, 0)))).isFalse(); // the same time
+    assertThat(way.add(message(1 + 3 * PERIOD_NS, null))).isFalse();
+    assertThat(way.add(message(1 + 4 * PERIOD_NS, new Pose(230, 0, 0)))).isFalse();
   }
 
   private static Messages.Odometry message(long stampNs, Pose pose) {

@@ -26,8 +26,7 @@ final class WheelLimit {
 
   /** The possible fraction of the commanded speeds, the same for both wheels to keep the curve. */
   static double factor(WheelCommand command, double axleMm, double maxMmPerS) {
-    double fastest =
-        Math.max(Math.abs(command.leftMmPerS(axleMm)), Math.abs(command.rightMmPerS(axleMm)));
+    double fastest = command.fastestMmPerS(axleMm);
     return fastest > maxMmPerS ? maxMmPerS / fastest : 1;
   }
 }
