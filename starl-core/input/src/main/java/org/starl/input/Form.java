@@ -163,7 +163,7 @@ public sealed interface Form {
       }
       case Choice choice -> {
         if (!choice.values().contains(text.trim())) {
-          throw notA(form, text);
+          throw Quantities.notA(text, expected(form));
         }
         yield text.trim();
       }
@@ -174,13 +174,9 @@ public sealed interface Form {
 
   private static double within(Form form, String text, double value, double least, double most) {
     if (value < least || value > most) {
-      throw notA(form, text);
+      throw Quantities.notA(text, expected(form));
     }
     return value;
-  }
-
-  private static BadInput notA(Form form, String text) {
-    return new BadInput(BadInput.quote(text) + ": expected " + expected(form));
   }
 
   static Form whole(long least, long most) {

@@ -266,7 +266,8 @@ public final class Quantities {
     return matcher;
   }
 
-  private static BadInput notA(String text, String expected) {
+  /** {@code '2': expected a number from 0 to 1}. */
+  static BadInput notA(String text, String expected) {
     return new BadInput(BadInput.quote(text) + ": expected " + expected);
   }
 }
