@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import org.starl.apps.Demo;
 import org.starl.cli.report.CiPage;
 import org.starl.cli.report.SeedRow;
@@ -85,11 +84,12 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
     Path folder = Path.of(out);
     Files.createDirectories(folder.resolve("bad"));
     long endNs = System.nanoTime() + budgetNs;
+    String classes = GoodSeeds.classes();
     JunitXml junit = new JunitXml();
     List<CiPage.Row> rows = new ArrayList<>();
     for (Job job : jobs) {
       long shareNs = (endNs - System.nanoTime()) / (jobs.size() - rows.size());
-      rows.add(new Part(job, folder, junit).run(shareNs));
+      rows.add(new Part(job, folder, junit).run(shareNs, classes));
       write(folder.resolve("junit.xml"), junit::write);
       byte[] page = CiPage.of(rows).getBytes(StandardCharsets.UTF_8);
       write(folder.resolve("index.html"), stream -> stream.write(page));
@@ -163,13 +163,12 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
       this.junit = junit;
     }
 
-    CiPage.Row run(long shareNs) throws InterruptedException, IOException {
+    CiPage.Row run(long shareNs, String classes) throws InterruptedException, IOException {
       long untilNs = System.nanoTime() + (long) (SEEDS_PART * shareNs);
       Seeds.Range all = new Seeds.Range(1, MOST_SEEDS);
       SeedWork work = SeedWork.campaign(job.request, all, Ending.NEVER);
-      String code = GoodSeeds.digest(ShardHeader.settings(job.request).values());
-      GoodSeeds good = GoodSeeds.of(folder.resolve("good"), job.name, work, code);
-      removeOld();
+      GoodSeeds good = GoodSeeds.of(folder.resolve("good"), job.name, work, classes);
+      GoodSeeds.removeOthers(folder.resolve("bad"), job.name, "-[0-9]+\\.[a-z]+", null);
       List<SeedRow> earlier = List.copyOf(good.rows().values());
       out().println(job.name + ": " + earlier.size() + " good seeds of an earlier run");
       CampaignTally tally = new CampaignTally(SteeredRuns.mayFollow(job.request));
@@ -248,18 +247,6 @@ final class CiCommand extends BaseCommand implements Callable<Integer> {
         work.runSeeds(new Seeds.Range(next, MOST_SEEDS), how, true, isLast);
       }
       return taken;
-    }
-
-    /** Removes the files of bad runs of an earlier command. */
-    private void removeOld() throws IOException {
-      try (Stream<Path> files = Files.list(folder.resolve("bad"))) {
-        for (Path old : files.toList()) {
-          String name = String.valueOf(old.getFileName());
-          if (name.matches("\\Q" + job.name + "\\E-[0-9]+\\.[a-z]+")) {
-            Files.delete(old);
-          }
-        }
-      }
     }
 
     /** Prints a bad run and writes its files at once. */

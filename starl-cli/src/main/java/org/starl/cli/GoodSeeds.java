@@ -6,17 +6,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 
@@ -44,10 +43,15 @@ final class GoodSeeds {
    * The seeds of this work that an earlier command saved.
    *
    * @param name of the work, part of a file's name
-   * @param classes a digest of the code
+   * @param classes {@link #classes()}
    */
   static GoodSeeds of(Path folder, String name, SeedWork work, String classes) throws IOException {
-    String digest = work.keys().getFirst() + "-" + classes;
+    List<String> inputs =
+        ShardHeader.settings(work.points().getFirst()).values().stream()
+            .filter(GoodSeeds::isFile)
+            .sorted()
+            .toList();
+    String digest = work.keys().getFirst() + "-" + digest(classes, inputs);
     GoodSeeds seeds = new GoodSeeds(folder, name, folder.resolve(name + "-" + digest + ".rows"));
     if (Files.exists(seeds.file)) {
       int number = 0;
@@ -72,15 +76,27 @@ final class GoodSeeds {
 
   /** Replaces the app's files. */
   void save() throws IOException {
-    Files.createDirectories(folder);
-    List<String> lines = rows.values().stream().map(SeedRow::line).toList();
-    Path part = folder.resolve("." + file.getFileName() + ".part");
-    Files.write(part, lines, StandardCharsets.UTF_8);
-    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    try (OutputFile output = new OutputFile("--out", file.toString())) {
+      for (SeedRow row : rows.values()) {
+        output.stream().write((row.line() + "\n").getBytes(StandardCharsets.UTF_8));
+      }
+    }
+    removeOthers(folder, app, "-[0-9a-f]+-[0-9a-f]+\\.rows", file);
+  }
+
+  /**
+   * Removes the files of an app from a folder.
+   *
+   * @param rest a regular expression of their names after the app's
+   * @param kept is not removed; null for none
+   */
+  static void removeOthers(Path folder, String app, String rest, @Nullable Path kept)
+      throws IOException {
+    Pattern names = Pattern.compile(Pattern.quote(app) + rest);
     try (Stream<Path> files = Files.list(folder)) {
       for (Path old : files.toList()) {
-        String name = String.valueOf(old.getFileName());
-        if (name.matches("\\Q" + app + "\\E-[0-9a-f]+-[0-9a-f]+\\.rows") && !old.equals(file)) {
+        boolean isOfApp = names.matcher(String.valueOf(old.getFileName())).matches();
+        if (isOfApp && !old.equals(kept)) {
           Files.delete(old);
         }
       }
@@ -88,24 +104,24 @@ final class GoodSeeds {
   }
 
   /**
-   * A digest of all classes and files of the class path, of the files and folders that settings name,
-   * and of Java's version.
+   * A digest of all classes and files of the class path, and of Java's version.
    *
-   * @param values of the settings
    * @throws BadInput if one cannot be read
    */
-  static String digest(Collection<String> values) {
+  static String classes() {
+    String separator = Pattern.quote(System.getProperty("path.separator"));
+    String path = System.getProperty("java.class.path");
+    return digest(Runtime.version().toString(), List.of(path.split(separator, -1)));
+  }
+
+  /** A digest of a text, and of the files and the folders' files at these paths. */
+  private static String digest(String text, List<String> paths) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      digest.update(Runtime.version().toString().getBytes(StandardCharsets.UTF_8));
-      String separator = System.getProperty("path.separator");
-      String path = System.getProperty("java.class.path");
-      List<String> entries = new ArrayList<>(List.of(path.split(Pattern.quote(separator), -1)));
-      values.stream().filter(GoodSeeds::isFile).sorted().forEach(entries::add);
-      for (String entry : entries) {
-        for (Path file : files(Path.of(entry))) {
-          digest.update(
-              Path.of(entry).relativize(file).toString().getBytes(StandardCharsets.UTF_8));
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+      for (String path : paths) {
+        for (Path file : files(Path.of(path))) {
+          digest.update(Path.of(path).relativize(file).toString().getBytes(StandardCharsets.UTF_8));
           digest.update(Files.readAllBytes(file));
         }
       }
@@ -113,7 +129,7 @@ final class GoodSeeds {
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException(e);
     } catch (IOException | UncheckedIOException e) {
-      throw new BadInput("the class path cannot be read: " + e.getMessage());
+      throw new BadInput("a file of the class path or of a setting: " + e.getMessage());
     }
   }
 

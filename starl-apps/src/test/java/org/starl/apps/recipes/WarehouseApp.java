@@ -160,7 +160,7 @@ final class WarehouseApp extends LogicThread {
     carried.add(task.number());
   }
 
-  /** Where it is in nobody's way. */
+  /** Where it blocks no other robot. */
   private ItemPosition place() {
     boolean isEast = WarehouseFloor.isEast(gvh.gps.pose());
     return isEast ? WarehouseFloor.bay(number) : WarehouseFloor.home(number);
