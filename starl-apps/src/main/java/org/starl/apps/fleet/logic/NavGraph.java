@@ -1,0 +1,55 @@
+package org.starl.apps.fleet.logic;
+
+import java.util.List;
+import org.starl.geometry.Point;
+
+/**
+ * A navigation graph: places on the floor, and lanes along which robots drive between them. Both are
+ * numbered by their place in the list.
+ *
+ * @param vertices places; each name is unique
+ * @param lanes one for each direction that may be driven
+ */
+public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
+
+  /**
+   * A place where one robot may stand.
+   *
+   * @param at on the floor, in mm
+   * @param isCharger whether a robot can charge there
+   * @param isStation whether loads are picked up and put down there
+   * @param isParking whether a robot without work may wait there
+   */
+  public record Vertex(
+      String name, Point at, boolean isCharger, boolean isStation, boolean isParking) {}
+
+  /**
+   * A straight way in one direction.
+   *
+   * @param from number of the vertex where it begins
+   * @param to number of the vertex where it ends
+   * @param group lanes of one group are used by one robot at a time; empty for none
+   */
+  public record Lane(int from, int to, String group) {}
+
+  public NavGraph {
+    vertices = List.copyOf(vertices);
+    lanes = List.copyOf(lanes);
+    for (Lane lane : lanes) {
+      if (!isVertex(lane.from(), vertices)
+          || !isVertex(lane.to(), vertices)
+          || lane.from() == lane.to()) {
+        throw new IllegalArgumentException("not a lane between two vertices: " + lane);
+      }
+    }
+  }
+
+  private static boolean isVertex(int number, List<Vertex> vertices) {
+    return number >= 0 && number < vertices.size();
+  }
+
+  /** Length of a lane in mm. */
+  public double lengthMm(Lane lane) {
+    return vertices.get(lane.from()).at().distanceMm(vertices.get(lane.to()).at());
+  }
+}
