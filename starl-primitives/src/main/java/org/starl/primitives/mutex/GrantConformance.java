@@ -177,7 +177,10 @@ abstract class GrantConformance<S, A extends Action>
         if (!isWaiting(run, i)) {
           // Its id was given up, and enters what others still leave to it, as if it resumed.
           SortedSet<String> isHeld = Sections.union(crit(run, i), rest(run, i));
-          ask(run, event, List.copyOf(Sections.without(access.held(), isHeld)), report);
+          SortedSet<String> more = Sections.without(access.held(), isHeld);
+          if (!more.isEmpty()) {
+            ask(run, event, List.copyOf(more), report);
+          }
         }
         for (String z : List.copyOf(theory.asked(i, run.replay.state()))) {
           if (access.held().contains(z)) {

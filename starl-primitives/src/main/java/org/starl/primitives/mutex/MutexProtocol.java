@@ -750,10 +750,13 @@ class MutexProtocol {
 
   /** How many of the sections that it waits for it may hold now, from the first. */
   private int grantable() {
+    if (isOccupied()) {
+      // Not what lies before a ghost's section either: the way of a robot that was removed wrongly may
+      // lead there from the other side.
+      return 0;
+    }
     int free = 0;
-    while (free < waiting.size()
-        && !isOccupied(waiting.get(free))
-        && hasConsents(waiting.get(free))) {
+    while (free < waiting.size() && hasConsents(waiting.get(free))) {
       free++;
     }
     // While the view has a ghost, a request that holds nothing is granted only as a whole: else it

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.membership.Short;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.ModesAutomaton.States;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport.Violation;
@@ -53,6 +55,20 @@ class ModesConformanceTest {
     event(new MutexFact.Release(J, 1, Short.sections("A/e"), Short.sections("")));
     enters(K, "A/w");
     assertThat(run.steps()).contains("grant(i, A/e, 0)", "grant(j, A/e, 0)", "grant(k, A/w, 0)");
+    assertThat(run.report().violations()).isEmpty();
+  }
+
+  @Test
+  void aRemovedProcessMayEnterWhatItsEarlierOneHeld() {
+    enters(I, "A/e");
+    ProcessId next = ProcessId.first(I.robot(), 2);
+    run.has(new TraceEvent.Fault(0, I.robot(), TraceEvent.Fault.RESTART, ""));
+    event(new MutexFact.StandsIn(next, Short.sections("A/e")));
+    SortedSet<String> sections = Short.sections("A/e");
+    event(
+        new MutexFact.DoMutex(next, 1, 1, sections, List.of("A/e"), true, new TreeSet<>(Set.of(J))));
+    event(new MutexFact.Learned(J, View.closed(List.of(J)).next()));
+    event(new MutexFact.OdMutex(next, 1, sections));
     assertThat(run.report().violations()).isEmpty();
   }
 

@@ -191,6 +191,18 @@ class MutexSpecTest {
   }
 
   @Test
+  void aPromiseIsNotForWhatTheOtherOneHoldsAlready() {
+    event(0, new MutexFact.DoMutex(I, 1, 5, set("A B"), List.of("A", "B"), false, ids(I, J, K)));
+    enter(1, I, "A");
+    ask(2, J, 4, "A");
+    event(3, new MutexFact.Grant(J, I, 1));
+    assertThat(monitors.report().violations(MutexSpec.PROMISE)).isZero();
+    ask(4, K, 3, "B");
+    event(5, new MutexFact.Grant(K, I, 1));
+    assertThat(finish(6).violations(MutexSpec.PROMISE)).isEqualTo(1);
+  }
+
+  @Test
   void aLaterRequestWithALowerTimeViolatesPromise() {
     ask(0, I, 5, "A");
     event(1, new MutexFact.Grant(J, I, 1));

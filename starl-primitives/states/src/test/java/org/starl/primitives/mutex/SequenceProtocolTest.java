@@ -217,6 +217,16 @@ class SequenceProtocolTest {
   }
 
   @Test
+  void aHolderTakesNothingOnItsWayToAGhost() {
+    holdsFirst("x", "y", "g");
+    b.learn(b.view().next().confined(C, sections("g")));
+    hears(new Ok(A, B, 1));
+    assertThat(b.held()).as("the ghost's way may lead through y").containsExactly("x");
+    b.learn(b.view().next().confined(C, Sections.NONE));
+    assertThat(b.held()).containsExactly("g", "x", "y");
+  }
+
+  @Test
   void aSetAndASequenceExcludeEachOther() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x", "y"), 0);
