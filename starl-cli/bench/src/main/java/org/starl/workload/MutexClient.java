@@ -17,6 +17,7 @@ import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
+import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.mutex.PipelinePrim;
@@ -253,6 +254,12 @@ final class MutexClient extends Client {
       giveUpWithOthers(reg);
     }
     await(this::isAnswered);
+    while (mux.failure().get() == MutexFailure.LATE) { // a calm world has these, too
+      pause(rng.nextLong(0, THINK_MS));
+      prepare();
+      request();
+      await(this::isAnswered);
+    }
     return mux.od_mutex();
   }
 

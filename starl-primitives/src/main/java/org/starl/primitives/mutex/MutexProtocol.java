@@ -751,7 +751,8 @@ class MutexProtocol {
   /** How many of the sections that it waits for it may hold now, from the first. */
   private int grantable() {
     if (isOccupied()) {
-      // Not what lies before a ghost's section either: the way of a robot that was removed wrongly may
+      // Not what lies before a ghost's section either: the way of a robot that was removed wrongly
+      // may
       // lead there from the other side.
       return 0;
     }

@@ -66,7 +66,8 @@ class ModesConformanceTest {
     event(new MutexFact.StandsIn(next, Short.sections("A/e")));
     SortedSet<String> sections = Short.sections("A/e");
     event(
-        new MutexFact.DoMutex(next, 1, 1, sections, List.of("A/e"), true, new TreeSet<>(Set.of(J))));
+        new MutexFact.DoMutex(
+            next, 1, 1, sections, List.of("A/e"), true, new TreeSet<>(Set.of(J))));
     event(new MutexFact.Learned(J, View.closed(List.of(J)).next()));
     event(new MutexFact.OdMutex(next, 1, sections));
     assertThat(run.report().violations()).isEmpty();
