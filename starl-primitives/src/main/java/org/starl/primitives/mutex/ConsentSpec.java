@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.membership.Liveness;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
@@ -48,6 +49,8 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   private final Within<Asker> behindGhosts;
   private final Within<List<ProcessId>> behindDead;
   private final Liveness liveness = new Liveness();
+  // By the name that a mutex shares with its registration: those that decide its views.
+  private final Map<String, Collection<RobotId>> voters = new TreeMap<>();
   private boolean isRealTime;
 
   /**
@@ -66,7 +69,12 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   static final class Group {
     private final Map<ProcessId, Asker> askers = new TreeMap<>();
     private final Set<RobotId> robots = new TreeSet<>();
+    private final String xid;
     private boolean hasMessages;
+
+    private Group(String xid) {
+      this.xid = xid;
+    }
 
     private Asker of(ProcessId who) {
       return askers.computeIfAbsent(who, Asker::new);
@@ -164,7 +172,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
   @Override
   protected Group begin(Instance source) {
-    return new Group();
+    return new Group(source.xid());
   }
 
   @Override
@@ -252,6 +260,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
         await(mutex, asker, delivered.timeNs());
       }
       case Fault fault -> isRealTime |= fault.isRealTime();
+      case TraceEvent.Action action
+          when action.fact() instanceof AgreementFact.Acceptors acceptors ->
+          voters.put(action.source().xid(), acceptors.robots());
       default -> {}
     }
   }
@@ -327,12 +338,13 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     if (!liveness.isDead(id) || !view.contains(id)) {
       return false;
     }
-    long up = mutex.robots.stream().filter(liveness::isUp).count();
+    Collection<RobotId> deciding = voters.getOrDefault(mutex.xid, mutex.robots);
+    long up = deciding.stream().filter(liveness::isUp).count();
     boolean hasFencer =
         view.admitted().entrySet().stream()
             .anyMatch(other ->
                 !liveness.isDead(other.getKey()) && other.getValue() <= view.admittedBy(id));
-    return hasFencer && 2 * up > mutex.robots.size();
+    return hasFencer && 2 * up > deciding.size();
   }
 
   /** Ends the requests of dead participants, and looks at what others wait for. */

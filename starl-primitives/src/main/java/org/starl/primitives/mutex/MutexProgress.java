@@ -28,8 +28,11 @@ final class MutexProgress {
     /** Whether a crash, a ghost or a fault may delay the request. */
     boolean isImpeded(Request request);
 
-    /** Whether the request is owed nothing: its participant is dead or removed. */
+    /** Whether the request is over, and keeps nobody waiting: of a dead or removed participant. */
     boolean isOwedNothing(Request request);
+
+    /** Whether its participant is dead: it is owed nothing, even if it keeps others waiting. */
+    boolean isDead(Request request);
   }
 
   private final Requests requests;
@@ -102,7 +105,7 @@ final class MutexProgress {
   /** Updates all assumptions after a change of views, faults or needed consents. */
   void look(long nowNs) {
     for (Request request : new ArrayList<>(ahead.keySet())) {
-      if (assumptions.isOwedNothing(request)) {
+      if (assumptions.isDead(request) || assumptions.isOwedNothing(request)) {
         ahead.remove(request);
         settle(request);
       }

@@ -331,6 +331,11 @@ final class MutexRecord {
     }
 
     @Override
+    public boolean isDead(Requests.Request request) {
+      return liveness.isDead(request.who);
+    }
+
+    @Override
     public boolean isOwedNothing(Requests.Request request) {
       return (listed.contains(request.who) && !last.contains(request.who))
           || (liveness.isDead(request.who) && !request.holds());

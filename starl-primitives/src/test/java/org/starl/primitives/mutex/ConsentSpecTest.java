@@ -9,6 +9,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitors;
@@ -122,6 +123,26 @@ class ConsentSpecTest {
     ok(1, J, I, 1);
     monitors.finish(22);
     assertThat(monitors.report().violations("mutex.Served")).isEqualTo(1);
+  }
+
+  @Test
+  void theAcceptorsOfTheRegistrationDecideAlsoWithoutAMutex() {
+    List<RobotId> acceptors =
+        List.of(I.robot(), J.robot(), K.robot(), new RobotId("x"), new RobotId("y"));
+    monitors.observe(
+        Action.of(
+            0,
+            I.robot(),
+            Instance.of("registration", MUTEX.xid()),
+            AgreementFact.ACCEPTORS,
+            new AgreementFact.Acceptors(acceptors)));
+    for (RobotId dead : List.of(K.robot(), new RobotId("x"), new RobotId("y"))) {
+      monitors.observe(new Fault(0, dead, Fault.CRASH, ""));
+    }
+    ask(1);
+    ok(1, J, I, 1);
+    monitors.finish(50);
+    assertThat(monitors.report().violations()).isEmpty();
   }
 
   @Test

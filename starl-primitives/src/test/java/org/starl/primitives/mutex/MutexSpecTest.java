@@ -277,6 +277,14 @@ class MutexSpecTest {
   }
 
   @Test
+  void aDeadHolderIsOwedNothingMore() {
+    event(0, new MutexFact.DoMutex(I, 1, 1, set("A B"), List.of("A", "B"), false, ids(J, K)));
+    enter(1, I, "A");
+    monitors.observe(new TraceEvent.Fault(2, I.robot(), "crash", ""));
+    assertThat(finish(200).violations()).isEmpty();
+  }
+
+  @Test
   void everyRequestIsOwedAccessWithinD2() {
     ask(0, K, 1, "A");
     enter(0, K, "A");
