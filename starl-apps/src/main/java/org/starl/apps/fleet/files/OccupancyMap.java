@@ -22,7 +22,7 @@ import org.starl.input.Field;
  * needs an opaque pixel. The image's lower left corner is at {@code origin} in m, turned by its yaw.
  *
  * <p>Stations, and the chargers where robots also park, are by turns the places beside walls that
- * robots need not pass: without all of them the others stay connected.
+ * robots need not pass: without all of them the others stay connected. A charger keeps the lanes of one neighbour.
  */
 final class OccupancyMap {
 
@@ -199,13 +199,25 @@ final class OccupancyMap {
     grid.lanes().forEach(lane -> next.get(lane.from()).add(lane.to()));
     List<Integer> ends = ends(next);
     List<Vertex> places = new ArrayList<>(grid.vertices());
+    List<Lane> lanes = new ArrayList<>(grid.lanes());
     for (int i = 0; i < ends.size(); i++) {
-      Vertex v = places.get(ends.get(i));
+      int end = ends.get(i);
+      Vertex v = places.get(end);
       boolean isStation = i % 2 == 0;
-      places.set(ends.get(i), new Vertex(v.name(), v.at(), !isStation, isStation, !isStation));
+      places.set(end, new Vertex(v.name(), v.at(), !isStation, isStation, !isStation));
+      if (!isStation) {
+        // No way leads through a robot that parks.
+        int neighbour = next.get(end).get(0);
+        lanes.removeIf(lane -> isOther(lane.from(), lane.to(), end, neighbour));
+        lanes.removeIf(lane -> isOther(lane.to(), lane.from(), end, neighbour));
+      }
     }
     return NavGraphs.withStations(
-        new NavGraph(places, grid.lanes()), List.of(Vertex::isStation, v -> true));
+        new NavGraph(places, lanes), List.of(Vertex::isStation, v -> true));
+  }
+
+  private static boolean isOther(int one, int other, int end, int neighbour) {
+    return one == end && other != neighbour;
   }
 
   /** Places at walls, none beside another, without which the others are connected. */

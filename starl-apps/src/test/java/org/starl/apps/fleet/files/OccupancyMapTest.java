@@ -236,6 +236,9 @@ class OccupancyMapTest {
         passable.add(v);
       }
     }
+    for (int v = 0; v < next.size(); v++) {
+      assertThat(next.get(v)).hasSizeLessThanOrEqualTo(graph.vertices().get(v).isCharger() ? 1 : 4);
+    }
     if (passable.isEmpty()) {
       return; // a part so small that each place is a station
     }
