@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
+import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.input.BadInput;
@@ -27,14 +28,6 @@ public final class Deliveries {
 
   private static final String EXPECTED = "expected a list of deliveries";
   private static final int LONGEST_STEP = 100_000_000;
-
-  /**
-   * A load to be carried.
-   *
-   * @param atMs when it is known, since the start
-   * @param from and {@code to}: numbers of two vertices
-   */
-  public record Delivery(long atMs, int from, int to) {}
 
   private final String file;
   private final NavGraph graph;

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.apps.fleet.files.Deliveries.Delivery;
+import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.geometry.Point;
