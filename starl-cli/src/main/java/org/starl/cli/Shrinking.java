@@ -164,32 +164,16 @@ final class Shrinking {
     return words;
   }
 
-  /** A signal has come. */
-  private static final class Stopped extends RuntimeException {
-    private static final long serialVersionUID = 1;
-  }
-
   /** The smallest run, or the smallest up to a signal. */
   private Shrink.Result shrunk(PrintWriter err, UntilStopped stop) {
     stop.endsWhenAsked();
-    Shrink.Result[] smallest = new Shrink.Result[1];
-    try {
-      return new Shrink(
-              trial -> outcome(request(trial).plan(seed), trial),
-              MOST_RUNS,
-              (run, trial, outcome, isKept) -> {
-                err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept));
-                if (isKept) {
-                  smallest[0] = new Shrink.Result(trial, outcome, List.of(), run, false);
-                }
-                if (stop.isStopped()) {
-                  throw new Stopped();
-                }
-              })
-          .shrink(from);
-    } catch (Stopped e) {
-      return smallest[0];
-    }
+    return new Shrink(
+            trial -> outcome(request(trial).plan(seed), trial),
+            MOST_RUNS,
+            stop::isStopped,
+            (run, trial, outcome, isKept) ->
+                err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept)))
+        .shrink(from);
   }
 
   private List<String> why(Shrink.Result result) throws InterruptedException {

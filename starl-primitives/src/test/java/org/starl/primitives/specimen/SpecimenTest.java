@@ -165,6 +165,7 @@ class SpecimenTest {
         new Shrink(
                 trial -> specimen.run(caught, trial, false),
                 MOST_RUNS,
+                () -> false,
                 (run, trial, outcome, isKept) -> {})
             .shrink(whole);
     Trial least = shrunk.trial();

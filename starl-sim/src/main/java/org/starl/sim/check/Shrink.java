@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
@@ -40,6 +41,7 @@ public final class Shrink {
 
   private final Function<Trial, RunOutcome> runner;
   private final int mostRuns;
+  private final BooleanSupplier isStopped;
   private final Progress progress;
   // Later passes repeat steps of earlier ones.
   private final Map<Trial, RunOutcome> known = new LinkedHashMap<>();
@@ -64,7 +66,7 @@ public final class Shrink {
    * @param cause faults of the run to shrink, without which it is good; empty if none were
    *     found
    * @param runs number of runs executed
-   * @param isSmallest false if the search ended at {@code mostRuns}
+   * @param isSmallest false if the search ended before, at {@code mostRuns} or because it was stopped
    */
   public record Result(
       Trial trial, RunOutcome outcome, List<Fault> cause, int runs, boolean isSmallest) {}
@@ -77,10 +79,16 @@ public final class Shrink {
    *     is a failed run; {@code BadInput} differs from every failure to shrink, so that a trial
    *     that cannot run is rejected
    * @param mostRuns maximum number of runs
+   * @param isStopped asked before each run; no run begins after true
    */
-  public Shrink(Function<Trial, RunOutcome> runner, int mostRuns, Progress progress) {
+  public Shrink(
+      Function<Trial, RunOutcome> runner,
+      int mostRuns,
+      BooleanSupplier isStopped,
+      Progress progress) {
     this.runner = runner;
     this.mostRuns = mostRuns;
+    this.isStopped = isStopped;
     this.progress = progress;
   }
 
@@ -112,9 +120,8 @@ public final class Shrink {
       best = withFewerFaults(best);
       best = withShorterFaults(best);
       best = withEarlierEnd(best);
-    } while (!best.equals(before) && runs < mostRuns);
-    boolean isSmallest = best.equals(before) && runs < mostRuns;
-    return new Result(best.trial(), best.outcome(), cause, runs, isSmallest);
+    } while (!best.equals(before) && !isOver());
+    return new Result(best.trial(), best.outcome(), cause, runs, !isOver());
   }
 
   /** Puts faults back, as many as the run stays good with; the others are the cause. */
@@ -284,10 +291,14 @@ public final class Shrink {
     return outcome == null || outcome.isLike(failure);
   }
 
-  /** Executes a trial, unless its outcome is known; null at the limit of runs. */
+  private boolean isOver() {
+    return runs >= mostRuns || isStopped.getAsBoolean();
+  }
+
+  /** Executes a trial, unless its outcome is known; null at the end of the search. */
   private @Nullable RunOutcome outcome(Trial trial) {
     RunOutcome before = known.get(trial);
-    if (before != null || runs >= mostRuns) {
+    if (before != null || isOver()) {
       return before;
     }
     RunOutcome outcome = run(trial);

@@ -43,7 +43,7 @@ class ShrinkTest {
   }
 
   private static Shrink.Result shrink(Trial from, Function<Trial, RunOutcome> runner) {
-    return new Shrink(runner, 10_000, SILENT).shrink(from);
+    return new Shrink(runner, 10_000, () -> false, SILENT).shrink(from);
   }
 
   private static Function<Trial, RunOutcome> failsIf(Predicate<Trial> isBad) {
@@ -229,6 +229,7 @@ class ShrinkTest {
                 return runner.apply(t);
               },
               10_000,
+              () -> false,
               (run, t, outcome, isKept) -> lines.add(run + " " + t + " " + isKept))
           .shrink(trial(9, 7));
       told.add(lines);
@@ -247,10 +248,29 @@ class ShrinkTest {
                   return violated("Lemma", S);
                 },
                 4,
+                () -> false,
                 SILENT)
             .shrink(trial(9, 7));
     assertThat(runs[0]).isEqualTo(4);
     assertThat(result.runs()).isEqualTo(4);
+    assertThat(result.isSmallest()).isFalse();
+    assertThat(result.outcome().isGood()).isFalse();
+  }
+
+  @Test
+  void noRunBeginsAfterAStopAlsoWhileTheCauseIsSearched() {
+    int[] runs = {0};
+    Shrink.Result result =
+        new Shrink(
+                t -> {
+                  runs[0]++;
+                  return t.faults().isEmpty() ? GOOD : violated("Lemma", S);
+                },
+                10_000,
+                () -> runs[0] == 3,
+                SILENT)
+            .shrink(trial(9, 7));
+    assertThat(runs[0]).isEqualTo(3);
     assertThat(result.isSmallest()).isFalse();
     assertThat(result.outcome().isGood()).isFalse();
   }
