@@ -4,6 +4,7 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.io.IOException;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -62,6 +63,8 @@ final class RosBase implements Wheelbase {
   // Strand only.
   private Runnable receiver = () -> {};
   private Bumps seenBumps = Bumps.NONE;
+  private Consumer<List<CreateHold>> holdReceiver = holds -> {};
+  private List<CreateHold> seenHolds = List.of();
 
   /**
    * @param odometryTopic for messages
@@ -170,6 +173,12 @@ final class RosBase implements Wheelbase {
   }
 
   @Override
+  public void onHolds(Consumer<List<CreateHold>> newReceiver) {
+    holdReceiver = newReceiver;
+    newReceiver.accept(seenHolds);
+  }
+
+  @Override
   public void emergencyStop() {
     update(() -> state.gate().emergencyStop(true));
   }
@@ -252,6 +261,12 @@ final class RosBase implements Wheelbase {
     sentNs = nowNs;
   }
 
+  // On the strand.
+  private void held(List<CreateHold> now) {
+    seenHolds = now;
+    holdReceiver.accept(now);
+  }
+
   // The watchdog's thread.
   private void watch() {
     Set<CreateHold> before = EnumSet.noneOf(CreateHold.class);
@@ -261,7 +276,12 @@ final class RosBase implements Wheelbase {
         update(() -> {});
         Set<CreateHold> last = before;
         guard.get(() -> state.news(last, clock.nowNs(), odometryTopic)).forEach(this::warn);
-        before = holds();
+        Set<CreateHold> now = holds();
+        if (!now.equals(before)) {
+          List<CreateHold> told = List.copyOf(now);
+          strand.post(() -> held(told));
+        }
+        before = now;
       }
     } catch (Throwable bug) {
       emergencyStop();

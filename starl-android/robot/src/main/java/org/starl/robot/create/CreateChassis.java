@@ -65,6 +65,8 @@ public final class CreateChassis implements Wheelbase {
   // Strand only.
   private Runnable receiver = () -> {};
   private Bumps seenBumps = Bumps.NONE;
+  private Consumer<List<CreateHold>> holdReceiver = holds -> {};
+  private List<CreateHold> seenHolds = List.of();
 
   private CreateChassis(
       String name,
@@ -153,6 +155,12 @@ public final class CreateChassis implements Wheelbase {
   }
 
   @Override
+  public void onHolds(Consumer<List<CreateHold>> newReceiver) {
+    holdReceiver = newReceiver;
+    newReceiver.accept(seenHolds);
+  }
+
+  @Override
   public void emergencyStop() {
     update(() -> protocol.emergencyStop(true));
   }
@@ -227,6 +235,12 @@ public final class CreateChassis implements Wheelbase {
     update(() -> {});
   }
 
+  // On the strand.
+  private void held(List<CreateHold> now) {
+    seenHolds = now;
+    holdReceiver.accept(now);
+  }
+
   // The watchdog's thread.
   private void watch() {
     List<CreateHold> logged = List.of();
@@ -243,6 +257,7 @@ public final class CreateChassis implements Wheelbase {
       CreateStatus now = status();
       if (!now.holds().equals(logged)) {
         logHolds(logged, now.holds());
+        strand.post(() -> held(now.holds()));
         logged = now.holds();
       }
       String ofBattery = battery.update(now.sensors());

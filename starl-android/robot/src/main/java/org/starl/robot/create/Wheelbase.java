@@ -57,6 +57,11 @@ public interface Wheelbase extends Chassis, Light, AutoCloseable {
    */
   default void onTravel(TravelReceiver receiver) {}
 
+  /**
+   * Gives what holds the wheels, worst first, on the strand: now, and each time it has changed.
+   */
+  default void onHolds(Consumer<List<CreateHold>> receiver) {}
+
   /** Receives the odometry. */
   interface TravelReceiver {
 

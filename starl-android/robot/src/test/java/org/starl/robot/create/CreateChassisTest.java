@@ -3,6 +3,8 @@ package org.starl.robot.create;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -144,6 +146,19 @@ class CreateChassisTest {
       robot.awaitHolds(CreateHold.EMERGENCY_STOP);
       robot.chassis.release();
       robot.await("drives on", () -> robot.body.leftMmPerS == 200);
+    }
+  }
+
+  @Test
+  void theProgramIsToldWhatHoldsTheWheelsNowAndAtEachChange() {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
+      robot.chassis.emergencyStop();
+      robot.awaitHolds(CreateHold.EMERGENCY_STOP);
+      List<List<CreateHold>> told = new CopyOnWriteArrayList<>();
+      robot.ground.strand().post(() -> robot.chassis.onHolds(told::add));
+      robot.await("told", () -> told.contains(List.of(CreateHold.EMERGENCY_STOP)));
+      robot.chassis.release();
+      robot.await("told of the end", () -> told.getLast().isEmpty());
     }
   }
 
