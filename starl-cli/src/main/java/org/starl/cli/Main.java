@@ -8,6 +8,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.apps.fleet.FleetDemo;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.apps.lightpaint.LightPaintDemo;
@@ -45,6 +46,7 @@ public final class Main implements Runnable {
   static final Demos APPS =
       new Demos(
           List.of(
+              new FleetDemo(),
               new HelloDemo(),
               new IntersectionDemo(),
               new LightPaintDemo(),

@@ -27,6 +27,9 @@ import org.starl.trace.Instance;
  */
 public final class Registration extends SynodPrimitive implements RegPrim, Membership {
 
+  /** Pause after a failed call. */
+  private static final long RETRY_MS = 500;
+
   private final RegistrationProtocol protocol;
   private final GvhCell<RList> rList;
   private final GvhCell<Boolean> failed;
@@ -85,6 +88,10 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
     while (!mayRequest() && gvh.plat.clock.nowNs() < untilNs) {
       do_register();
       gvh.plat.strand.awaitUntil(() -> mayRequest() || failed.get(), untilNs);
+      if (!mayRequest()) { // a full list refuses it at once
+        long againNs = Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS);
+        gvh.plat.strand.sleepUntil(Math.min(againNs, untilNs));
+      }
     }
     return mayRequest();
   }

@@ -1,0 +1,127 @@
+package org.starl.apps.fleet;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.apps.Demo;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
+import org.starl.apps.fleet.logic.Delivery;
+import org.starl.apps.fleet.logic.NavGraph;
+import org.starl.apps.fleet.logic.Roads;
+import org.starl.apps.fleet.robot.FleetFactory;
+import org.starl.apps.fleet.spec.FleetSpec;
+import org.starl.apps.fleet.view.FleetLayer;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
+import org.starl.time.Time;
+import org.starl.trace.Vocabulary;
+
+/** {@code starl run fleet}. */
+public final class FleetDemo implements Demo {
+
+  private static final FleetFactory FACTORY = new FleetFactory();
+  private static final int ROBOTS = 8;
+
+  // A robot that has the floor for itself drives a delivery faster.
+  private static final double SLOWEST_MM_PER_S = 100;
+  private static final long HANDLING_NS = 60 * Time.NS_PER_S;
+
+  @Override
+  public String name() {
+    return FACTORY.name();
+  }
+
+  @Override
+  public String summary() {
+    return "robots deliver loads along the lanes of a warehouse, without a dispatcher";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return FACTORY.parameters();
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FACTORY.vocabulary(request);
+  }
+
+  @Override
+  public Envelope envelope() {
+    return Envelope.MOVING;
+  }
+
+  @Override
+  public Request varied(Request request) {
+    return request.drawRobots(2, 12);
+  }
+
+  @Override
+  public SimSettings.Builder defaultSettings(Request request) {
+    int robots = request.robots().orElse(ROBOTS);
+    NavGraph graph = graph(robots);
+    double bodyMm = SimSettings.defaults().robotRadiusMm();
+    Roads roads = FleetFactory.roads(graph, bodyMm, robots);
+    List<Delivery> deliveries = FleetFactory.drawn(request, graph);
+    long lastNs = deliveries.get(deliveries.size() - 1).atNs() + boundNs(roads, deliveries);
+    return SimSettings.builder()
+        .set(Setting.ROBOTS, robots)
+        .set(Setting.DURATION.key(), lastNs / Time.NS_PER_S + 1 + "s");
+  }
+
+  /** The map. A reader of files belongs here. */
+  private static NavGraph graph(int robots) {
+    return FleetFactory.grid(robots);
+  }
+
+  /** Even if the robots did all deliveries one after the other. */
+  private static long boundNs(Roads roads, List<Delivery> deliveries) {
+    long oneNs = (long) (Time.NS_PER_S * roads.longestMm() / SLOWEST_MM_PER_S) + HANDLING_NS;
+    return (deliveries.size() + 1) * oneNs;
+  }
+
+  @Override
+  public Plan plan(Request request, SimSettings settings) {
+    int robots = request.robots().orElse(settings.robots());
+    NavGraph graph = graph(robots);
+    Roads roads = FleetFactory.roads(graph, settings.robotRadiusMm(), robots);
+    List<Delivery> deliveries = FleetFactory.drawn(request, graph);
+    double rangeMm = FleetFactory.rangeMm(request, roads);
+    FleetStory story = new FleetStory(deliveries);
+    Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
+    fill(simulation, robots, roads, deliveries, rangeMm, boundNs(roads, deliveries));
+    return new Plan(simulation, story, new FleetLayer(roads, deliveries), Obstacles.NONE);
+  }
+
+  /** Adds robots at their homes, and their monitors. */
+  static void fill(
+      Simulation.Builder simulation,
+      int robots,
+      Roads roads,
+      List<Delivery> deliveries,
+      double rangeMm,
+      long boundNs) {
+    RobotProgram program = FleetFactory.program(roads, deliveries, rangeMm);
+    List<RobotId> all = new ArrayList<>();
+    for (int i = 0; i < robots; i++) {
+      all.add(new RobotId(simulation.settings().robotName() + i));
+    }
+    List<RobotId> byName = all.stream().sorted().toList();
+    for (RobotId id : all) {
+      Point home = roads.at(roads.home(byName.indexOf(id)));
+      Pose start = new Pose(home.xMm(), home.yMm(), 0);
+      simulation.robot(new RobotSpec(id, start, true, program.app()));
+    }
+    simulation.monitor(() -> new FleetSpec(roads.graph(), deliveries, boundNs));
+    program.monitors().forEach(simulation::monitor);
+  }
+}

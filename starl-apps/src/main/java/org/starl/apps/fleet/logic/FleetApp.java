@@ -1,0 +1,381 @@
+package org.starl.apps.fleet.logic;
+
+import static org.starl.shape.Shapes.part;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.Persistent;
+import org.starl.apps.fleet.logic.FleetFact.Work;
+import org.starl.body.CollisionPolicy;
+import org.starl.geometry.Angles;
+import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
+import org.starl.primitives.ledger.Allocation;
+import org.starl.primitives.ledger.LedgerCall;
+import org.starl.primitives.ledger.LedgerOutcome;
+import org.starl.primitives.ledger.LedgerPrim;
+import org.starl.primitives.ledger.LedgerSettings;
+import org.starl.primitives.ledger.LedgerTask;
+import org.starl.primitives.ledger.TaskId;
+import org.starl.primitives.ledger.TaskLedger;
+import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.registration.Registration;
+import org.starl.random.Rng;
+import org.starl.shape.Shape;
+import org.starl.shape.Shapes;
+import org.starl.time.Time;
+
+/**
+ * A robot of a fleet: takes deliveries from the ledger, fetches and brings them along the lanes, charges
+ * its battery, and waits at its home. No robot manages the others: the ledger says which robot does a
+ * delivery, the mutex which one is in a section or at a charger.
+ */
+public final class FleetApp extends LogicThread {
+
+  private static final String DELIVERIES = "deliveries";
+  private static final int VOTERS = 5;
+  private static final long PERIOD_MS = 100;
+  private static final long HANDLE_MS = 2_000;
+  private static final long TRY_MS = 60_000;
+  private static final long ROOM_MS = 2_000;
+  private static final long TURN_NS = 15 * Time.NS_PER_S;
+  private static final double SURE_MM = 45;
+  private static final double AT_HOME_MM = 60;
+
+  // A nearer robot claims a delivery before a farther one does, up to this way.
+  private static final double FAR_MM = 40_000;
+  private static final double FAR_MS = 2_000;
+
+  /**
+   * The load of the delivery that this robot has begun.
+   *
+   * @param number of the delivery; 0 for no load
+   * @param isDown whether it is put down
+   */
+  private record Load(long number, boolean isDown) {
+    static final Load NONE = new Load(0, false);
+    static final Shape<Load> SHAPE =
+        Shapes.of(
+            Load.class,
+            part("number", Shapes.LONG, Load::number),
+            part("isDown", Shapes.BOOL, Load::isDown),
+            Load::new);
+  }
+
+  private final Roads roads;
+  private final List<Delivery> deliveries;
+  private final double rangeMm;
+  private final int number;
+  private final int robots;
+  private final int home;
+  private final Registration floorList;
+  private final M_Mutex floor;
+  private final Registration placeList;
+  private final M_Mutex places;
+  private final LedgerPrim<Delivery> ledger;
+  private final Rng rng;
+  private final Persistent<Load> load;
+  private final GvhCell<Work> work;
+  private final GvhCell<List<Integer>> way;
+  private final GvhCell<List<Integer>> lane;
+  private final GvhCell<Long> aboard;
+  private final GvhCell<Long> delivered;
+  private @Nullable LedgerCall adding;
+  private @Nullable Battery battery;
+
+  /**
+   * @param deliveries in the order of their times, the same on all robots
+   * @param rangeMm way on one charge of the battery; 0 for a battery that is never empty
+   */
+  public FleetApp(GlobalVarHolder gvh, Roads roads, List<Delivery> deliveries, double rangeMm) {
+    super(gvh);
+    this.roads = roads;
+    this.deliveries = List.copyOf(deliveries);
+    this.rangeMm = rangeMm;
+    List<RobotId> all = gvh.id.participants().asList();
+    number = all.indexOf(gvh.id.name());
+    robots = all.size();
+    home = roads.home(number);
+    Participants voters = Participants.of(all.subList(0, Math.min(VOTERS, robots)));
+    floorList = new Registration(gvh, "floor", voters);
+    floor = new M_Mutex(gvh, "floor", floorList);
+    placeList = new Registration(gvh, "places", voters);
+    places = new M_Mutex(gvh, "places", placeList);
+    ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LedgerSettings.DEFAULT);
+    rng = gvh.plat.entropy.fork("app");
+    load = gvh.plat.persistent("load", Load.SHAPE, Load.NONE);
+    work = gvh.variable(FleetFact.WORK, Work.STARTS);
+    way = gvh.variable(FleetFact.WAY, List.of());
+    lane = gvh.variable(FleetFact.LANE, List.of());
+    aboard = gvh.variable(FleetFact.ABOARD, 0L);
+    delivered = gvh.variable(FleetFact.DELIVERED, 0L);
+    gvh.plat.moat.setParameters(
+        gvh.plat.moat.parameters().toBuilder()
+            .goalRadiusMm(10)
+            .enableArcing(false)
+            .smallTurnAngleRad(Angles.fromDegrees(1))
+            .collisionPolicy(CollisionPolicy.STOP_ON_COLLISION)
+            .build());
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    every(500, this::addDue);
+    await("a good fix", () -> gvh.gps.errorMm() < SURE_MM);
+    battery = new Battery(gvh, rangeMm);
+    returnHome();
+    await("the ledger", ledger.ready()::get);
+    List<Object> done = new ArrayList<>();
+    while (ledger.added(DELIVERIES) < deliveries.size() || !ledger.tasks().isEmpty()) {
+      SortedSet<TaskId> mine = ledger.held().get(); // also by a call that was told UNKNOWN
+      boolean mayDrive = battery().suffices(roads.longestMm());
+      if (!mayDrive) {
+        charge();
+      } else if (!mine.isEmpty()) {
+        deliver(mine.first(), done);
+      } else {
+        work.set(Work.PARKS);
+        choose();
+        battery().tick(false);
+      }
+    }
+    work.set(Work.ENDS);
+    return done;
+  }
+
+  /** Adds the delivery that is due: this robot if it is its turn, or the next one if that is silent. */
+  private void addDue() {
+    long next = ledger.added(DELIVERIES) + 1;
+    boolean isReady = ledger.ready().get() && (adding == null || adding.isDone());
+    if (!isReady || next > deliveries.size()) {
+      return;
+    }
+    Delivery delivery = deliveries.get((int) next - 1);
+    long lateNs = gvh.plat.clock.nowNs() - delivery.atNs();
+    if (lateNs >= 0 && (next + lateNs / TURN_NS) % robots == number) {
+      adding = ledger.add(new TaskId(DELIVERIES, next), delivery);
+    }
+  }
+
+  /**
+   * Claims the nearest open delivery, if the lists of the mutexes have room for this robot. Of several
+   * robots the nearest one is first, mostly.
+   */
+  private void choose() {
+    Optional<TaskId> next = nearest();
+    LedgerTask<Delivery> its = next.isPresent() ? ledger.tasks().get(next.get()) : null;
+    if (its == null) {
+      leaveLists();
+      sleep(500);
+      return;
+    }
+    sleep(1 + (long) (FAR_MS * Math.min(1, awayMm(its.what()) / FAR_MM)));
+    if (!next.equals(nearest())) {
+      return;
+    }
+    if (placeList.register(ROOM_MS) && floorList.register(ROOM_MS)) {
+      told(ledger.claim(its.id()));
+    } else {
+      leaveLists();
+      sleep(rng.nextLong(ROOM_MS, 10 * ROOM_MS));
+    }
+  }
+
+  /** A robot that parks makes room for others. */
+  private void leaveLists() {
+    for (Registration list : List.of(placeList, floorList)) {
+      while (list.mayRequest()) {
+        list.unregister();
+        await("a list", () -> list.isUnregistered() || list.failed().get());
+      }
+    }
+  }
+
+  private Optional<TaskId> nearest() {
+    return Allocation.nearest(ledger.tasks().values(), this::awayMm);
+  }
+
+  private double awayMm(Delivery delivery) {
+    return roads.at(delivery.pick()).distanceMm(roads.at(home));
+  }
+
+  /** Does a delivery that this robot has claimed or begun, or the part that is left of it. */
+  private void deliver(TaskId task, List<Object> done) {
+    LedgerTask<Delivery> its = ledger.tasks().get(task);
+    if (its == null) {
+      sleep(500);
+      return;
+    }
+    Load onTheWay = new Load(task.number(), false);
+    Load down = new Load(task.number(), true);
+    if (!load.get().equals(down)) {
+      carry(task, its.what(), onTheWay, down);
+    }
+    if (load.get().equals(down)) {
+      while (ledger.tasks().containsKey(task)) {
+        told(ledger.finish(task));
+      }
+      store(Load.NONE);
+      done.add(task.number());
+    }
+  }
+
+  /** Drives to the stations that are left, and home: one journey to each private vertex. */
+  private void carry(TaskId task, Delivery delivery, Load onTheWay, Load down) {
+    List<Integer> stops = new ArrayList<>(List.of(delivery.pick(), delivery.drop(), home));
+    if (isAboard(onTheWay)) {
+      stops.remove(0);
+    } else if (!roads.fits(home, stops)) {
+      stops.remove(1); // then it comes home with the load, and drives on from there
+    }
+    acquire(stops);
+    int at = home;
+    for (List<Integer> part : roads.parts(stops)) {
+      int end = part.get(part.size() - 1);
+      Journey journey = journey(roads.way(at, part), List.of(home, at, end));
+      for (int i = 0; i < part.size(); i++) {
+        int stop = part.get(i);
+        work.set(isAboard(onTheWay) ? Work.CARRIES : stop == home ? Work.RETURNS : Work.FETCHES);
+        drive(journey, roads.way(at, part.subList(0, i + 1)).size() - 1);
+        if (isAboard(onTheWay) && stop == delivery.drop()) {
+          sleep(HANDLE_MS);
+          store(down);
+          aboard.set(0L);
+          delivered.set(task.number());
+        } else if (stop == delivery.pick()
+            && !load.get().equals(down)
+            && told(ledger.begin(task)) == LedgerOutcome.DONE) {
+          sleep(HANDLE_MS);
+          store(onTheWay);
+          aboard.set(task.number());
+        }
+      }
+      leave(at);
+      at = end;
+    }
+  }
+
+  private boolean isAboard(Load onTheWay) {
+    return load.get().equals(onTheWay);
+  }
+
+  /** To its home, from where the body stands after a restart. */
+  private void returnHome() {
+    Point at = gvh.gps.pose().at();
+    if (at.distanceMm(roads.at(home)) < AT_HOME_MM) {
+      if (gvh.id.boot() > 1) {
+        floor.resume(List.of(), List.of());
+        places.standsIn(List.of());
+      }
+      return;
+    }
+    NavGraph.Lane first = roads.laneAt(at, home);
+    List<Integer> own = List.of(home, first.from(), first.to());
+    places.standsIn(sections(own));
+    List<Integer> vertices = new ArrayList<>(List.of(first.from()));
+    vertices.addAll(roads.way(first.to(), List.of(home)));
+    Journey journey = journey(vertices, own);
+    journey.resume(first, roads.occupied(at, gvh.gps.errorMm(), own));
+    drive(journey, journey.end());
+    places.standsIn(List.of());
+  }
+
+  /** The sections of those private vertices that several robots use. */
+  private List<String> sections(List<Integer> vertices) {
+    List<String> sections = new ArrayList<>();
+    for (int vertex : vertices) {
+      if (vertex != home && roads.isPrivate(vertex)) {
+        sections.add("p" + vertex);
+      }
+    }
+    return sections;
+  }
+
+  /** Gets the private vertices at which it will stop, before it drives; then it holds nothing else. */
+  private void acquire(List<Integer> vertices) {
+    List<String> sections = sections(vertices);
+    MutexFailure failure = MutexFailure.NONE;
+    do {
+      if (!sections.isEmpty()) {
+        failure =
+            placeList.register(TRY_MS) ? places.acquire(sections, TRY_MS) : MutexFailure.DEADLINE;
+      }
+    } while (failure != MutexFailure.NONE);
+  }
+
+  /** The body has left a private vertex. */
+  private void leave(int vertex) {
+    List<String> sections = sections(List.of(vertex));
+    if (!sections.isEmpty()) {
+      places.release(sections);
+    }
+  }
+
+  /** Charges at its home, or at a charger. */
+  private void charge() {
+    boolean isAtHome = roads.graph().vertices().get(home).isCharger();
+    int charger = isAtHome ? home : nearestCharger();
+    work.set(Work.PARKS);
+    acquire(List.of(charger));
+    work.set(Work.CHARGES);
+    driveOver(home, charger);
+    while (!battery().isFull()) {
+      sleep(1_000);
+      battery().tick(true);
+    }
+    driveOver(charger, home);
+    leave(charger);
+  }
+
+  private void driveOver(int from, int to) {
+    Journey journey = journey(roads.way(from, List.of(to)), List.of(home, from, to));
+    drive(journey, journey.end());
+  }
+
+  /** The nearest one of those for which fewest robots wait. */
+  private int nearestCharger() {
+    return roads.chargers().stream()
+        .min(
+            Comparator.<Integer>comparingInt(each -> places.contenders("p" + each))
+                .thenComparingDouble(each -> roads.at(each).distanceMm(roads.at(home))))
+        .orElseThrow();
+  }
+
+  private Journey journey(List<Integer> vertices, List<Integer> own) {
+    return new Journey(gvh, roads, floorList, floor, vertices, own, way, lane);
+  }
+
+  private void drive(Journey journey, int until) {
+    while (!journey.step(until)) {
+      sleep(PERIOD_MS);
+      battery().tick(false);
+    }
+  }
+
+  private Battery battery() {
+    Battery its = battery;
+    if (its == null) {
+      throw new IllegalStateException("no battery before the first fix");
+    }
+    return its;
+  }
+
+  private void store(Load value) {
+    load.set(value);
+    await("storage", load::isFlushed);
+  }
+
+  private LedgerOutcome told(LedgerCall call) {
+    await("the ledger", call::isDone);
+    return call.outcome();
+  }
+}

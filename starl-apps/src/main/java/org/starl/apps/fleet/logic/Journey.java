@@ -1,0 +1,229 @@
+package org.starl.apps.fleet.logic;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
+import org.starl.gvh.GvhCell;
+import org.starl.motion.MotionFlag;
+import org.starl.primitives.mutex.PipelinePrim;
+import org.starl.primitives.registration.Registration;
+import org.starl.time.Time;
+
+/**
+ * One drive from a private vertex over stops to another one. It requests all sections of its way as one
+ * sequence, in the order in which the robot needs them first, drives on while it holds what it needs up to
+ * a vertex ahead, and releases each section when the body has left it and does not come back. At its end
+ * it holds nothing. Strand only; from {@code callStarL}, because it waits for a registration.
+ */
+final class Journey {
+
+  private static final long RETRY_NS = Time.NS_PER_S;
+  private static final long REGISTER_MS = 60_000;
+  private static final long PATIENCE_NS = 20 * Time.NS_PER_S;
+  private static final int MOST_BEFORE = 1;
+
+  // Vertices on a straight line are passed without a stop. On a long one a robot misses its lane by
+  // more.
+  private static final double LONGEST_MM = 4_000;
+  private static final double STRAIGHT_MM = 10;
+
+  private final GlobalVarHolder gvh;
+  private final Roads roads;
+  private final Registration reg;
+  private final PipelinePrim mutex;
+  private final Collection<Integer> own;
+  private final GvhCell<List<Integer>> wayAhead;
+  private final GvhCell<List<Integer>> lane;
+  private final List<Integer> vertices;
+  private final List<Point> points = new ArrayList<>();
+  private final List<List<String>> needs;
+  private final long begunNs;
+  private int passed; // the robot is between this point and the next one
+  private @Nullable Point goal;
+  private long retryAtNs;
+  private long askAtNs;
+
+  /**
+   * @param own the robot's home, and the charger that it uses
+   * @param wayAhead the traced variable {@code way}
+   * @param lane the traced variable {@code lane}
+   */
+  Journey(
+      GlobalVarHolder gvh,
+      Roads roads,
+      Registration reg,
+      PipelinePrim mutex,
+      List<Integer> vertices,
+      Collection<Integer> own,
+      GvhCell<List<Integer>> wayAhead,
+      GvhCell<List<Integer>> lane) {
+    this.gvh = gvh;
+    this.roads = roads;
+    this.reg = reg;
+    this.mutex = mutex;
+    this.own = own;
+    this.wayAhead = wayAhead;
+    this.lane = lane;
+    this.vertices = List.copyOf(vertices);
+    vertices.forEach(vertex -> points.add(roads.at(vertex)));
+    needs = new ArrayList<>(roads.needs(vertices));
+    begunNs = gvh.plat.clock.nowNs();
+    tell();
+  }
+
+  /**
+   * After a restart of the program on the first lane of this way. Call it before the first step.
+   *
+   * @param stands the sections in which the body may be
+   */
+  void resume(NavGraph.Lane first, List<String> stands) {
+    points.set(0, gvh.gps.pose().at());
+    needs.set(0, roads.needs(points.get(0), first));
+    List<String> rest = new ArrayList<>(stands);
+    needsFrom(0).stream().filter(section -> !stands.contains(section)).forEach(rest::add);
+    mutex.resume(stands, rest);
+    needs.set(0, List.copyOf(new LinkedHashSet<>(concat(stands, needs.get(0)))));
+  }
+
+  private static List<String> concat(List<String> one, List<String> other) {
+    List<String> both = new ArrayList<>(one);
+    both.addAll(other);
+    return both;
+  }
+
+  /** The sections that are still needed, from this point on, in the order of the way. */
+  private Set<String> needsFrom(int point) {
+    Set<String> rest = new LinkedHashSet<>();
+    needs.subList(Math.min(point, needs.size()), needs.size()).forEach(rest::addAll);
+    return rest;
+  }
+
+  /** The last point of the way. */
+  int end() {
+    return points.size() - 1;
+  }
+
+  /**
+   * Takes the next step towards a point of the way.
+   *
+   * @return whether the robot stands there; at the end, whether it also has released all
+   */
+  boolean step(int until) {
+    request();
+    if (!gvh.gps.hasFix()) {
+      return false;
+    }
+    advance(until);
+    release();
+    if (passed >= until) {
+      return until < end() || mutex.held().isEmpty();
+    }
+    drive(until);
+    return false;
+  }
+
+  /** Requests what it needs and does not hold, again after a failure. */
+  private void request() {
+    long nowNs = gvh.plat.clock.nowNs();
+    Set<String> rest = needsFrom(passed);
+    boolean isOver = mutex.held().containsAll(rest);
+    boolean isAsked = askAtNs > 0 && !mutex.failed().get();
+    if (isOver || isAsked || nowNs < askAtNs || !mayAsk(rest, nowNs)) {
+      return;
+    }
+    if (reg.register(REGISTER_MS)) {
+      Set<String> all = new LinkedHashSet<>(mutex.held());
+      all.addAll(rest);
+      mutex.doSequence(List.copyOf(all));
+    }
+    askAtNs = gvh.plat.clock.nowNs() + RETRY_NS;
+  }
+
+  /**
+   * Whether asking now holds up few others: a robot that has asked for a section comes before all that ask
+   * later, even while it is far away. Only the first request waits, and not for ever.
+   */
+  private boolean mayAsk(Set<String> rest, long nowNs) {
+    boolean isFirst = askAtNs == 0 && passed == 0;
+    return !isFirst
+        || nowNs - begunNs > PATIENCE_NS
+        || rest.stream().allMatch(section -> mutex.contenders(section) <= MOST_BEFORE);
+  }
+
+  private void advance(int until) {
+    Point at = gvh.gps.pose().at();
+    while (passed < until && goal != null) {
+      Point next = points.get(passed + 1);
+      Point along = next.minus(points.get(passed));
+      boolean isHere =
+          next.equals(goal)
+              ? gvh.plat.moat.motionflag().get() == MotionFlag.DONE
+              : at.minus(next).dot(along) >= 0;
+      if (!isHere) {
+        return;
+      }
+      passed++;
+      goal = next.equals(goal) ? null : goal;
+      tell();
+    }
+  }
+
+  private void tell() {
+    wayAhead.set(vertices.subList(Math.min(passed + 1, vertices.size()), vertices.size()));
+    boolean isDriving = passed < end() && goal != null;
+    lane.set(isDriving ? vertices.subList(passed, passed + 2) : List.of());
+  }
+
+  private void release() {
+    Set<String> rest = needsFrom(passed);
+    Point at = gvh.gps.pose().at();
+    Set<String> left = new TreeSet<>(mutex.held());
+    left.removeIf(
+        section -> rest.contains(section) || !roads.isClear(section, at, gvh.gps.errorMm(), own));
+    if (!left.isEmpty()) {
+      mutex.release(left);
+    }
+  }
+
+  private void drive(int until) {
+    int reach = passed;
+    while (reach < until && mutex.held().containsAll(needs.get(reach)) && isStraight(reach + 1)) {
+      reach++;
+    }
+    if (gvh.plat.moat.motionflag().get() == MotionFlag.FAIL && goal != null) {
+      goal = null;
+      retryAtNs = gvh.plat.clock.nowNs() + RETRY_NS;
+    }
+    Point target = points.get(reach);
+    if (reach > passed && !target.equals(goal) && gvh.plat.clock.nowNs() >= retryAtNs) {
+      goal = target;
+      tell();
+      gvh.plat.moat.doMove(new ItemPosition("v" + vertices.get(reach), target.xMm(), target.yMm()));
+    }
+  }
+
+  /** Whether the points up to this one are on one line. */
+  private boolean isStraight(int last) {
+    Segment line = new Segment(points.get(passed), points.get(last));
+    if (last > passed + 1 && line.from().distanceMm(line.to()) > LONGEST_MM) {
+      return false;
+    }
+    double fromMm = 0;
+    for (int i = passed + 1; i < last; i++) {
+      double mm = points.get(i).distanceMm(points.get(passed));
+      if (line.distanceMm(points.get(i)) > STRAIGHT_MM || mm < fromMm) {
+        return false;
+      }
+      fromMm = mm;
+    }
+    return true;
+  }
+}

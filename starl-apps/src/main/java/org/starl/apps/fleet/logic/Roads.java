@@ -1,0 +1,476 @@
+package org.starl.apps.fleet.logic;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import org.starl.apps.fleet.logic.NavGraph.Lane;
+import org.starl.apps.fleet.logic.NavGraph.Vertex;
+import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
+import org.starl.primitives.membership.Sections;
+
+/**
+ * The sections of a navigation graph, for the mutex on sequences, and the shortest ways. Immutable.
+ *
+ * <p>Robots drive along lanes only. The <em>star</em> of a vertex is the vertex and the half of each of
+ * its lanes that is next to it; so all lanes lie in stars. A robot holds each section to whose star its
+ * middle is nearer than a <em>gap</em>: two radii and what positions and lanes are missed by. The middle of
+ * each robot is in a star that it holds, so two robots that touch would both hold one section. Therefore
+ * no robots touch, however near vertices are and wherever lanes cross; robots in opposite directions of
+ * a lane need both of its vertices. A group of lanes is a section of its own.
+ *
+ * <p>Some vertices are <em>private</em>: each robot's home, a parking place, and chargers and stations that
+ * lie beside the ways. No way leads through one, and none comes nearer to it than a gap. A robot that stands
+ * there holds no section, so it blocks no other robot, however long it stands. A home is for one robot; of
+ * the other private vertices, robots hold the one that they use, as sections of a second mutex.
+ */
+public final class Roads {
+
+  /** For two robots: position errors and deviations from the lane, 50 mm each. */
+  private static final double SLACK_MM = 100;
+
+  private static final double SPARE_MM = SLACK_MM / 2;
+  private static final int MOST_MERGED = 8;
+  private static final int NONE = -1;
+
+  private final NavGraph graph;
+  private final double gapMm;
+  private final List<Integer> homes = new ArrayList<>();
+  private final List<Integer> chargers = new ArrayList<>();
+  private final List<Integer> stations = new ArrayList<>();
+  private final Map<Integer, int[]> trees = new ConcurrentHashMap<>(); // by private vertex
+  private final Set<Integer> closed = new TreeSet<>(); // private
+  private final List<List<Integer>> lanesFrom = new ArrayList<>();
+  private final SortedMap<String, List<Half>> stars = new TreeMap<>();
+  private final SortedMap<String, String> groups = new TreeMap<>();
+  private final List<List<String>> needs = new ArrayList<>(); // of each lane
+  private final double longestMm;
+
+  /** A part of a star; {@code owner} is the private vertex of its lane, or {@link #NONE}. */
+  private record Half(Segment segment, int owner) {}
+
+  private record Reached(double mm, int vertex) {}
+
+  /**
+   * @param bodyMm radius of the robots
+   * @param robots their number
+   * @throws IllegalArgumentException if the graph has not as many parking places apart from its ways, if
+   *     a robot cannot reach a station and come back, or would need too many sections for that
+   */
+  public Roads(NavGraph graph, double bodyMm, int robots) {
+    this.graph = graph;
+    gapMm = 2 * bodyMm + SLACK_MM;
+    for (int v = 0; v < graph.vertices().size(); v++) {
+      lanesFrom.add(new ArrayList<>());
+    }
+    for (int i = 0; i < graph.lanes().size(); i++) {
+      Lane lane = graph.lanes().get(i);
+      lanesFrom.get(lane.from()).add(i);
+      if (!lane.group().isEmpty()) {
+        groups.putIfAbsent(lane.group(), "g" + groups.size());
+      }
+    }
+    chooseHomes(robots);
+    for (int v = 0; v < graph.vertices().size(); v++) {
+      if (vertex(v).isCharger() && isApart(v) && neighbours(v) == 1 && !homes.contains(v)) {
+        chargers.add(v);
+      }
+      if (vertex(v).isStation()) {
+        stations.add(v);
+      }
+    }
+    closed.addAll(homes);
+    closed.addAll(chargers);
+    stations.stream().filter(this::isApart).forEach(closed::add);
+    if (!isConnected()) {
+      closed.removeAll(stations);
+    }
+    List<List<Integer>> trips = trips();
+    longestMm = 3 * trips.stream().mapToDouble(this::lengthMm).max().orElse(0);
+    int merged = 1;
+    while (!divide(merged, trips)) {
+      merged++;
+      if (merged > MOST_MERGED) {
+        throw new IllegalArgumentException(
+            "a way between parking places and stations has too many vertices: expected at most "
+                + Sections.MAX_COUNT * MOST_MERGED);
+      }
+    }
+  }
+
+  /** Places at the end of a lane; first those where no other robot wants to charge. */
+  private void chooseHomes(int robots) {
+    for (boolean isCharger : new boolean[] {false, true}) {
+      for (int v = 0; v < graph.vertices().size(); v++) {
+        boolean isHome = vertex(v).isParking() && !vertex(v).isStation() && neighbours(v) == 1;
+        if (isHome && vertex(v).isCharger() == isCharger && isApart(v)) {
+          homes.add(v);
+        }
+      }
+    }
+    if (homes.size() < robots) {
+      throw new IllegalArgumentException(
+          homes.size()
+              + " parking places at the end of a lane, "
+              + Math.round(gapMm)
+              + " mm from all others: expected one for each of "
+              + robots
+              + " robots");
+    }
+    homes.subList(robots, homes.size()).clear();
+  }
+
+  private int neighbours(int vertex) {
+    Set<Integer> neighbours = new TreeSet<>();
+    for (Lane lane : graph.lanes()) {
+      if (lane.from() == vertex || lane.to() == vertex) {
+        neighbours.add(lane.from() == vertex ? lane.to() : lane.from());
+      }
+    }
+    return neighbours.size();
+  }
+
+  /** Whether a body here keeps the gap to all lanes but its own, and to the other ends of these. */
+  private boolean isApart(int vertex) {
+    return graph.lanes().stream()
+        .allMatch(lane -> {
+          boolean isOwn = lane.from() == vertex || lane.to() == vertex;
+          return (isOwn ? graph.lengthMm(lane) : segment(lane).distanceMm(at(vertex))) >= gapMm;
+        });
+  }
+
+  /** Whether each station can be reached from each home, and each home from each station. */
+  private boolean isConnected() {
+    List<Integer> ends = new ArrayList<>(homes);
+    ends.addAll(chargers);
+    ends.addAll(stations);
+    boolean isConnected = true;
+    for (int from : ends) {
+      int[] before = tree(from);
+      isConnected &= ends.stream().allMatch(to -> to == from || before[to] != NONE);
+    }
+    return isConnected;
+  }
+
+  private Vertex vertex(int number) {
+    return graph.vertices().get(number);
+  }
+
+  /** The ways between private vertices that robots drive. */
+  private List<List<Integer>> trips() {
+    List<Integer> stops = new ArrayList<>(stations);
+    stops.addAll(chargers);
+    List<List<Integer>> trips = new ArrayList<>();
+    for (int home : homes) {
+      for (int stop : stops) {
+        if (isPrivate(stop)) {
+          trips.add(way(home, stop));
+          trips.add(way(stop, home));
+        } else {
+          trips.add(way(home, List.of(stop, home)));
+        }
+      }
+    }
+    for (int from : stations) {
+      for (int to : stations) {
+        if (from != to && isPrivate(from) && isPrivate(to)) {
+          trips.add(way(from, to));
+        }
+      }
+    }
+    return trips;
+  }
+
+  /** Divides the floor into sections of this many neighbours; false if a trip has too many sections. */
+  private boolean divide(int merged, List<List<Integer>> trips) {
+    stars.clear();
+    needs.clear();
+    String[] sections = new String[graph.vertices().size()];
+    for (int v = 0; v < sections.length; v++) {
+      if (sections[v] == null && !closed.contains(v)) {
+        name(v, "v" + v, merged, sections);
+      }
+    }
+    for (int v = 0; v < sections.length; v++) {
+      if (sections[v] != null) {
+        star(sections[v]).add(new Half(new Segment(at(v), at(v)), NONE));
+      }
+    }
+    for (Lane lane : graph.lanes()) {
+      addHalf(lane.from(), lane.to(), sections);
+      addHalf(lane.to(), lane.from(), sections);
+    }
+    for (Lane lane : graph.lanes()) {
+      List<String> its = needs(segment(lane), List.of(lane.from(), lane.to()));
+      if (!lane.group().isEmpty()) {
+        its.add(groups.getOrDefault(lane.group(), ""));
+      }
+      needs.add(its);
+    }
+    return trips.stream().allMatch(this::fits);
+  }
+
+  private List<Half> star(String section) {
+    return stars.computeIfAbsent(section, name -> new ArrayList<>());
+  }
+
+  /** Gives a section to a vertex and to so many neighbours in all. A station is alone. */
+  private void name(int vertex, String section, int merged, String[] sections) {
+    List<Integer> members = new ArrayList<>(List.of(vertex));
+    sections[vertex] = section;
+    for (int i = 0; i < members.size(); i++) {
+      for (int lane : lanesFrom.get(members.get(i))) {
+        int next = graph.lanes().get(lane).to();
+        boolean isAlone = vertex(vertex).isStation() || vertex(next).isStation();
+        if (members.size() < merged
+            && sections[next] == null
+            && !closed.contains(next)
+            && !isAlone) {
+          sections[next] = section;
+          members.add(next);
+        }
+      }
+    }
+  }
+
+  private void addHalf(int from, int to, String[] sections) {
+    if (sections[from] != null) {
+      Point end = closed.contains(to) ? at(to) : at(from).plus(at(to).minus(at(from)).times(0.5));
+      star(sections[from])
+          .add(new Half(new Segment(at(from), end), closed.contains(to) ? to : NONE));
+    }
+  }
+
+  /** The sections that a robot needs on a line, those at its beginning first. */
+  private List<String> needs(Segment line, Collection<Integer> own) {
+    List<String> its = new ArrayList<>();
+    stars
+        .keySet()
+        .forEach(section -> {
+          if (distanceMm(section, line, own) < gapMm) {
+            its.add(section);
+          }
+        });
+    Segment start = new Segment(line.from(), line.from());
+    its.sort(Comparator.comparingDouble(section -> distanceMm(section, start, own)));
+    return its;
+  }
+
+  /** The distance from a section's star, but for lanes to own private vertices. */
+  private double distanceMm(String section, Segment line, Collection<Integer> own) {
+    double mm = Double.POSITIVE_INFINITY;
+    for (Half half : stars.getOrDefault(section, List.of())) {
+      if (half.owner() == NONE || !own.contains(half.owner())) {
+        mm = Math.min(mm, half.segment().distanceMm(line));
+      }
+    }
+    return mm;
+  }
+
+  /**
+   * Whether a robot has left a section.
+   *
+   * @param at its middle
+   * @param errorMm bound of the error of that
+   * @param own private vertices that it uses
+   */
+  boolean isClear(String section, Point at, double errorMm, Collection<Integer> own) {
+    return groups.containsValue(section)
+        || distanceMm(section, new Segment(at, at), own) - errorMm >= gapMm - SPARE_MM;
+  }
+
+  /** The sections in which a robot may be that stands here. */
+  List<String> occupied(Point at, double errorMm, Collection<Integer> own) {
+    List<String> occupied = new ArrayList<>(stars.keySet());
+    occupied.removeIf(section -> isClear(section, at, errorMm, own));
+    return occupied;
+  }
+
+  /** The sections for the drive along a way, vertex by vertex. */
+  List<List<String>> needs(List<Integer> way) {
+    List<List<String>> all = new ArrayList<>();
+    for (int i = 0; i + 1 < way.size(); i++) {
+      all.add(needs.get(lane(way.get(i), way.get(i + 1))));
+    }
+    return all;
+  }
+
+  /** The sections to a vertex from a point on a lane; also those of the lane's group. */
+  List<String> needs(Point from, Lane lane) {
+    List<String> its = needs(new Segment(from, at(lane.to())), List.of(lane.from(), lane.to()));
+    if (!lane.group().isEmpty()) {
+      its.add(groups.getOrDefault(lane.group(), ""));
+    }
+    return its;
+  }
+
+  /** Whether a sequence of the mutex has room for all sections of this way. */
+  boolean fits(List<Integer> way) {
+    Set<String> all = new TreeSet<>();
+    needs(way).forEach(all::addAll);
+    return all.size() <= Sections.MAX_COUNT;
+  }
+
+  /** Whether this is so for each part of a drive over stops. */
+  boolean fits(int from, List<Integer> stops) {
+    boolean fits = true;
+    int at = from;
+    for (List<Integer> part : parts(stops)) {
+      fits &= fits(way(at, part));
+      at = part.get(part.size() - 1);
+    }
+    return fits;
+  }
+
+  /** The lane on which a robot is that stands here; of several, that of the shortest way home. */
+  Lane laneAt(Point at, int home) {
+    double nearestMm =
+        graph.lanes().stream().mapToDouble(lane -> segment(lane).distanceMm(at)).min().orElse(0);
+    return graph.lanes().stream()
+        .filter(lane -> segment(lane).distanceMm(at) <= nearestMm + SPARE_MM)
+        .filter(lane -> lane.to() == home || !homes.contains(lane.to()))
+        .min(
+            Comparator.comparingDouble(
+                lane -> at.distanceMm(at(lane.to())) + lengthMm(way(lane.to(), home))))
+        .orElseThrow();
+  }
+
+  /** The shortest way over all stops, of which the last one is the end. */
+  List<Integer> way(int from, List<Integer> stops) {
+    List<Integer> way = new ArrayList<>(List.of(from));
+    int last = from;
+    for (int stop : stops) {
+      List<Integer> part = way(last, stop);
+      way.addAll(part.subList(1, part.size()));
+      last = stop;
+    }
+    return way;
+  }
+
+  /** Stops, of which the last one is private, in parts that end at a private vertex. */
+  List<List<Integer>> parts(List<Integer> stops) {
+    List<List<Integer>> parts = new ArrayList<>();
+    int begin = 0;
+    for (int i = 0; i < stops.size(); i++) {
+      if (isPrivate(stops.get(i))) {
+        parts.add(stops.subList(begin, i + 1));
+        begin = i + 1;
+      }
+    }
+    return parts;
+  }
+
+  /** The shortest way; of equal ones always the same. */
+  private List<Integer> way(int from, int to) {
+    int[] before = closed.contains(from) ? trees.computeIfAbsent(from, this::tree) : tree(from);
+    List<Integer> way = new ArrayList<>(List.of(to));
+    for (int last = to; last != from; ) {
+      last = before[last];
+      if (last == NONE) {
+        throw new IllegalArgumentException(
+            "no way from " + name(from) + " to " + name(to) + ": expected lanes between them");
+      }
+      way.add(last);
+    }
+    Collections.reverse(way);
+    return way;
+  }
+
+  /** For each vertex the one before it on the way from {@code from}; {@link #NONE} if there is no way. */
+  private int[] tree(int from) {
+    double[] mm = new double[graph.vertices().size()];
+    int[] before = new int[mm.length];
+    Arrays.fill(mm, Double.POSITIVE_INFINITY);
+    Arrays.fill(before, NONE);
+    mm[from] = 0;
+    PriorityQueue<Reached> queue =
+        new PriorityQueue<>(
+            Comparator.comparingDouble(Reached::mm).thenComparingInt(Reached::vertex));
+    queue.add(new Reached(0, from));
+    while (!queue.isEmpty()) {
+      Reached next = queue.remove();
+      boolean isOpen = next.vertex() == from || !closed.contains(next.vertex());
+      if (next.mm() > mm[next.vertex()] || !isOpen) {
+        continue;
+      }
+      for (int number : lanesFrom.get(next.vertex())) {
+        Lane lane = graph.lanes().get(number);
+        double itsMm = next.mm() + graph.lengthMm(lane);
+        if (itsMm < mm[lane.to()]) {
+          mm[lane.to()] = itsMm;
+          before[lane.to()] = next.vertex();
+          queue.add(new Reached(itsMm, lane.to()));
+        }
+      }
+    }
+    return before;
+  }
+
+  private int lane(int from, int to) {
+    return lanesFrom.get(from).stream()
+        .filter(lane -> graph.lanes().get(lane).to() == to)
+        .min(Comparator.comparingDouble(lane -> graph.lengthMm(graph.lanes().get(lane))))
+        .orElseThrow();
+  }
+
+  private double lengthMm(List<Integer> way) {
+    double mm = 0;
+    for (int i = 0; i + 1 < way.size(); i++) {
+      mm += at(way.get(i)).distanceMm(at(way.get(i + 1)));
+    }
+    return mm;
+  }
+
+  private Segment segment(Lane lane) {
+    return new Segment(at(lane.from()), at(lane.to()));
+  }
+
+  private String name(int vertex) {
+    return vertex(vertex).name();
+  }
+
+  /** The graph. */
+  public NavGraph graph() {
+    return graph;
+  }
+
+  /** Where a vertex is. */
+  public Point at(int vertex) {
+    return vertex(vertex).at();
+  }
+
+  /** The vertex where a robot stands at the start and between its deliveries. */
+  public int home(int robot) {
+    return homes.get(robot);
+  }
+
+  /** The vertices where robots charge. */
+  public List<Integer> chargers() {
+    return List.copyOf(chargers);
+  }
+
+  /** Whether robots stand at this vertex without a section. */
+  boolean isPrivate(int vertex) {
+    return closed.contains(vertex);
+  }
+
+  /** Whether robots can charge anywhere. */
+  public boolean hasChargers() {
+    return !chargers.isEmpty() || homes.stream().allMatch(home -> vertex(home).isCharger());
+  }
+
+  /** At most this far a robot drives for one delivery, in mm. */
+  public double longestMm() {
+    return longestMm;
+  }
+}

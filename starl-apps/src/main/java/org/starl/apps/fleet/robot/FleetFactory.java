@@ -1,0 +1,151 @@
+package org.starl.apps.fleet.robot;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.apps.AppFactory;
+import org.starl.apps.Parameter;
+import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
+import org.starl.apps.fleet.logic.Delivery;
+import org.starl.apps.fleet.logic.FleetApp;
+import org.starl.apps.fleet.logic.FleetFact;
+import org.starl.apps.fleet.logic.NavGraph;
+import org.starl.apps.fleet.logic.Roads;
+import org.starl.body.MotionParameters;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
+import org.starl.input.Quantity;
+import org.starl.primitives.ledger.LedgerSpec;
+import org.starl.primitives.mutex.MutexSpec;
+import org.starl.random.Rng;
+import org.starl.trace.Vocabulary;
+
+/** Robots that deliver in the built-in warehouse. */
+public final class FleetFactory implements AppFactory {
+
+  public static final Parameter DELIVERIES =
+      new Parameter("deliveries", "16", "number of deliveries", Form.whole(1, 10_000));
+  public static final Parameter RATE =
+      new Parameter(
+          "rate",
+          "200",
+          "deliveries asked for in an hour, on average, at times drawn from the seed",
+          Form.whole(1, 100_000));
+  public static final Parameter RANGE =
+      new Parameter(
+          "range",
+          "500m",
+          "way of a robot on one charge, at least three times its longest way; without chargers no"
+              + " effect",
+          Form.between(Quantity.DISTANCE, "10m", "100000m"));
+
+  private static final int MOST_ROBOTS = 1_000;
+  private static final double RESERVE = 3;
+
+  @Override
+  public String name() {
+    return "fleet";
+  }
+
+  @Override
+  public Vocabulary vocabulary(Request request) {
+    return FleetFact.VOCABULARY;
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(DELIVERIES, RATE, RANGE);
+  }
+
+  @Override
+  public RobotProgram program(Request request) {
+    int robots = request.robots().orElse(1);
+    NavGraph graph = grid(robots);
+    Roads roads = roads(graph, MotionParameters.DEFAULT.robotRadiusMm(), robots);
+    return program(roads, drawn(request, graph), rangeMm(request, roads));
+  }
+
+  /** The program of the robots of this fleet. */
+  public static RobotProgram program(Roads roads, List<Delivery> deliveries, double rangeMm) {
+    return RobotProgram.of(gvh -> new FleetApp(gvh, roads, deliveries, rangeMm))
+        .withMonitor(MutexSpec::new)
+        .withMonitor(LedgerSpec::new);
+  }
+
+  /**
+   * The built-in warehouse.
+   *
+   * @throws BadInput if a fleet has not so many robots
+   */
+  public static NavGraph grid(int robots) {
+    if (robots < 1 || robots > MOST_ROBOTS) {
+      throw new BadInput("robots: " + robots + ": expected 1 to " + MOST_ROBOTS + " in a fleet");
+    }
+    return GridWarehouse.of(robots);
+  }
+
+  /**
+   * Sections and ways for robots of this radius.
+   *
+   * @throws BadInput if the map has not room for so many robots, or not all ways that they need
+   */
+  public static Roads roads(NavGraph graph, double bodyMm, int robots) {
+    try {
+      return new Roads(graph, bodyMm, robots);
+    } catch (IllegalArgumentException e) {
+      throw new BadInput("map: " + e.getMessage());
+    }
+  }
+
+  /**
+   * The value of {@link #RANGE}; 0 on a map without chargers.
+   *
+   * @throws BadInput if a robot could not come home to charge
+   */
+  public static double rangeMm(Request request, Roads roads) {
+    double rangeMm = request.amount(RANGE);
+    if (!roads.hasChargers()) {
+      return 0;
+    }
+    if (rangeMm < RESERVE * roads.longestMm()) {
+      long leastM = (long) StrictMath.ceil(RESERVE * roads.longestMm() / 1_000);
+      throw new BadInput(
+          RANGE.key()
+              + "="
+              + BadInput.quote(request.parameter(RANGE.key()))
+              + ": expected at least "
+              + leastM
+              + "m, three times the longest way of a robot on this map");
+    }
+    return rangeMm;
+  }
+
+  /**
+   * Deliveries between stations, at times, all drawn from the seed.
+   *
+   * @throws BadInput if the map has fewer than two stations
+   */
+  public static List<Delivery> drawn(Request request, NavGraph graph) {
+    List<Integer> stations = new ArrayList<>();
+    for (int v = 0; v < graph.vertices().size(); v++) {
+      if (graph.vertices().get(v).isStation()) {
+        stations.add(v);
+      }
+    }
+    if (stations.size() < 2) {
+      throw new BadInput("map: " + stations.size() + " stations: expected at least 2");
+    }
+    Rng rng = new Rng(request.seed()).fork("fleet");
+    double meanMs = 3_600_000.0 / request.whole(RATE);
+    List<Delivery> deliveries = new ArrayList<>();
+    double ms = 0;
+    for (int i = 0; i < request.whole(DELIVERIES); i++) {
+      ms -= meanMs * StrictMath.log(1 - rng.nextDouble());
+      int pick = (int) (rng.nextDouble() * stations.size());
+      int further = 1 + (int) (rng.nextDouble() * (stations.size() - 1));
+      int drop = (pick + further) % stations.size();
+      deliveries.add(new Delivery((long) ms, stations.get(pick), stations.get(drop)));
+    }
+    return deliveries;
+  }
+}

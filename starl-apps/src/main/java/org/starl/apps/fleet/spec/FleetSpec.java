@@ -1,0 +1,241 @@
+package org.starl.apps.fleet.spec;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.apps.fleet.logic.Delivery;
+import org.starl.apps.fleet.logic.FleetFact;
+import org.starl.apps.fleet.logic.NavGraph;
+import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
+import org.starl.id.RobotId;
+import org.starl.spec.Bodies;
+import org.starl.spec.FaultState;
+import org.starl.spec.LemmaMonitor;
+import org.starl.spec.Within;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * The specification of a fleet.
+ *
+ * <ul>
+ *   <li>{@code fleet.apart}: no two true bodies touch; so no two are at one vertex. Checked every 40 ms of
+ *       movement, 10 mm of way.
+ *   <li>{@code fleet.on_lane}: the middle of each true body that drives is within 50 mm of its lane: what
+ *       the sections assume.
+ *   <li>{@code fleet.one_way}: no two robots with their true bodies on a lane drive along it in opposite
+ *       directions.
+ *   <li>{@code fleet.once}: each delivery is put down once.
+ *   <li>{@code fleet.charged}: no battery is empty.
+ *   <li>{@code fleet.none_lost}: at the end each delivery has been put down.
+ *   <li>{@code fleet.in_time}: each is put down within the bound after it was asked for; the time begins
+ *       again when faults have ended.
+ * </ul>
+ */
+public final class FleetSpec extends LemmaMonitor {
+
+  public static final String APART = "fleet.apart";
+  static final String ON_LANE = "fleet.on_lane";
+  static final String ONE_WAY = "fleet.one_way";
+  static final String ONCE = "fleet.once";
+  static final String CHARGED = "fleet.charged";
+  static final String NONE_LOST = "fleet.none_lost";
+  static final String IN_TIME = "fleet.in_time";
+
+  private static final long STEP_NS = 40 * Time.NS_PER_MS;
+
+  private static final double LANE_MM = 50;
+
+  // Solid bodies never overlap. They may touch from a gap of a millimetre on.
+  private static final double TOUCHING_MM = 2;
+
+  private final NavGraph graph;
+  private final List<Delivery> deliveries;
+  private final Bodies bodies = new Bodies();
+  private final FaultState faults = new FaultState();
+  private final Within<Long> open;
+  private final SortedSet<String> reported = new TreeSet<>();
+  private final SortedMap<RobotId, List<Integer>> lanes = new TreeMap<>();
+  private final SortedMap<Long, RobotId> delivered = new TreeMap<>();
+  private int asked;
+  private long nextCheckNs;
+
+  private record Body(RobotId robot, Point at, double radiusMm) {}
+
+  /**
+   * @param deliveries in the order of their times
+   * @param boundNs within which each is done, all others included
+   */
+  public FleetSpec(NavGraph graph, List<Delivery> deliveries, long boundNs) {
+    this.graph = graph;
+    this.deliveries = List.copyOf(deliveries);
+    open = new Within<>(boundNs);
+    lemma(APART, "No two robots touch.");
+    lemma(ON_LANE, "The middle of a robot that drives is on its lane, 50 mm at most beside it.");
+    lemma(ONE_WAY, "No two robots on one lane drive in opposite directions.");
+    lemma(ONCE, "Each delivery is put down at most once.");
+    lemma(CHARGED, "No battery is empty.");
+    lemma(NONE_LOST, "At the end of the run each delivery has been put down.");
+    progress(IN_TIME, "Each delivery is put down within the bound after it was asked for.");
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    advance(event.timeNs(), report);
+    bodies.observe(event);
+    if (event instanceof Moved moved && moved.linearMmPerS() == 0) {
+      checkApart(event.timeNs(), report); // perhaps a bump has stopped it
+    }
+    if (faults.observe(event)) {
+      open.assumeAll(faults.isFaultFree(), event.timeNs());
+    }
+    if (event instanceof Variable variable) {
+      changed(variable, report);
+    }
+  }
+
+  private void changed(Variable variable, Report report) {
+    RobotId robot = variable.robot();
+    Long number = variable.of(FleetFact.DELIVERED);
+    if (number != null && number > 0) {
+      RobotId before = delivered.putIfAbsent(number, robot);
+      report.checked(ONCE);
+      if (before != null) {
+        String detail = "delivery " + number + ", after " + before;
+        report.violated(ONCE, variable.timeNs(), List.of(robot), detail);
+      }
+      open.stop(number);
+      report.checked(IN_TIME);
+    }
+    Integer charge = variable.of(FleetFact.CHARGE);
+    if (charge != null) {
+      report.checked(CHARGED);
+      if (charge == 0) {
+        report.violated(CHARGED, variable.timeNs(), List.of(robot), "0 %");
+      }
+    }
+    List<Integer> lane = variable.of(FleetFact.LANE);
+    if (lane != null) {
+      lanes.put(robot, lane);
+      checkOneWay(robot, lane, variable.timeNs(), report);
+    }
+  }
+
+  private void checkOneWay(RobotId robot, List<Integer> lane, long timeNs, Report report) {
+    report.checked(ONE_WAY);
+    if (lane.isEmpty()) {
+      return;
+    }
+    List<Integer> opposite = List.of(lane.get(1), lane.get(0));
+    lanes.forEach((other, its) -> {
+      if (its.equals(opposite) && isOn(robot, lane, timeNs) && isOn(other, lane, timeNs)) {
+        String detail = "both between " + name(lane.get(0)) + " and " + name(lane.get(1));
+        report.violated(ONE_WAY, timeNs, List.copyOf(new TreeSet<>(List.of(robot, other))), detail);
+      }
+    });
+  }
+
+  private boolean isOn(RobotId robot, List<Integer> lane, long timeNs) {
+    if (!bodies.isOnFloor(robot)) {
+      return false;
+    }
+    Segment segment =
+        new Segment(graph.vertices().get(lane.get(0)).at(), graph.vertices().get(lane.get(1)).at());
+    double mm = segment.distanceMm(bodies.poseAt(robot, timeNs).at());
+    return mm < bodies.radiusMm(robot);
+  }
+
+  private Segment segment(List<Integer> lane) {
+    return new Segment(
+        graph.vertices().get(lane.get(0)).at(), graph.vertices().get(lane.get(1)).at());
+  }
+
+  private String name(int vertex) {
+    return graph.vertices().get(vertex).name();
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    advance(endNs, report);
+    report.checked(NONE_LOST);
+    if (delivered.size() < deliveries.size()) {
+      int lost = deliveries.size() - delivered.size();
+      report.violated(
+          NONE_LOST, endNs, List.of(), lost + " of " + deliveries.size() + " are not put down");
+    }
+  }
+
+  private void advance(long timeNs, Report report) {
+    while (asked < deliveries.size() && deliveries.get(asked).atNs() <= timeNs) {
+      open.start((long) asked + 1, deliveries.get(asked).atNs());
+      asked++;
+    }
+    open.expire(
+        timeNs,
+        (number, sinceNs, deadlineNs) -> {
+          report.checked(IN_TIME);
+          report.violated(IN_TIME, deadlineNs, List.of(), "delivery " + number);
+        });
+    while (nextCheckNs <= timeNs) {
+      if (bodies.isAnyMoving()) {
+        checkApart(nextCheckNs, report);
+        checkOnLane(report);
+        nextCheckNs += STEP_NS;
+      } else {
+        nextCheckNs = timeNs + STEP_NS - timeNs % STEP_NS;
+      }
+    }
+  }
+
+  private void checkOnLane(Report report) {
+    report.checked(ON_LANE);
+    lanes.forEach((robot, lane) -> {
+      if (!lane.isEmpty() && bodies.isOnFloor(robot) && bodies.isMoving(robot)) {
+        double mm = segment(lane).distanceMm(bodies.poseAt(robot, nextCheckNs).at());
+        String key = robot + " beside";
+        if (mm <= LANE_MM) {
+          reported.remove(key);
+        } else if (reported.add(key)) {
+          String detail = Math.round(mm) + " mm beside the lane to " + name(lane.get(1));
+          report.violated(ON_LANE, nextCheckNs, List.of(robot), detail);
+        }
+      }
+    });
+  }
+
+  private void checkApart(long timeNs, Report report) {
+    report.checked(APART);
+    List<Body> all = new ArrayList<>();
+    bodies.forEach(
+        timeNs, (robot, pose, radiusMm, isMoving) -> all.add(new Body(robot, pose.at(), radiusMm)));
+    double widestMm = all.stream().mapToDouble(Body::radiusMm).max().orElse(0);
+    all.sort(Comparator.comparingDouble(body -> body.at().xMm()));
+    for (int i = 0; i < all.size(); i++) {
+      Body one = all.get(i);
+      double farthestMm = one.at().xMm() + one.radiusMm() + widestMm + TOUCHING_MM;
+      for (int j = i + 1; j < all.size() && all.get(j).at().xMm() < farthestMm; j++) {
+        checkApart(one, all.get(j), timeNs, report);
+      }
+    }
+  }
+
+  private void checkApart(Body one, Body other, long timeNs, Report report) {
+    double gapMm = one.at().distanceMm(other.at()) - one.radiusMm() - other.radiusMm();
+    List<RobotId> robots = List.copyOf(new TreeSet<>(List.of(one.robot(), other.robot())));
+    if (gapMm > TOUCHING_MM) {
+      reported.remove(robots.toString());
+    } else if (reported.add(robots.toString())) {
+      String detail =
+          String.format(Locale.ROOT, "touch around %.0f, %.0f mm", one.at().xMm(), one.at().yMm());
+      report.violated(APART, timeNs, robots, detail);
+    }
+  }
+}

@@ -1,0 +1,152 @@
+package org.starl.apps.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.function.Function;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.apps.Request;
+import org.starl.apps.fleet.logic.Delivery;
+import org.starl.apps.fleet.logic.FleetApp;
+import org.starl.apps.fleet.logic.FleetFact;
+import org.starl.apps.fleet.logic.NavGraph;
+import org.starl.apps.fleet.logic.NavGraph.Lane;
+import org.starl.apps.fleet.logic.NavGraph.Vertex;
+import org.starl.apps.fleet.logic.Roads;
+import org.starl.apps.fleet.robot.FleetFactory;
+import org.starl.apps.fleet.spec.FleetSpec;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.junit.RunChecks;
+import org.starl.sim.junit.StarlTest;
+import org.starl.time.Time;
+
+class FleetTest {
+
+  private static final FleetDemo DEMO = new FleetDemo();
+  private static final double BODY_MM = 165;
+
+  private static void fill(Simulation.Builder simulation, long seed, int robots) {
+    SortedMap<String, String> parameters = DEMO.defaults();
+    parameters.put("deliveries", "6");
+    parameters.put("rate", "600");
+    Request request = new Request(seed, OptionalInt.of(robots), parameters);
+    SimSettings settings = simulation.settings();
+    NavGraph graph = FleetFactory.grid(robots);
+    Roads roads = new Roads(graph, settings.robotRadiusMm(), robots);
+    List<Delivery> deliveries = FleetFactory.drawn(request, graph);
+    FleetDemo.fill(simulation, robots, roads, deliveries, 500_000, 7_200 * Time.NS_PER_S);
+  }
+
+  @StarlTest(seeds = 2, atMost = "7200s")
+  void everyDeliveryArrivesOnce(Simulation.Builder simulation, long seed, RunChecks checks) {
+    fill(simulation, seed, 3);
+    checks.check(result -> assertThat(result.results()).hasSize(3));
+  }
+
+  @Tag("long")
+  @StarlTest(seeds = 10, chaos = Envelope.MOVING, atMost = "7200s")
+  void everyDeliveryArrivesOnceUnderFaults(
+      Simulation.Builder simulation, long seed, RunChecks checks) {
+    fill(simulation, seed, 6);
+    checks.check(result -> assertThat(result.results()).hasSize(6));
+  }
+
+  /** Two homes at the ends of a corridor for one robot, and four stations beside it. */
+  private static NavGraph corridor() {
+    List<Vertex> vertices = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      boolean isHome = i == 0 || i == 4;
+      vertices.add(new Vertex("v" + i, new Point(1_300 * i, 0), false, false, isHome));
+    }
+    for (int i = 0; i < 4; i++) {
+      Point at = new Point(i < 2 ? 1_300 : 3_900, i % 2 == 0 ? 1_300 : -1_300);
+      vertices.add(new Vertex("s" + i, at, false, true, false));
+    }
+    List<Lane> lanes = new ArrayList<>();
+    for (int[] pair :
+        new int[][] {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 5}, {1, 6}, {3, 7}, {3, 8}}) {
+      lanes.add(new Lane(pair[0], pair[1], ""));
+      lanes.add(new Lane(pair[1], pair[0], ""));
+    }
+    return new NavGraph(vertices, lanes);
+  }
+
+  private static final List<Delivery> BOTH_WAYS =
+      List.of(new Delivery(0, 5, 7), new Delivery(100, 8, 6));
+
+  /** A robot with bodies of no size in mind: it needs no section, and asks for none. */
+  private static LogicThread unasked(GlobalVarHolder gvh) {
+    return new FleetApp(gvh, new Roads(corridor(), -50, 2), BOTH_WAYS, 0);
+  }
+
+  /** A robot that says what is not so. */
+  private static LogicThread liar(GlobalVarHolder gvh) {
+    return new LogicThread(gvh) {
+      @Override
+      public List<Object> callStarL() {
+        gvh.variable(FleetFact.DELIVERED, 0L).set(1L);
+        gvh.variable(FleetFact.CHARGE, 1).set(0);
+        gvh.variable(FleetFact.LANE, List.of()).set(List.of(1, 2));
+        await(gvh.gps::hasFix);
+        gvh.plat.moat.doMove(new ItemPosition("away", 2_600, -2_000));
+        sleep(10_000);
+        return List.of();
+      }
+    };
+  }
+
+  private static SimResult run(Function<GlobalVarHolder, LogicThread> app) {
+    NavGraph graph = corridor();
+    Simulation.Builder simulation =
+        Simulation.builder()
+            .seed(1)
+            .settings(SimSettings.builder().set("duration", "300s").build())
+            .monitor(() -> new FleetSpec(graph, BOTH_WAYS, 60 * Time.NS_PER_S));
+    for (int i = 0; i < 2; i++) {
+      Pose start = new Pose(graph.vertices().get(4 * i).at().xMm(), 0, 0);
+      simulation.robot(new RobotSpec(new RobotId("bot" + i), start, true, app));
+    }
+    return simulation.build().run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "unasked, fleet.apart",
+    "unasked, fleet.one_way",
+    "unasked, fleet.in_time",
+    "liar, fleet.on_lane",
+    "liar, fleet.once",
+    "liar, fleet.charged",
+    "liar, fleet.none_lost",
+  })
+  void aPlantedBugViolatesItsLemma(String bug, String lemma) {
+    SimResult result = run(bug.equals("liar") ? FleetTest::liar : FleetTest::unasked);
+    assertThat(result.spec().violations(lemma)).as("%s", result.spec().violations()).isPositive();
+  }
+
+  @Test
+  void robotsOfBothDirectionsPassTheCorridor() {
+    Roads roads = new Roads(corridor(), BODY_MM, 2);
+    SimResult result = run(gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0));
+    assertThat(result.unfinished()).isEmpty();
+    assertThat(result.spec().violations())
+        .filteredOn(violation -> !violation.lemma().equals("fleet.in_time"))
+        .isEmpty();
+  }
+}
