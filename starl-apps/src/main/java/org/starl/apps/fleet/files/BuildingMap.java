@@ -1,11 +1,14 @@
 package org.starl.apps.fleet.files;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.starl.apps.fleet.logic.NavGraph;
@@ -147,19 +150,21 @@ final class BuildingMap {
 
   private List<Part> lanes(int chosen) {
     List<Part> all = level.list("lanes");
-    Set<Integer> graphs = new TreeSet<>();
-    all.forEach(lane -> graphs.add(graphOf(lane)));
-    if (chosen >= 0 && !graphs.contains(chosen)) {
+    SortedMap<Integer, Integer> graphs = new TreeMap<>();
+    all.forEach(lane -> graphs.merge(graphOf(lane), 1, Integer::sum));
+    if (chosen >= 0 && !graphs.containsKey(chosen)) {
       throw new BadInput(
           level.file()
               + ": graph '"
               + chosen
               + "': expected one of "
-              + graphs.stream().map(String::valueOf).collect(Collectors.joining(", "))
+              + graphs.keySet().stream().map(String::valueOf).collect(Collectors.joining(", "))
               + ", the graph_idx of "
               + level.path());
     }
-    int graph = chosen >= 0 ? chosen : graphs.iterator().next();
+    // Of equal ones the first, which has the lowest number.
+    int most = Collections.max(graphs.entrySet(), Map.Entry.comparingByValue()).getKey();
+    int graph = chosen >= 0 ? chosen : most;
     return all.stream().filter(lane -> graphOf(lane) == graph).toList();
   }
 

@@ -30,13 +30,14 @@ public final class NavGraphs {
    * What is taken of a file.
    *
    * @param level of a building; empty for the first that has lanes
-   * @param graph the {@code graph_idx} of the level's lanes; negative for the lowest one that it has
+   * @param graph the {@code graph_idx} of the level's lanes; negative for that of
+   *     most lanes
    * @param spacingMm between neighbouring places on a map, above 0
    * @param clearanceMm from a place or a lane on a map to the nearest cell that is not free, at least 0
    */
   public record Choice(String level, int graph, double spacingMm, double clearanceMm) {
 
-    /** First level, first graph; places 1 m apart, for a body of at most 250 mm radius. */
+    /** First level with lanes, its largest graph; places 1 m apart, 250 mm of clearance. */
     public static final Choice DEFAULT = new Choice("", -1, 1000, 250);
   }
 

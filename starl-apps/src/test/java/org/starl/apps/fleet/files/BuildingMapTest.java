@@ -40,7 +40,7 @@ class BuildingMapTest {
             - [2, 3, {bidirectional: [4, false], graph_idx: [2, 1], mutex: [1, ""]}]
             - [3, 1, {bidirectional: [4, false], graph_idx: [2, 1]}]
             - [3, 4, {bidirectional: [4, false], graph_idx: [2, 1]}]
-            - [1, 0, {bidirectional: [4, true], graph_idx: [2, 7]}]
+            - [1, 0, {bidirectional: [4, true], graph_idx: [2, 0]}]
           measurements:
             - [0, 1, {distance: [3, 4]}]
             - [0, 2, {distance: [3, 6]}]
@@ -96,14 +96,14 @@ class BuildingMapTest {
         .containsExactly(
             new Vertex("a", new Point(0, 0), true, true, true),
             new Vertex("b", new Point(0, -1000), false, true, false));
-    assertThat(read(GOOD, new NavGraphs.Choice("L1", 7, 1, 1)).vertices())
+    assertThat(read(GOOD, new NavGraphs.Choice("L1", 0, 1, 1)).vertices())
         .extracting(Vertex::name)
         .containsExactly("pantry", "v0");
     assertThatThrownBy(() -> read(GOOD, new NavGraphs.Choice("L0", -1, 1, 1)))
         .isInstanceOf(BadInput.class)
         .hasMessageEndingWith("b.building.yaml: level 'L0': expected one of L1, L2");
     assertThatThrownBy(() -> read(GOOD, new NavGraphs.Choice("", 3, 1, 1)))
-        .hasMessageEndingWith(": graph '3': expected one of 1, 7, the graph_idx of levels.L1");
+        .hasMessageEndingWith(": graph '3': expected one of 0, 1, the graph_idx of levels.L1");
   }
 
   @Test
@@ -185,7 +185,7 @@ class BuildingMapTest {
           [1, 2, { | [1, 1, { | :8: levels.L1.lanes[0]: a list of 3: expected a lane between two places that are at least 1 mm apart
           - [2, 3, {bidirectional: [4, false] | - [2, 3, {bidirectional: [4, maybe] | :9: levels.L1.lanes[1][2].bidirectional[1]: 'maybe': expected one of true, false, yes, no, on, off
           [2, 3, {bidirectional: [4, false] | [2, 3, {bidirectional: false | :9: levels.L1.lanes[1][2].bidirectional: 'false': expected [TYPE, VALUE]
-          graph_idx: [2, 7] | graph_idx: [2, -7] | :12: levels.L1.lanes[4][2].graph_idx[1]: '-7': expected a whole number from 0 to 1000
+          graph_idx: [2, 0] | graph_idx: [2, -1] | :12: levels.L1.lanes[4][2].graph_idx[1]: '-1': expected a whole number from 0 to 1000
           distance: [3, 4] | distance: [3, 0] | :14: levels.L1.measurements[0][2].distance[1]: '0': expected a number from 1.0E-6 to 1.0E9
           distance: [3, 4] | length: [3, 4] | :14: levels.L1.measurements[0]: a list of 3: expected [FROM, TO, {distance: [3, METRES]}] between two places
           measurements: | rulers: | :6: levels.L1: a mapping: expected measurements: [FROM, TO, {distance: [3, METRES]}], the scale of the drawing
