@@ -27,7 +27,7 @@ class BuildingMapTest {
   @TempDir private Path folder = Path.of("");
 
   /** Two levels with lanes; 100 pixels are 5 m. Vertex 0 is of a wall. */
-  private static final String GOOD =
+  static final String GOOD =
       """
       coordinate_system: reference_image
       levels:
