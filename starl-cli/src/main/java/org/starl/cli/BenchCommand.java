@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.bench.CheckSpeed;
 import org.starl.bench.CrossingRules;
+import org.starl.bench.FleetRates;
 import org.starl.bench.Measurement;
 import org.starl.bench.MutexCost;
 import org.starl.bench.PatrolWorkload;
@@ -47,15 +48,16 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       index = "0",
       paramLabel = "WORKLOAD",
       description =
-          "b1, b2, b3a, b3b, b3c, b3 for all three, b4a, b4b, b5, mutex, view or apps; see 'starl list'.")
+          "b1, b2, b3a, b3b, b3c, b3 for all three, b4a, b4b, b5, fleet, mutex, view or apps; see"
+              + " 'starl list'.")
   private String name = "";
 
   @Option(
       names = "--robots",
       paramLabel = "N",
       description =
-          "Number of robots (default: 256; view: 100, 1000 and 10000). With mutex: the largest number"
-              + " (default: 64).")
+          "Number of robots (default: 256; view: 100, 1000 and 10000). With mutex and fleet: the"
+              + " largest number (default: 64 and 8).")
   private @Nullable String robots;
 
   @Option(
@@ -67,7 +69,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--runs",
       paramLabel = "N",
-      description = "Number of runs (default: 5; b4a: 2 a row; b5: 100).")
+      description = "Number of runs (default: 5; b4a: 2 a row; b5: 100; fleet: 1 a row).")
   private @Nullable String runs;
 
   @Option(
@@ -107,6 +109,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       case MutexCost.NAME -> showMutexCost();
       case CrossingRules.NAME -> showCrossingRules();
       case CheckSpeed.NAME -> showCheckSpeed();
+      case FleetRates.NAME -> showFleetRates();
       case VIEW -> showView();
       case AppsTable.NAME -> {
         return showApps() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
@@ -125,7 +128,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
             .toList();
     if (workloads.isEmpty()) {
       throw new BadInput(
-          "no workload is called %s: expected %s, b4a, b5, mutex, view or apps"
+          "no workload is called %s: expected %s, b4a, b5, fleet, mutex, view or apps"
               .formatted(
                   BadInput.quote(name),
                   Workload.all().stream().map(Workload::name).collect(Collectors.joining(", "))));
@@ -228,6 +231,26 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
               Locale.ROOT,
               "| %d | %s | %s | %d | %.1f | %.1f s | %d | %d |",
               row.values().toArray()));
+    }
+  }
+
+  /** In Markdown, for the docs. */
+  private void showFleetRates() {
+    PrintWriter out = out();
+    int most = robots(8, 2, 256);
+    ProgressLine progress = progress("rows");
+    List<Map<String, Object>> rows =
+        FleetRates.take(
+            most, Seeds.of(seed), runs(1), done -> progress.show(done, FleetRates.rows(most)));
+    progress.end();
+    if (json.isOn()) {
+      rows.forEach(row -> out.println(Json.line(row)));
+      return;
+    }
+    out.println("| robots | dispatch | message loss | deliveries/h |");
+    out.println("|---|---|---|---|");
+    for (Map<String, Object> row : rows) {
+      out.println(String.format(Locale.ROOT, "| %d | %s | %.1f | %.0f |", row.values().toArray()));
     }
   }
 

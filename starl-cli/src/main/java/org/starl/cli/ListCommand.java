@@ -12,6 +12,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
 import org.starl.bench.CheckSpeed;
 import org.starl.bench.CrossingRules;
+import org.starl.bench.FleetRates;
 import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
 import org.starl.sim.Setting;
@@ -139,6 +140,7 @@ final class ListCommand extends BaseCommand implements Runnable {
     }
     items.add(new Item("bench", "", CrossingRules.NAME, "", CrossingRules.SUMMARY));
     items.add(new Item("bench", "", CheckSpeed.NAME, "", CheckSpeed.SUMMARY));
+    items.add(new Item("bench", "", FleetRates.NAME, "", FleetRates.SUMMARY));
     items.add(new Item("bench", "", BenchCommand.VIEW, "", BenchCommand.VIEW_SUMMARY));
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
     items.add(new Item("bench", "", AppsTable.NAME, "", AppsTable.SUMMARY));

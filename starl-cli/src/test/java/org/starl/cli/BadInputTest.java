@@ -66,7 +66,7 @@ class BadInputTest {
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
       run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
-      bench b9 | 'b9' | expected b1, b2, b3a, b3b, b3c, b4b, b4a, b5, mutex, view or apps
+      bench b9 | 'b9' | expected b1, b2, b3a, b3b, b3c, b4b, b4a, b5, fleet, mutex, view or apps
       run mutex --processes --set radioRange=3m | radioRange | --processes | expected --loss or --delay
       run mutex --set radioSight=true | radioSight | expected a radioRange
       bench b3a --style blocking | b3a | blocking | expected step
@@ -156,6 +156,7 @@ class BadInputTest {
       deploy check | see 'starl deploy check --help'
       help nope | 'nope' | see 'starl --help'
       bench b1 --robots none | --robots | 'none' | expected a whole number
+      bench fleet --robots 1 | --robots | '1' | expected a whole number from 2 to 256
       bench b1 --robots 0 | --robots | '0' | expected a whole number
       bench b1 --runs 0 | --runs | '0' | expected a whole number
       bench b1 --style lazy | --style | expected one of | 'lazy'
