@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"(\]\()(?!\w+:|#)([^)#\s]+)")
 TOP = ["CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"]
 # The pages with a run, and the apps.
-RUNS = {f"apps/{app}.md": app for app in ("hello", "intersection", "lightpaint", "maze", "race", "search")}
+RUNS = {f"apps/{app}.md": app for app in ("fleet", "hello", "intersection", "lightpaint", "maze", "race", "search")}
 RUNS["kotlin.md"] = "lineup"
 PLAYER = '\n<iframe style="width: 100%; height: 40rem; border: 0" src="{}" title="A run of {}, to play" loading="lazy"></iframe>\n'
 

@@ -116,7 +116,8 @@ class PaperMapTest {
                 .filter(Files::isDirectory)
                 .map(child -> child.getFileName().toString())
                 // Not in the paper.
-                .filter(name -> !List.of("hello", "ledger", "monitor", "exhaustive").contains(name))
+                .filter(name ->
+                    !List.of("fleet", "hello", "ledger", "monitor", "exhaustive").contains(name))
                 .toList();
         assertThat(packages)
             .isNotEmpty()

@@ -12,7 +12,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.geometry.Point;
@@ -48,7 +47,7 @@ public final class Roads {
   private final List<Integer> homes = new ArrayList<>();
   private final List<Integer> chargers = new ArrayList<>();
   private final List<Integer> stations = new ArrayList<>();
-  private final Map<Integer, int[]> trees = new ConcurrentHashMap<>(); // by private vertex
+  private final Map<Integer, int[]> trees = new TreeMap<>(); // by private vertex
   private final Set<Integer> closed = new TreeSet<>(); // private
   private final List<List<Integer>> lanesFrom = new ArrayList<>();
   private final SortedMap<String, List<Half>> stars = new TreeMap<>();
@@ -95,6 +94,7 @@ public final class Roads {
     if (!isConnected()) {
       closed.removeAll(stations);
     }
+    closed.forEach(vertex -> trees.put(vertex, tree(vertex)));
     List<List<Integer>> trips = trips();
     longestMm = 3 * trips.stream().mapToDouble(this::lengthMm).max().orElse(0);
     int merged = 1;
@@ -372,7 +372,8 @@ public final class Roads {
 
   /** The shortest way; of equal ones always the same. */
   private List<Integer> way(int from, int to) {
-    int[] before = closed.contains(from) ? trees.computeIfAbsent(from, this::tree) : tree(from);
+    int[] known = trees.get(from);
+    int[] before = known == null ? tree(from) : known;
     List<Integer> way = new ArrayList<>(List.of(to));
     for (int last = to; last != from; ) {
       last = before[last];
