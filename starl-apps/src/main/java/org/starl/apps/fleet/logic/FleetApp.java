@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -18,6 +19,7 @@ import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodTiming;
 import org.starl.primitives.ledger.Allocation;
 import org.starl.primitives.ledger.LedgerCall;
 import org.starl.primitives.ledger.LedgerOutcome;
@@ -28,6 +30,7 @@ import org.starl.primitives.ledger.TaskId;
 import org.starl.primitives.ledger.TaskLedger;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
 import org.starl.random.Rng;
 import org.starl.shape.Shape;
@@ -47,6 +50,11 @@ public final class FleetApp extends LogicThread {
   private static final long HANDLE_MS = 2_000;
   private static final long TRY_MS = 60_000;
   private static final long ROOM_MS = 2_000;
+  // Robots wait for each other for minutes. With a third of the datagrams lost, a live one is silent
+  // for 10 s now and then, for 30 s never.
+  private static final MutexTimes TIMES = MutexTimes.DEFAULT.withSuspectMs(30_000);
+  private static final LedgerSettings LEASES =
+      new LedgerSettings(SynodTiming.DEFAULT, 2_000, 30_000, 30_000);
   private static final long TURN_NS = 15 * Time.NS_PER_S;
   private static final double SURE_MM = 45;
   private static final double AT_HOME_MM = 60;
@@ -107,10 +115,10 @@ public final class FleetApp extends LogicThread {
     home = roads.home(number);
     Participants voters = Participants.of(all.subList(0, Math.min(VOTERS, robots)));
     floorList = new Registration(gvh, "floor", voters);
-    floor = new M_Mutex(gvh, "floor", floorList);
+    floor = new M_Mutex(gvh, "floor", floorList, TIMES);
     placeList = new Registration(gvh, "places", voters);
-    places = new M_Mutex(gvh, "places", placeList);
-    ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LedgerSettings.DEFAULT);
+    places = new M_Mutex(gvh, "places", placeList, TIMES);
+    ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LEASES);
     rng = gvh.plat.entropy.fork("app");
     load = gvh.plat.persistent("load", Load.SHAPE, Load.NONE);
     work = gvh.variable(FleetFact.WORK, Work.STARTS);
@@ -237,7 +245,10 @@ public final class FleetApp extends LogicThread {
     } else if (!roads.fits(home, stops)) {
       stops.remove(1); // then it comes home with the load, and drives on from there
     }
-    acquire(stops);
+    boolean isFree = isAboard(onTheWay);
+    if (!acquire(stops, () -> isFree || ledger.held().get().contains(task))) {
+      return; // its claim has been given to another robot
+    }
     int at = home;
     for (List<Integer> part : roads.parts(stops)) {
       int end = part.get(part.size() - 1);
@@ -300,8 +311,12 @@ public final class FleetApp extends LogicThread {
     return sections;
   }
 
-  /** Gets the private vertices at which it will stop, before it drives; then it holds nothing else. */
-  private void acquire(List<Integer> vertices) {
+  /**
+   * Gets the private vertices at which it will stop, before it drives; then it holds nothing else.
+   *
+   * @param isWanted asked after each failed request; false ends the search
+   */
+  private boolean acquire(List<Integer> vertices, BooleanSupplier isWanted) {
     List<String> sections = sections(vertices);
     MutexFailure failure = MutexFailure.NONE;
     do {
@@ -309,7 +324,8 @@ public final class FleetApp extends LogicThread {
         failure =
             placeList.register(TRY_MS) ? places.acquire(sections, TRY_MS) : MutexFailure.DEADLINE;
       }
-    } while (failure != MutexFailure.NONE);
+    } while (failure != MutexFailure.NONE && isWanted.getAsBoolean());
+    return failure == MutexFailure.NONE;
   }
 
   /** The body has left a private vertex. */
@@ -325,7 +341,7 @@ public final class FleetApp extends LogicThread {
     boolean isAtHome = roads.graph().vertices().get(home).isCharger();
     int charger = isAtHome ? home : nearestCharger();
     work.set(Work.PARKS);
-    acquire(List.of(charger));
+    acquire(List.of(charger), () -> true);
     work.set(Work.CHARGES);
     driveOver(home, charger);
     while (!battery().isFull()) {
