@@ -1,5 +1,6 @@
 package org.starl.apps.fleet;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.apps.Demo;
@@ -7,6 +8,8 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
+import org.starl.apps.fleet.files.Deliveries;
+import org.starl.apps.fleet.files.NavGraphs;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.Roads;
@@ -30,6 +33,9 @@ public final class FleetDemo implements Demo {
 
   private static final FleetFactory FACTORY = new FleetFactory();
   private static final int ROBOTS = 8;
+
+  /** The time step of task files. */
+  private static final long TASK_STEP_MS = 1_000;
 
   // A robot that has the floor for itself drives a delivery faster.
   private static final double SLOWEST_MM_PER_S = 100;
@@ -68,19 +74,37 @@ public final class FleetDemo implements Demo {
   @Override
   public SimSettings.Builder defaultSettings(Request request) {
     int robots = request.robots().orElse(ROBOTS);
-    NavGraph graph = graph(robots);
+    NavGraph graph = graph(request, robots);
     double bodyMm = SimSettings.defaults().robotRadiusMm();
     Roads roads = FleetFactory.roads(graph, bodyMm, robots);
-    List<Delivery> deliveries = FleetFactory.drawn(request, graph);
+    List<Delivery> deliveries = deliveries(request, graph);
     long lastNs = deliveries.get(deliveries.size() - 1).atNs() + boundNs(roads, deliveries);
     return SimSettings.builder()
         .set(Setting.ROBOTS, robots)
         .set(Setting.DURATION.key(), lastNs / Time.NS_PER_S + 1 + "s");
   }
 
-  /** The map. A reader of files belongs here. */
-  private static NavGraph graph(int robots) {
-    return FleetFactory.grid(robots);
+  /** Of a file, or built in. */
+  private static NavGraph graph(Request request, int robots) {
+    String file = request.parameter(FleetFactory.MAP.key());
+    if (file.isEmpty()) {
+      return FleetFactory.grid(robots);
+    }
+    String graph = request.parameter(FleetFactory.GRAPH.key());
+    NavGraphs.Choice choice =
+        new NavGraphs.Choice(
+            request.parameter(FleetFactory.LEVEL.key()),
+            graph.isEmpty() ? -1 : request.whole(FleetFactory.GRAPH),
+            request.amount(FleetFactory.SPACING),
+            request.amount(FleetFactory.CLEARANCE));
+    return NavGraphs.read(Path.of(file), choice);
+  }
+
+  private static List<Delivery> deliveries(Request request, NavGraph graph) {
+    String file = request.parameter(FleetFactory.TASKS.key());
+    return file.isEmpty()
+        ? FleetFactory.drawn(request, graph)
+        : Deliveries.read(Path.of(file), graph, TASK_STEP_MS);
   }
 
   /** Even if the robots did all deliveries one after the other. */
@@ -92,9 +116,9 @@ public final class FleetDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    NavGraph graph = graph(robots);
+    NavGraph graph = graph(request, robots);
     Roads roads = FleetFactory.roads(graph, settings.robotRadiusMm(), robots);
-    List<Delivery> deliveries = FleetFactory.drawn(request, graph);
+    List<Delivery> deliveries = deliveries(request, graph);
     double rangeMm = FleetFactory.rangeMm(request, roads);
     FleetStory story = new FleetStory(deliveries);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);

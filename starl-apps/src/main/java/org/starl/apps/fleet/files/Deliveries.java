@@ -17,7 +17,7 @@ import org.starl.input.TextFile;
  * Reads lists of deliveries, in two forms. Empty lines and the text after {@code #} are ignored.
  *
  * <ul>
- *   <li>StarL's: each line has a time with its unit and the names of two places, as in {@code 90s pantry
+ *   <li>StarL's: each line has a time with its unit and the names of two stations, as in {@code 90s pantry
  *       coe}.
  *   <li>That of Ma et al. 2017 for pickup and delivery with many agents: the first line has the number of tasks, each
  *       other line a time step and the numbers of two stations, from 0 in the graph's order; a fourth and fifth
@@ -85,12 +85,17 @@ public final class Deliveries {
 
   private int named(int line, String name) {
     for (int v = 0; v < graph.vertices().size(); v++) {
-      if (graph.vertices().get(v).name().equals(name)) {
+      if (graph.vertices().get(v).name().equals(name) && graph.vertices().get(v).isStation()) {
         return v;
       }
     }
-    throw wrong(
-        line, name, "the name of a place of the graph, such as " + graph.vertices().get(0).name());
+    String station =
+        graph.vertices().stream()
+            .filter(Vertex::isStation)
+            .map(Vertex::name)
+            .findFirst()
+            .orElse("");
+    throw wrong(line, name, "the name of a station of the graph, such as " + station);
   }
 
   private void addTask(int line, List<String> words, long stepMs) {

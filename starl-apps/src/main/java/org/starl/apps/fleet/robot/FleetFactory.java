@@ -39,6 +39,35 @@ public final class FleetFactory implements AppFactory {
               + " effect",
           Form.between(Quantity.DISTANCE, "10m", "100000m"));
 
+  public static final Parameter MAP =
+      new Parameter(
+          "map",
+          "",
+          "file of a building of Open-RMF, or of a map of map_server or Nav2; without one: the built-in"
+              + " warehouse");
+  public static final Parameter LEVEL =
+      new Parameter("level", "", "level of the building; without one: the first with lanes");
+  public static final Parameter GRAPH =
+      new Parameter(
+          "graph",
+          "",
+          "graph_idx of the level's lanes; without one: that of most lanes",
+          Form.whole(0, 1_000));
+  public static final Parameter SPACING =
+      new Parameter(
+          "spacing",
+          "1m",
+          "between neighbouring places on a map of map_server or Nav2",
+          Form.between(Quantity.DISTANCE, "100mm", "100m"));
+  public static final Parameter CLEARANCE =
+      new Parameter(
+          "clearance",
+          "250mm",
+          "from places and lanes to walls on a map of map_server or Nav2",
+          Form.between(Quantity.DISTANCE, "0m", "10m"));
+  public static final Parameter TASKS =
+      new Parameter("tasks", "", "file of deliveries; without one: drawn from the seed");
+
   private static final int MOST_ROBOTS = 1_000;
   private static final double RESERVE = 3;
 
@@ -54,11 +83,13 @@ public final class FleetFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(DELIVERIES, RATE, RANGE);
+    return List.of(DELIVERIES, RATE, RANGE, MAP, LEVEL, GRAPH, SPACING, CLEARANCE, TASKS);
   }
 
   @Override
   public RobotProgram program(Request request) {
+    request.refuseOnRobots(MAP);
+    request.refuseOnRobots(TASKS);
     int robots = request.robots().orElse(1);
     NavGraph graph = grid(robots);
     Roads roads = roads(graph, MotionParameters.DEFAULT.robotRadiusMm(), robots);

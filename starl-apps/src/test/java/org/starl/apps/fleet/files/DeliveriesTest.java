@@ -39,9 +39,9 @@ class DeliveriesTest {
 
   @Test
   void namesAndTimesAreReadInTheOrderOfTime() throws IOException {
-    assertThat(read("# first\n2min coe pantry\r\n1.5s pantry hall # a comment\n\n1500ms lab coe"))
+    assertThat(read("# first\n2min coe pantry\r\n1.5s pantry lab # a comment\n\n1500ms lab coe"))
         .containsExactly(
-            new Delivery(1500, 0, 1), new Delivery(1500, 3, 2), new Delivery(120_000, 2, 0));
+            new Delivery(1500, 0, 3), new Delivery(1500, 3, 2), new Delivery(120_000, 2, 0));
   }
 
   @Test
@@ -57,7 +57,8 @@ class DeliveriesTest {
           """
           '' | : has no delivery; expected a list of deliveries
           5 coe lab | :1: '5': expected a duration with a unit (ns us ms s min h), such as 100ms
-          5s coe attic | :1: 'attic': expected the name of a place of the graph, such as pantry
+          5s coe attic | :1: 'attic': expected the name of a station of the graph, such as pantry
+          5s hall coe | :1: 'hall': expected the name of a station of the graph, such as pantry
           5s coe coe | :1: 'coe': expected two places that are not the same
           5s coe | :1: '5s coe': expected TIME FROM TO, such as 90s pantry coe
           3;0 0 1;0 1 2 | :1: '3': expected the number of tasks, 2
