@@ -20,6 +20,7 @@ import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Type.Field;
+import org.starl.lang.verdict.Verdict;
 import org.starl.time.Time;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -93,32 +94,45 @@ final class CheckCommand extends SourceCommand {
   @Override
   int run(Source source) {
     List<Automaton> automata = source.automata();
-    int status = ExitStatus.GOOD;
+    Verdict verdict = Verdict.HOLDS;
+    stop().endsWhenAsked();
     for (Automaton automaton : automata) {
-      status = Math.max(status, check(automaton, automata));
+      if (!stop().isStopped()) {
+        verdict = verdict.and(check(automaton, automata));
+      }
     }
-    return status;
+    return ExitStatus.of(verdict);
   }
 
-  private int check(Automaton automaton, List<Automaton> automata) {
+  private Verdict check(Automaton automaton, List<Automaton> automata) {
     Sizes of = sizes(automaton, automata);
     int limit = OptionValues.whole("--most", most, 1, MOST_STATES);
     Search search;
+    Machine machine = null;
     try {
-      Machine machine = new Machine(automaton, of);
+      machine = new Machine(automaton, of);
       search = new Search(machine, of, values(machine), !hasNoSymmetry, limit);
     } catch (TooLarge e) {
       throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
     } catch (EvalError e) {
-      throw new BadInput(file(e.automaton(), automata) + ":" + e.pos() + ": " + e.getMessage());
+      String message = file(e.automaton(), automata) + ":" + e.pos() + ": " + e.getMessage();
+      if (machine == null) {
+        throw new BadInput(message);
+      }
+      out().println(automaton.name() + ": the start is undefined");
+      out().println("  " + message);
+      return Verdict.VIOLATED;
+    } catch (OutOfMemoryError e) {
+      out().println(automaton.name() + ": not decided: memory ran out before the first state");
+      return Verdict.NOT_DECIDED;
     }
     ProgressLine clock = new ProgressLine(err(), "states");
-    Search.Result result = search.run();
+    Search.Result result = search.run(stop()::isStopped);
     double seconds = Time.seconds(clock.elapsedNs());
     Report.lines(automaton, of, result, at -> file(at, automata)).forEach(out()::println);
     result.finding().ifPresent(found -> places(automaton, found.story()).forEach(out()::println));
     err().println("%.1f s, %,.0f states a second".formatted(seconds, result.states() / seconds));
-    return result.finding().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+    return result.verdict();
   }
 
   /** An automaton that is not in the file was found beside it, or is StarL's. */

@@ -1,7 +1,7 @@
 /**
  * The command line: one small class for each command. Exit status 0: good; 1: a specification was
  * violated, a run did not finish, or an error; 2: bad input, reported in one line; 3: the machine
- * lacks something that the command needs.
+ * lacks something that the command needs; 4: not decided, as a part was not looked at.
  *
  * <p>May import: all other modules.
  */

@@ -2,10 +2,12 @@ package org.starl.lang.check;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.verdict.Verdict;
 
 /** The result of a search in words. It has no times: equal searches have equal reports. */
 public final class Report {
@@ -22,7 +24,7 @@ public final class Report {
   public static List<String> lines(
       Automaton automaton, Sizes sizes, Search.Result result, UnaryOperator<String> file) {
     List<String> lines = new ArrayList<>();
-    String head = automaton.name() + sizes(sizes) + ": ";
+    String head = automaton.name() + sizes(sizes, result.bounded()) + ": ";
     String counts =
         "%s, %s, at most %s from a start"
             .formatted(
@@ -47,12 +49,27 @@ public final class Report {
                       .formatted(
                           file.apply(finding.automaton()), finding.pos(), finding.message()));
             },
-            () -> lines.add(head + counts + "; " + verdict(automaton, result)));
+            () -> lines.add(head + counts + "; " + verdict(automaton, result) + never(result)));
     addNotes(lines, sizes, result);
     return List.copyOf(lines);
   }
 
   private static void addNotes(List<String> lines, Sizes sizes, Search.Result result) {
+    if (!result.stopped().isEmpty()) {
+      lines.add(
+          "  the search ended early: "
+              + result.stopped()
+              + "; to go on, repeat it with a larger --most, more memory"
+              + " (STARL_JAVA_OPTS=-Xmx...), or smaller sizes (--robots, --size, --nat, --time)");
+    }
+    if (result.states() == 0 && result.finding().isEmpty()) {
+      lines.add("  no values %s meet the assumptions and the start".formatted(within(sizes)));
+    }
+    if (!result.asymmetric().isEmpty()) {
+      lines.add(
+          "  states that differ in the names of elements alone count each, as there are too many: "
+              + String.join(", ", result.asymmetric()));
+    }
     if (!result.symmetric().isEmpty()) {
       lines.add(
           "  states that differ in the names of elements alone count once: "
@@ -70,28 +87,48 @@ public final class Report {
           "  not taken: %s beyond --nat %d, --time %d"
               .formatted(count(result.beyond(), "step"), sizes.nat(), sizes.time()));
     }
+    if (result.beyondArguments() > 0) {
+      lines.add(
+          "  not taken: steps with arguments beyond --nat %d, in %s"
+              .formatted(sizes.nat(), count(result.beyondArguments(), "case")));
+    }
+    if (!result.untried().isEmpty()) {
+      lines.add(
+          "  not each value is tried, but whole ones %s: %s"
+              .formatted(within(sizes), String.join(", ", result.untried())));
+    }
     result
         .unevaluated()
         .forEach((invariant, states) ->
             lines.add(
                 "  not evaluated: %s in %s, which need values beyond --nat %d, --time %d"
                     .formatted(invariant, count(states, "state"), sizes.nat(), sizes.time())));
-    result.never().forEach(action -> lines.add("  never happens: " + action));
     result
         .neverFalse()
         .forEach((action, texts) ->
             texts.forEach(text -> lines.add("  never false: '" + text + "' of " + action)));
   }
 
-  private static String sizes(Sizes sizes) {
+  private static String within(Sizes sizes) {
+    return "to --nat %d, --time %d".formatted(sizes.nat(), sizes.time());
+  }
+
+  private static String never(Search.Result result) {
+    return result.never().isEmpty() ? "" : "; never happens: " + String.join(", ", result.never());
+  }
+
+  private static String sizes(Sizes sizes, Set<String> bounded) {
     List<String> texts = new ArrayList<>();
     sizes.opaque().forEach((type, size) -> texts.add(type + " " + size));
+    bounded.forEach(parameter -> texts.add(parameter + " " + within(sizes)));
     return texts.isEmpty() ? "" : " (" + String.join(", ", texts) + ")";
   }
 
   private static String verdict(Automaton automaton, Search.Result result) {
-    if (!result.isComplete()) {
-      return "THE SEARCH DID NOT END; nothing is wrong so far";
+    if (result.verdict() == Verdict.NOT_DECIDED) {
+      return "not decided: "
+          + String.join(", ", result.undecided())
+          + (result.states() == 0 ? "" : "; nothing is wrong so far");
     }
     List<String> names = automaton.invariants().stream().map(Invariant::name).toList();
     if (names.size() > MOST_NAMED) {

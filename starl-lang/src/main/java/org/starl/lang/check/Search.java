@@ -1,13 +1,14 @@
 package org.starl.lang.check;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Beyond;
@@ -20,6 +21,7 @@ import org.starl.lang.eval.Witness;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.verdict.Verdict;
 
 /** Visits all states of an automaton that can be reached. */
 public final class Search {
@@ -30,11 +32,15 @@ public final class Search {
    * @param states the number of those visited; of states that differ in names alone, one counts
    * @param steps the number of steps from them
    * @param depth the number of steps to the farthest of them
-   * @param isComplete whether the search ended before the largest number of states
+   * @param stopped why the search ended early; empty if it did not
    * @param symmetric the types whose elements were renamed
+   * @param asymmetric the types of which there are too many elements for this
    * @param open the parts that the start leaves open, and of which all values were visited
    * @param cut the parts that the start leaves open, and of which the first value was visited alone
+   * @param bounded the value parameters that may have more values, beyond the bounds
+   * @param untried of what some values were not tried, nor any that stands for them: {@code d of dt}
    * @param beyond the number of steps that lead beyond the bounds, and were not taken
+   * @param beyondArguments the number of cases of arguments beyond the bounds that were not decided
    * @param unevaluated the invariants that were beyond the bounds in some states, with the number of these
    * @param never the actions that cannot happen
    * @param neverFalse for each action, the conjuncts that are true wherever those before them are
@@ -44,15 +50,53 @@ public final class Search {
       int states,
       long steps,
       int depth,
-      boolean isComplete,
+      String stopped,
       List<String> symmetric,
+      List<String> asymmetric,
       Set<String> open,
       Set<String> cut,
+      Set<String> bounded,
+      List<String> untried,
       long beyond,
+      long beyondArguments,
       Map<String, Long> unevaluated,
       List<String> never,
       Map<String, List<String>> neverFalse,
-      Optional<Finding> finding) {}
+      Optional<Finding> finding) {
+
+    /** Whether the search ended by itself. */
+    public boolean isComplete() {
+      return stopped.isEmpty() && finding.isEmpty();
+    }
+
+    /** What comes of it. */
+    public Verdict verdict() {
+      if (finding.isPresent()) {
+        return Verdict.VIOLATED;
+      }
+      return undecided().isEmpty() ? Verdict.HOLDS : Verdict.NOT_DECIDED;
+    }
+
+    /** What was not looked at; empty if it was all. */
+    List<String> undecided() {
+      List<String> all = new ArrayList<>();
+      if (!stopped.isEmpty()) {
+        all.add("THE SEARCH DID NOT END");
+      } else if (states == 0) {
+        all.add("THERE IS NO START STATE");
+      }
+      if (beyond + beyondArguments > 0) {
+        all.add("steps are not taken");
+      }
+      if (!unevaluated.isEmpty()) {
+        all.add("invariants are not evaluated in some states");
+      }
+      if (!cut.isEmpty() || !untried.isEmpty()) {
+        all.add("values are not tried");
+      }
+      return all;
+    }
+  }
 
   /** Leaves the search at a finding. */
   private static final class Found extends RuntimeException {
@@ -77,8 +121,10 @@ public final class Search {
   private final long[] taken;
   private final boolean[][] falses;
   private final Map<String, Long> unevaluated = new LinkedHashMap<>();
+  private long steps;
   private long beyond;
-  private boolean isFull;
+  private long beyondArguments;
+  private String stopped = "";
 
   /**
    * @param given the values of value parameters that are given
@@ -104,12 +150,25 @@ public final class Search {
 
   /** Visits the states. */
   public Result run() {
+    return run(() -> false);
+  }
+
+  /**
+   * Visits the states, until memory runs out or {@code isInterrupted}.
+   *
+   * @param isInterrupted is asked before the steps of each state
+   */
+  public Result run(BooleanSupplier isInterrupted) {
     int depth = 0;
     Finding finding = null;
     try {
       starts.states().forEach(start -> visit(symmetry.representative(start), -1));
       int end = states.size(); // of the states at this depth
       for (int number = 0; number < states.size(); number++) {
+        if (isInterrupted.getAsBoolean()) {
+          stopped = "interrupted";
+          break;
+        }
         if (number == end) {
           depth++;
           end = states.size();
@@ -118,6 +177,9 @@ public final class Search {
       }
     } catch (Found found) {
       finding = found.finding;
+    } catch (OutOfMemoryError e) {
+      states.clear();
+      stopped = "memory ran out";
     }
     return result(depth, finding);
   }
@@ -130,7 +192,23 @@ public final class Search {
   private Result result(int depth, @Nullable Finding finding) {
     List<String> never = new ArrayList<>();
     Map<String, List<String>> neverFalse = new LinkedHashMap<>();
-    boolean isComplete = finding == null && !isFull;
+    boolean isComplete = finding == null && stopped.isEmpty();
+    List<String> untried = new ArrayList<>();
+    for (int i = 0; i < taken.length; i++) {
+      String name = automaton.actions().get(i).name();
+      machine.untried(i).forEach(parameter -> untried.add(parameter + " of " + name));
+    }
+    Set<String> bounded = new TreeSet<>();
+    for (int i = 0; i < machine.parts().size(); i++) {
+      String part = machine.parts().get(i).name();
+      if (starts.bounded().contains(part)) {
+        if (i < machine.parameters().size()) {
+          bounded.add(part);
+        } else {
+          untried.add(part + " at the start");
+        }
+      }
+    }
     for (int i = 0; i < taken.length && isComplete; i++) {
       Action action = automaton.actions().get(i);
       if (taken[i] == 0) {
@@ -149,13 +227,17 @@ public final class Search {
     }
     return new Result(
         states.size(),
-        Arrays.stream(taken).sum(),
+        steps,
         depth,
-        isComplete,
+        stopped,
         symmetry.types(),
+        symmetry.tooLarge(),
         starts.open(),
         starts.cut(),
+        bounded,
+        untried,
         beyond,
+        beyondArguments,
         unevaluated,
         never,
         neverFalse,
@@ -164,7 +246,11 @@ public final class Search {
 
   private void visit(int[] numbers, int parent) {
     if (states.size() == most) {
-      isFull = true; // the states that are left are expanded, for what can be found of them
+      stopped =
+          "--most "
+              + most
+              + " is reached"; // the states that are left are expanded, for what can be found of
+      // them
       return;
     }
     if (!states.add(numbers, parent)) {
@@ -226,12 +312,17 @@ public final class Search {
           @Override
           public void step(int action, Object[] arguments, Row after) {
             taken[action]++;
+            steps += machine.areWithin(action, arguments) ? 1 : 0;
             visit(symmetry.representative(after, state, numbers), number);
           }
 
           @Override
-          public void beyond(int action) {
-            beyond++;
+          public void beyond(int action, Object[] arguments) {
+            if (machine.areWithin(action, arguments)) {
+              beyond++;
+            } else {
+              beyondArguments++;
+            }
           }
 
           @Override

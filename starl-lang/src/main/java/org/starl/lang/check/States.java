@@ -29,6 +29,12 @@ final class States {
     return size;
   }
 
+  /** Forgets the states, but not how many there are: makes room where memory ran out. */
+  void clear() {
+    blocks.clear();
+    slots = new int[1];
+  }
+
   /** Adds a state that is not there yet; returns whether it was not. */
   boolean add(int[] state, int parent) {
     int slot = slot(state);

@@ -16,6 +16,7 @@ final class Symmetry {
 
   private final List<Pool> pools = new ArrayList<>();
   private final List<String> types = new ArrayList<>();
+  private final List<String> tooLarge = new ArrayList<>();
   private final int renamings;
 
   /**
@@ -26,7 +27,11 @@ final class Symmetry {
     List<Map<String, int[]>> all = new ArrayList<>(List.of(Map.of()));
     if (isOn) {
       for (Map.Entry<String, Integer> type : sizes.entrySet()) {
-        if (type.getValue() < 2 || factorial(type.getValue()) * all.size() > MOST) {
+        if (type.getValue() < 2) {
+          continue;
+        }
+        if (factorial(type.getValue()) * all.size() > MOST) {
+          tooLarge.add(type.getKey());
           continue;
         }
         types.add(type.getKey());
@@ -82,6 +87,11 @@ final class Symmetry {
   /** The types whose elements are renamed. */
   List<String> types() {
     return List.copyOf(types);
+  }
+
+  /** The types whose elements are not renamed: there are too many renamings. */
+  List<String> tooLarge() {
+    return List.copyOf(tooLarge);
   }
 
   /** The numbers that stand for the state, and for all that differ from it in names alone. */

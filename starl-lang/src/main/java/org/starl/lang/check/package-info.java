@@ -5,7 +5,8 @@
  * compares these elements and does nothing else with them. What is found is a {@link
  * org.starl.lang.check.Finding}, with a shortest run to it. A search is deterministic.
  *
- * <p>May import: {@code org.starl.lang.tree}, {@code org.starl.lang.eval}.
+ * <p>May import: {@code org.starl.lang.tree}, {@code org.starl.lang.eval}, {@code
+ * org.starl.lang.verdict}.
  */
 @NullMarked
 package org.starl.lang.check;

@@ -387,11 +387,11 @@ final class Compiler {
   }
 
   private static boolean visit(
-      List<Domain> variables, int variable, int first, Frame frame, Each each) {
+      List<List<Object>> variables, int variable, int first, Frame frame, Each each) {
     if (variable == variables.size()) {
       return each.visit(frame);
     }
-    for (Object value : variables.get(variable).values()) {
+    for (Object value : variables.get(variable)) {
       frame.locals[first + variable] = value;
       if (!visit(variables, variable + 1, first, frame, each)) {
         return false;
@@ -414,7 +414,8 @@ final class Compiler {
   }
 
   /**
-   * An instance that decides counts more than one beyond the bounds. All instances are looked at if
+   * An instance that decides counts more than one beyond the bounds; numbers above the bound are
+   * instances, too. All instances are looked at if
    * one may be an error: what is found does not depend on the order of ids.
    */
   private Code quantified(Expr.Quantified quantified, Scope scope) {
@@ -427,10 +428,13 @@ final class Compiler {
     partial |= before;
     scope.pop(quantified.variables());
     boolean forAll = quantified.forAll();
+    boolean hasMore = !inHoles && variables.stream().anyMatch(Domain::hasMore);
+    List<List<Object>> instances =
+        variables.stream().map(inHoles ? Domain::values : Domain::instances).toList();
     return frame -> {
-      boolean[] found = new boolean[2]; // decided, beyond
+      boolean[] found = {false, hasMore}; // decided, beyond
       visit(
-          variables,
+          instances,
           0,
           first,
           frame,
@@ -455,6 +459,8 @@ final class Compiler {
     Domain domain = bind(variables, scope, set.pos()).getFirst();
     Code body = code(set.body(), scope);
     scope.pop(variables);
+    List<Object> others = inHoles ? List.of() : domain.others();
+    boolean hasMore = !inHoles && domain.hasMore();
     return frame -> {
       BigInteger bits = BigInteger.ZERO;
       for (int i = 0; i < domain.values().size(); i++) {
@@ -462,6 +468,15 @@ final class Compiler {
         if (body.test(frame)) {
           bits = bits.setBit(i);
         }
+      }
+      for (Object other : others) {
+        frame.locals[place] = other;
+        if (body.test(frame)) {
+          throw new Beyond(); // a set has no elements beyond the bounds
+        }
+      }
+      if (hasMore) {
+        throw new Beyond();
       }
       return bits;
     };
@@ -471,11 +486,12 @@ final class Compiler {
     int first = scope.names.size();
     List<Domain> variables = bind(map.variables(), scope, map.pos());
     int size = (int) ((Domain.Maps) domains.of(map.type())).arguments.size;
+    List<List<Object>> values = variables.stream().map(Domain::values).toList();
     Code body = code(map.body(), scope);
     scope.pop(map.variables());
     return frame -> {
       List<Object> results = new ArrayList<>(size);
-      visit(variables, 0, first, frame, in -> results.add(body.of(in)));
+      visit(values, 0, first, frame, in -> results.add(body.of(in)));
       return Row.of(results);
     };
   }
@@ -528,20 +544,27 @@ final class Compiler {
   private Code binary(Expr.Binary binary, Scope scope) {
     Code left = code(binary.left(), scope);
     Code right = code(binary.right(), scope);
+    Code not = frame -> !left.test(frame);
     return switch (binary.operator()) {
-      case AND -> frame -> left.test(frame) && right.test(frame);
-      case OR -> frame -> left.test(frame) || right.test(frame);
-      case IMPLIES -> frame -> !left.test(frame) || right.test(frame);
+      case AND -> frame -> first(left, right, false, frame) && right.test(frame);
+      case OR -> frame -> first(left, right, true, frame) || right.test(frame);
+      case IMPLIES -> frame -> first(not, right, true, frame) || right.test(frame);
       case IFF -> frame -> left.test(frame) == right.test(frame);
-      case EQUAL -> frame -> left.of(frame).equals(right.of(frame));
-      case UNEQUAL -> frame -> !left.of(frame).equals(right.of(frame));
+      case EQUAL -> equal(binary, left, right);
+      case UNEQUAL -> {
+        Code equal = equal(binary, left, right);
+        yield frame -> !equal.test(frame);
+      }
       case LESS -> frame -> compared(binary, left, right, frame) < 0;
       case AT_MOST -> frame -> compared(binary, left, right, frame) <= 0;
       case GREATER -> frame -> compared(binary, left, right, frame) > 0;
       case AT_LEAST -> frame -> compared(binary, left, right, frame) >= 0;
       case IN -> {
         Domain element = ((Domain.Sets) domains.of(binary.right().type())).element;
-        yield frame -> set(right, frame).testBit(element.number(left.of(frame)));
+        yield frame -> {
+          Object value = left.of(frame); // a set has no elements beyond the bounds
+          return element.contains(value) && set(right, frame).testBit(element.number(value));
+        };
       }
       case SUBSET -> frame -> set(left, frame).andNot(set(right, frame)).signum() == 0;
       case DISJOINT -> frame -> set(left, frame).and(set(right, frame)).signum() == 0;
@@ -552,6 +575,37 @@ final class Compiler {
       case TIMES -> arithmetic(binary, left, right, Num::times);
       case LESS_BY -> lessBy(binary, left, right);
       case DIVIDED_BY -> dividedBy(binary, left, right);
+    };
+  }
+
+  /**
+   * The value of the first of two conditions. If it is beyond the bounds, it does not matter where the
+   * second one decides: where that is {@code decides}.
+   */
+  private static boolean first(Code left, Code right, boolean decides, Frame frame) {
+    try {
+      return left.test(frame);
+    } catch (Beyond e) {
+      try {
+        if (right.test(frame) == decides) {
+          return decides;
+        }
+      } catch (EvalError hidden) {
+        // It may have a value only where the first one holds.
+      }
+      throw e;
+    }
+  }
+
+  /** Maps that are equal within the bounds may differ beyond them. */
+  private Code equal(Expr.Binary at, Code left, Code right) {
+    boolean isTruncated = !inHoles && domains.of(at.left().type()).isTruncated();
+    return frame -> {
+      boolean isEqual = left.of(frame).equals(right.of(frame));
+      if (isEqual && isTruncated) {
+        throw new Beyond();
+      }
+      return isEqual;
     };
   }
 
@@ -589,7 +643,7 @@ final class Compiler {
     partial = true;
     return frame -> {
       Num value = (Num) real.of(frame);
-      if (value.over() < 0) {
+      if (value.compareTo(Num.of(0)) < 0) {
         throw error(
             at.pos(),
             "%s - %s is below 0; expected a value of %s"
@@ -603,7 +657,7 @@ final class Compiler {
     Code quotient = arithmetic(at, left, right, Num::dividedBy);
     partial = true;
     return frame -> {
-      if (((Num) right.of(frame)).over() == 0) {
+      if (right.of(frame).equals(Num.of(0))) {
         throw error(at.pos(), "a division by 0");
       }
       return quotient.of(frame);

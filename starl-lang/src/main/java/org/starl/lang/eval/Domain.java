@@ -23,7 +23,10 @@ public abstract sealed class Domain {
   private final long size;
   private final boolean hasIds;
   private final boolean isBounded;
+  private final boolean isOpen;
+  private final boolean isTruncated;
   private @Nullable List<Object> values;
+  private @Nullable List<Object> instances;
 
   /**
    * @param parts the domains of the parts of its values
@@ -37,6 +40,14 @@ public abstract sealed class Domain {
         this instanceof Numbers
             || this instanceof Lists
             || (!(this instanceof Sets) && parts.stream().anyMatch(part -> part.isBounded));
+    isOpen =
+        this instanceof Numbers
+            || this instanceof Lists
+            || parts.stream().anyMatch(part -> part.isOpen);
+    isTruncated =
+        parts.stream().anyMatch(part -> part.isTruncated)
+            || (this instanceof Maps
+                && parts.subList(0, parts.size() - 1).stream().anyMatch(a -> a.isOpen));
   }
 
   /** Its type. */
@@ -55,6 +66,38 @@ public abstract sealed class Domain {
       values = IntStream.range(0, (int) size).mapToObj(this::make).toList();
     }
     return values;
+  }
+
+  /** Whether the type has more values, beyond the bounds. */
+  public final boolean isOpen() {
+    return isOpen;
+  }
+
+  /** Whether its values are maps that are known at arguments within the bounds alone, or have such. */
+  final boolean isTruncated() {
+    return isTruncated;
+  }
+
+  /** All values, then {@link #others}. */
+  List<Object> instances() {
+    if (instances == null) {
+      List<Object> all = new ArrayList<>(values());
+      if (isOpen) {
+        all.addAll(others());
+      }
+      instances = List.copyOf(all);
+    }
+    return instances;
+  }
+
+  /** Whether the type has values that no instance stands for. */
+  boolean hasMore() {
+    return isOpen;
+  }
+
+  /** Values beyond the bounds: of numbers the next one, and one that stands for all after it. */
+  List<Object> others() {
+    return List.of();
   }
 
   /**
@@ -178,6 +221,17 @@ public abstract sealed class Domain {
     }
 
     @Override
+    boolean hasMore() {
+      return type() != Type.Num.NAT;
+    }
+
+    @Override
+    List<Object> others() {
+      long next = most.over() + 1;
+      return hasMore() ? List.of() : List.of(Num.of(next), Num.above(next));
+    }
+
+    @Override
     public String text(Object value) {
       return value.toString();
     }
@@ -254,6 +308,31 @@ public abstract sealed class Domain {
       return IntStream.range(0, parts.size()).allMatch(i -> parts.get(i).contains(row.get(i)));
     }
 
+    boolean hasMore() {
+      return parts.stream().anyMatch(Domain::hasMore) || instanceCount() > MOST;
+    }
+
+    private long instanceCount() {
+      return parts.stream().mapToLong(part -> part.instances().size()).reduce(1, Domain::times);
+    }
+
+    /** The rows of instances, those of values alone left out. */
+    List<Row> others() {
+      List<Row> rows = List.of(Row.EMPTY);
+      for (Domain part : instanceCount() > MOST ? List.<Domain>of() : parts) {
+        List<Row> longer = new ArrayList<>();
+        for (Row row : rows) {
+          for (Object each : part.instances()) {
+            List<Object> items = new ArrayList<>(List.of(row.items()));
+            items.add(each);
+            longer.add(Row.of(items));
+          }
+        }
+        rows = longer;
+      }
+      return rows.stream().filter(row -> !row.equals(Row.EMPTY) && !holds(row)).toList();
+    }
+
     Row rename(Row row, Renaming renaming) {
       return Row.of(
           IntStream.range(0, parts.size())
@@ -276,6 +355,16 @@ public abstract sealed class Domain {
       super(type, new Product(fields).size, fields);
       this.names = names;
       this.fields = new Product(fields);
+    }
+
+    @Override
+    boolean hasMore() {
+      return fields.hasMore();
+    }
+
+    @Override
+    List<Object> others() {
+      return List.copyOf(fields.others());
     }
 
     @Override
@@ -339,6 +428,21 @@ public abstract sealed class Domain {
     }
 
     @Override
+    boolean hasMore() {
+      return forms.stream().anyMatch(Product::hasMore);
+    }
+
+    @Override
+    List<Object> others() {
+      List<Object> all = new ArrayList<>();
+      for (int i = 0; i < forms.size(); i++) {
+        int form = i;
+        forms.get(i).others().forEach(fields -> all.add(new Form(form, fields)));
+      }
+      return all;
+    }
+
+    @Override
     public int number(Object value) {
       Form form = (Form) value;
       int before = forms.stream().limit(form.constructor()).mapToInt(f -> (int) f.size).sum();
@@ -385,6 +489,16 @@ public abstract sealed class Domain {
     Options(Type type, Domain element) {
       super(type, element.size == TOO_MANY ? TOO_MANY : 1 + element.size, List.of(element));
       this.element = element;
+    }
+
+    @Override
+    boolean hasMore() {
+      return element.hasMore();
+    }
+
+    @Override
+    List<Object> others() {
+      return List.copyOf(element.others().stream().map(Optional::of).toList());
     }
 
     @Override

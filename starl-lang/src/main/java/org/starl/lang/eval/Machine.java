@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.starl.lang.eval.Code.Frame;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Automaton;
@@ -26,8 +27,12 @@ public final class Machine {
     /** A step that can be taken. */
     default void step(int action, Object[] arguments, Row after) {}
 
-    /** A step whose evaluation or state is beyond the bounds, and so is left out. */
-    default void beyond(int action) {}
+    /**
+     * A step whose evaluation or state is beyond the bounds, and so is left out.
+     *
+     * @param arguments those that were chosen; there may be fewer than parameters
+     */
+    default void beyond(int action, Object[] arguments) {}
 
     /** For some arguments this conjunct is the first one that is false. */
     default void conjunctIsFalse(int action, int conjunct) {}
@@ -168,13 +173,13 @@ public final class Machine {
         return;
       }
     } catch (Beyond e) {
-      to.beyond(number);
+      to.beyond(number, arguments(act, level, frame));
       return;
     } catch (EvalError e) {
       to.error(number, arguments(act, level, frame), e);
       return;
     }
-    for (Object value : act.parameters.get(level).values()) {
+    for (Object value : act.parameters.get(level).instances()) {
       frame.locals[level] = value;
       steps(number, act, level + 1, conjunct, frame, to);
     }
@@ -182,6 +187,22 @@ public final class Machine {
 
   private static Object[] arguments(Act act, int level, Frame frame) {
     return Arrays.copyOf(frame.locals, Math.min(level, act.parameters.size()));
+  }
+
+  /** Whether none of the arguments stands for values beyond the bounds. */
+  public boolean areWithin(int action, Object[] arguments) {
+    List<Domain> domains = acts.get(action).parameters;
+    return IntStream.range(0, arguments.length)
+        .allMatch(i -> domains.get(i).contains(arguments[i]));
+  }
+
+  /** The parameters of an action of which some values are not tried, nor any that stands for them. */
+  public List<String> untried(int action) {
+    Act act = acts.get(action);
+    return act.tree.parameters().stream()
+        .filter(field -> domains.of(field.type()).hasMore())
+        .map(Field::name)
+        .toList();
   }
 
   /** An action with its arguments, as in {@code release(bot0, {A})}. */

@@ -4,10 +4,11 @@ import java.math.BigDecimal;
 import java.math.BigInteger;
 
 /**
- * An exact fraction in lowest terms.
+ * An exact fraction in lowest terms; or any number above a bound, of which {@link Beyond} is what its
+ * bound does not decide.
  *
- * @param over what is divided
- * @param under what it is divided by; above 0
+ * @param over what is divided; or the bound
+ * @param under what it is divided by, above 0; 0 for any number above the bound
  */
 public record Num(long over, long under) implements Comparable<Num> {
 
@@ -47,31 +48,72 @@ public record Num(long over, long under) implements Comparable<Num> {
             Math.multiplyExact(sign, over / common), Math.multiplyExact(sign, under / common));
   }
 
+  /** Any number above {@code most}. */
+  static Num above(long most) {
+    return new Num(most, 0);
+  }
+
+  private boolean isAny() {
+    return under == 0;
+  }
+
+  private void requireOne() {
+    if (isAny()) {
+      throw new Beyond();
+    }
+  }
+
   boolean isWhole() {
     return under == 1;
   }
 
   Num plus(Num other) {
+    if (isAny() || other.isAny()) {
+      if (Math.max(under, other.under) > 1) {
+        throw new Beyond();
+      }
+      return above(Math.addExact(over, other.over));
+    }
     return of(
         Math.addExact(Math.multiplyExact(over, other.under), Math.multiplyExact(other.over, under)),
         Math.multiplyExact(under, other.under));
   }
 
   Num negative() {
+    requireOne();
     return of(Math.negateExact(over), under);
   }
 
   Num times(Num other) {
+    if (isAny() || other.isAny()) {
+      boolean isZero = (over == 0 && !isAny()) || (other.over == 0 && !other.isAny());
+      if (!isZero && (Math.min(over, other.over) < 0 || Math.max(under, other.under) > 1)) {
+        throw new Beyond();
+      }
+      return isZero ? of(0) : above(Math.multiplyExact(over, other.over));
+    }
     return of(Math.multiplyExact(over, other.over), Math.multiplyExact(under, other.under));
   }
 
   /** {@code other} is not 0. */
   Num dividedBy(Num other) {
+    requireOne();
+    other.requireOne();
     return of(Math.multiplyExact(over, other.under), Math.multiplyExact(under, other.over));
   }
 
   @Override
   public int compareTo(Num other) {
+    if (isAny()) {
+      other.requireOne();
+      if (other.compareTo(of(over)) > 0) {
+        throw new Beyond();
+      }
+      return 1;
+    }
+    if (other.isAny()) {
+      return -other.compareTo(this);
+    }
     return under == other.under
         ? Long.compare(over, other.over)
         : Long.compare(
@@ -79,7 +121,23 @@ public record Num(long over, long under) implements Comparable<Num> {
   }
 
   @Override
+  public boolean equals(Object other) {
+    if (!(other instanceof Num that)) {
+      return false;
+    }
+    boolean isOne = !isAny() && !that.isAny();
+    return isOne ? over == that.over && under == that.under : compareTo(that) == 0;
+  }
+
+  /** A value that has any number in it is equal to no one value for sure. */
+  @Override
+  public int hashCode() {
+    requireOne();
+    return Long.hashCode(over) * 31 + Long.hashCode(under);
+  }
+
+  @Override
   public String toString() {
-    return under == 1 ? Long.toString(over) : over + "/" + under;
+    return isAny() ? ">" + over : under == 1 ? Long.toString(over) : over + "/" + under;
   }
 }

@@ -36,6 +36,10 @@ public final class Starts {
   private final Set<Row> states = new LinkedHashSet<>();
   private final Set<String> open = new TreeSet<>();
   private final Set<String> cut = new TreeSet<>();
+  private final Set<String> bounded = new TreeSet<>();
+
+  /** The parts that have a value beyond the bounds now: what is found then is no state to visit. */
+  private final Set<String> beyond = new TreeSet<>();
 
   Starts(Machine machine, Map<String, Object> given) {
     this.machine = machine;
@@ -69,6 +73,11 @@ public final class Starts {
   /** The parts that the condition leaves open, and of which only the first value is. */
   public Set<String> cut() {
     return Collections.unmodifiableSet(cut);
+  }
+
+  /** The parts that may have values beyond the bounds in start states, which are not among them. */
+  public Set<String> bounded() {
+    return Collections.unmodifiableSet(bounded);
   }
 
   private Object hollow(Domain domain, int part) {
@@ -166,10 +175,22 @@ public final class Starts {
   }
 
   private void tryAll(Hole hole, int number) {
-    machine.domains().requireFew(hole.domain, machine.parts().get(hole.part).name());
+    String name = machine.parts().get(hole.part).name();
+    machine.domains().requireFew(hole.domain, name);
     for (Object value : hole.domain.values()) {
       hole.value = value;
       solve(number);
+    }
+    if (hole.domain.hasMore()) {
+      bounded.add(name);
+    }
+    boolean isFirst = beyond.add(name);
+    for (Object value : hole.domain.others()) {
+      hole.value = value;
+      solve(number);
+    }
+    if (isFirst) {
+      beyond.remove(name);
     }
     hole.value = null;
   }
@@ -203,6 +224,10 @@ public final class Starts {
 
   /** Adds the states of all values of the holes that are still open. */
   private void addStates() {
+    if (!beyond.isEmpty()) {
+      bounded.addAll(beyond);
+      return;
+    }
     Map<Integer, List<Hole>> free = new TreeMap<>();
     holes.stream()
         .filter(hole -> hole.value == null)
@@ -217,6 +242,9 @@ public final class Starts {
               .reduce(count, Domain::times);
       if (all <= MOST && !cut.contains(name)) {
         open.add(name);
+        if (each.getValue().stream().anyMatch(hole -> hole.domain.isOpen())) {
+          bounded.add(name);
+        }
         tried.addAll(each.getValue());
         count = all;
       } else {

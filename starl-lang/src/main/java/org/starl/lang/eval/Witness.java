@@ -91,7 +91,7 @@ public record Witness(Pos pos, String variables, String why) {
       Field field = all.variables().get(variable);
       Domain domain = compiler.domains().of(field.type());
       scope.push(List.of(field));
-      for (Object value : domain.values()) {
+      for (Object value : domain.instances()) {
         values.add(value);
         texts.add(field.name() + " = " + domain.text(value));
         if (choose(all, variable + 1)) {

@@ -146,8 +146,8 @@ class SearchTest {
   void invariantThatNeedsMoreThanTheBoundIsToldUnlessItIsFalse() throws SourceErrors {
     String invariant =
         """
-        invariant Later: forall i: PIDS :: n + 1 in {0, 1, 2}
-        invariant Never: forall k: nat :: if k = 2 then n != 2 else n + 1 in {0, 1, 2}
+        invariant Later: {k: nat | k >= n} != {}
+        invariant Never: forall k: nat :: if k = 2 then n != 2 else {k2: nat | k2 >= n} != {}
         """;
     Search.Result result = result(CLOCK + invariant, 2, true);
     assertThat(result.unevaluated()).containsKey("Later");
@@ -158,7 +158,8 @@ class SearchTest {
   void actionsThatNeverHappenAndConjunctsThatAreNeverFalseAreTold() throws SourceErrors {
     String more = "action idle pre n > 2\naction on pre n >= 0, n > 1 eff n := 0\n";
     assertThat(lines(CLOCK + more, 2))
-        .contains("  never happens: idle", "  never false: 'n >= 0' of on")
+        .anyMatch(line -> line.endsWith("; never happens: idle"))
+        .contains("  never false: 'n >= 0' of on")
         .noneMatch(line -> line.contains("'n > 1'"));
   }
 

@@ -1,0 +1,147 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What was not looked at is not said to hold. */
+class VerdictTest {
+
+  @TempDir private Path folder;
+
+  /** A counter; {@code inc} and {@code trip} have the conditions that are given. */
+  private Path source(String parameters, String inc, String trip, String more) throws IOException {
+    String text =
+        """
+        automaton C%s
+        state
+          c: nat
+          bad: bool
+        start c = 0, not bad
+        action inc
+          pre %s
+          eff c := c + 1
+        action trip
+          pre %s
+          eff bad := true
+        invariant NotBad: not bad
+        %s
+        """
+            .formatted(parameters, inc, trip, more);
+    return Files.writeString(folder.resolve("c.starl"), text);
+  }
+
+  private static void hasVerdict(Cli cli, int status, String headline) {
+    assertThat(cli.status()).as("%s", cli).isEqualTo(status);
+    assertThat(cli.out().getFirst()).contains(headline);
+    if (status == ExitStatus.NOT_DECIDED) {
+      assertThat(cli.out()).noneMatch(line -> line.matches(".*\\bholds?\\b.*"));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          c < 2 | false | 0 | NotBad holds; never happens: trip
+          c < 2 | c = 2, exists n: nat :: n > c | 1 | NotBad is false after 3 steps
+          c < 2 | c = 2, not (forall n: nat :: n <= c) | 1 | NotBad is false after 3 steps
+          c < 2 | c = 2, forall n: nat :: n <= c | 0 | NotBad holds; never happens: trip
+          c < 2 | c in {3, 4} | 4 | not decided: steps are not taken
+          c < 2 | exists n: nat :: n = c + 1 | 1 | NotBad is false after 1 step
+          true | false | 4 | not decided: steps are not taken
+          """)
+  void quantifierOverNaturalsIsDecidedOrCounted(
+      String inc, String trip, int status, String headline) throws IOException {
+    Path file = source("", inc, trip, "");
+    hasVerdict(Cli.run("check", file.toString()), status, headline);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          exists n: nat :: n > c | 0 | NotBad, More hold
+          forall n: nat :: n >= c or n < c | 0 | NotBad, More hold
+          forall n: nat :: exists k: nat :: k > n | 4 | not decided: invariants are not evaluated
+          forall n: nat :: n < c or n + 1 > c | 0 | NotBad, More hold
+          forall n: nat :: n < 3 | 1 | More is false after 0 steps
+          forall n: nat :: n <= c => n < 3 | 0 | NotBad, More hold
+          exists l: list[nat] :: l != [] and head(l) > c | 4 | not decided: invariants are not evaluated
+          forall t: time :: t <= c or t > c | 4 | not decided: invariants are not evaluated
+          exists o: option[nat] :: o != none and the(o) > c | 0 | NotBad, More hold
+          exists o: option[nat] :: the(o) > c | 1 | More is undefined
+          """)
+  void invariantOverNaturalsIsDecidedOrCounted(String more, int status, String headline)
+      throws IOException {
+    Path file = source("", "c < 2", "false", "invariant More: " + more);
+    hasVerdict(Cli.run("check", file.toString()), status, headline);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          trip(n: nat) | n > c | eff bad := true | 1 | NotBad is false after 1 step
+          trip(n: nat) | c = 2, n > c | eff bad := true | 1 | NotBad is false after 3 steps
+          set(n: nat) | n <= c | eff c := n | 0 | NotBad holds
+          set(n: nat) | n > c | eff c := n | 4 | not decided: steps are not taken
+          dt(d: time) | d <= 1 | | 4 | not decided: values are not tried
+          """)
+  void argumentBeyondTheBoundIsTriedOrCounted(
+      String action, String pre, String eff, int status, String headline) throws IOException {
+    String more = "action " + action + " pre " + pre + " " + (eff == null ? "" : eff);
+    Path file = source("", "c < 2", "false", more.replace("trip(", "trip_it("));
+    hasVerdict(Cli.run("check", file.toString()), status, headline);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          [n: nat] | assume A: n > 3, assume B: n < 2 | | 4 | not decided: THERE IS NO START STATE
+          [n: nat] | assume A: n > 3 | | 4 | not decided: THERE IS NO START STATE
+          [n: nat] | assume A: n > 3 | --nat=4 | 0 | C (n to --nat 4, --time 2): 3 states
+          [n: nat] | assume A: n <= 1 | | 0 | C: 6 states
+          | state m: [nat -> [nat -> set[nat]]] | | 4 | not decided: values are not tried
+          | state k: nat | | 4 | not decided: values are not tried
+          | | --most=2 | 4 | not decided: THE SEARCH DID NOT END
+          """)
+  void whatWasNotExploredIsNotDecided(
+      String parameters, String more, String option, int status, String headline)
+      throws IOException {
+    Path file =
+        source(
+            parameters == null ? "" : parameters,
+            "c < 2",
+            "false",
+            more == null ? "" : more.replace(", ", "\n"));
+    Cli cli =
+        option == null
+            ? Cli.run("check", file.toString())
+            : Cli.run("check", file.toString(), option);
+    hasVerdict(cli, status, headline);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"7, count once", "8, count each"})
+  void symmetryThatIsOffIsTold(int robots, String told) throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("s.starl"),
+            "automaton S[P]\nstate s: set[P]\nstart s = {}\n"
+                + "action add(p: P)\n  eff s := s union {p}\n");
+    Cli cli = Cli.run("check", file.toString(), "--robots", "" + robots);
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out()).anyMatch(line -> line.contains(told) && line.endsWith(": P"));
+  }
+}
