@@ -5,14 +5,17 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.lang.prove.Claim;
 import org.starl.lang.prove.NoSolver;
 import org.starl.lang.prove.Prover;
 import org.starl.lang.prove.Report;
 import org.starl.lang.prove.Unprovable;
 import org.starl.lang.read.Source;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.verdict.Verdict;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -46,18 +49,40 @@ final class ProveCommand extends SourceCommand {
       description = "Write each obligation as a file for Z3 (SMT-LIB 2) into this folder.")
   private @Nullable String folder;
 
+  private final AtomicLong questions = new AtomicLong();
+
   @Override
   int run(Source source) throws IOException {
     List<Automaton> automata = source.automata();
     long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
-    boolean isProved = true;
+    Verdict verdict = Verdict.HOLDS;
     for (Automaton automaton : automata) {
-      Report report = prove(automaton, steps);
+      stop()
+          .progress(() ->
+              "%d questions to Z3; %s is not decided: to go on, repeat the command"
+                  .formatted(questions.get(), automaton.name()));
+      Report report;
+      try {
+        report = prove(automaton, steps);
+      } catch (OutOfMemoryError e) {
+        out()
+            .println(
+                automaton.name()
+                    + ": not decided: memory ran out; to go on, repeat it with more"
+                    + " (STARL_JAVA_OPTS=-Xmx...)");
+        verdict = verdict.and(Verdict.NOT_DECIDED);
+        continue;
+      }
       report.lines().forEach(out()::println);
       places(automaton, report.failures()).forEach(out()::println);
-      isProved &= report.isProved();
+      if (report.verdict() == Verdict.NOT_DECIDED) {
+        List<String> open =
+            report.claims().stream().filter(each -> !each.isGood()).map(Claim::subject).toList();
+        out().println(automaton.name() + ": not decided: " + String.join(", ", open));
+      }
+      verdict = verdict.and(report.verdict());
     }
-    return isProved ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+    return ExitStatus.of(verdict);
   }
 
   private Report prove(Automaton automaton, long steps) throws IOException {
@@ -73,7 +98,8 @@ final class ProveCommand extends SourceCommand {
     }
   }
 
-  private static void keep(@Nullable Path folder, String title, String text) {
+  private void keep(@Nullable Path folder, String title, String text) {
+    questions.incrementAndGet();
     if (folder != null) {
       try {
         Files.writeString(folder.resolve(title + ".smt2"), text);

@@ -9,10 +9,12 @@ import org.starl.lang.prove.Val.Cells;
 import org.starl.lang.prove.Val.Fn;
 import org.starl.lang.prove.Val.Term;
 import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
@@ -132,6 +134,106 @@ final class AutomatonScript {
       }
     }
     return next;
+  }
+
+  /**
+   * A change by an action.
+   *
+   * @param place names of components and fields, and lists of arguments
+   * @param guard the condition of the step that makes it
+   */
+  private record Change(List<Object> place, String guard, Val value, Type type, Pos pos) {}
+
+  /** What must hold so that {@code action} has an effect wherever it is enabled. */
+  List<Obligation> obligations(Action action, Scope parameters) {
+    return translator.obligations(() -> {
+      String enabled =
+          translator.all(action.pre().stream().map(Conjunct::condition).toList(), parameters);
+      List<Change> changes = new ArrayList<>();
+      translator.under(
+          enabled,
+          () -> {
+            changes(action, parameters, List.of(), Smt.TRUE, changes);
+            for (int i = 0; i < changes.size(); i++) {
+              for (Change other : changes.subList(0, i)) {
+                String apart = apart(other, changes.get(i));
+                translator.oblige(apart, "changes one place twice", changes.get(i).pos());
+              }
+            }
+            return enabled;
+          });
+    });
+  }
+
+  private void changes(
+      Action action, Scope scope, List<Object> prefix, String guard, List<Change> changes) {
+    for (Effect effect : action.eff()) {
+      List<Object> place = new ArrayList<>(prefix);
+      if (effect instanceof Effect.Assign assign) {
+        place.add(assign.component());
+        Type type = scope.automaton().component(assign.component()).orElseThrow().type();
+        for (Selector selector : assign.selectors()) {
+          if (selector instanceof Selector.At at) {
+            List<Field> parameters =
+                Sorts.map(type).arguments().stream().map(of -> new Field("", of)).toList();
+            place.add(
+                translator.terms(
+                    parameters, translator.arguments(parameters, at.arguments(), scope)));
+            type = Sorts.map(type).result();
+          } else if (selector instanceof Selector.Of of) {
+            place.add(of.field());
+            type = ((Type.Rec) type.base()).field(of.field()).orElseThrow().type();
+          }
+        }
+        Val value = translator.as(type, assign.value(), scope);
+        changes.add(new Change(place, guard, value, type, assign.pos()));
+      } else if (effect instanceof Effect.Step step) {
+        place.add(step.used());
+        List<Field> parameters = step.action().parameters();
+        String condition = step.condition().map(of -> translator.bool(of, scope)).orElse(Smt.TRUE);
+        translator.under(
+            condition,
+            () -> {
+              Scope used =
+                  scope
+                      .used(step.used())
+                      .only(parameters, translator.arguments(parameters, step.arguments(), scope));
+              String enabled =
+                  translator.all(
+                      step.action().pre().stream().map(Conjunct::condition).toList(), used);
+              String name = step.used() + "." + step.action().name();
+              translator.oblige(enabled, "takes " + name + " where it is not enabled", step.pos());
+              String both = Smt.and(List.of(guard, condition));
+              translator.under(
+                  enabled,
+                  () -> {
+                    changes(step.action(), used, place, both, changes);
+                    return enabled;
+                  });
+              return enabled;
+            });
+      }
+    }
+  }
+
+  /** That two changes are not made at one place, or are equal. */
+  private String apart(Change one, Change other) {
+    List<String> overlap = new ArrayList<>(List.of(one.guard(), other.guard()));
+    int common = Math.min(one.place().size(), other.place().size());
+    for (int i = 0; i < common; i++) {
+      if (one.place().get(i) instanceof List<?> a && other.place().get(i) instanceof List<?> b) {
+        for (int k = 0; k < a.size(); k++) {
+          overlap.add(Smt.equal(String.valueOf(a.get(k)), String.valueOf(b.get(k))));
+        }
+      } else if (!one.place().get(i).equals(other.place().get(i))) {
+        return Smt.TRUE;
+      }
+    }
+    return Smt.implies(
+        Smt.and(overlap),
+        one.place().size() == other.place().size()
+            ? translator.equal(one.type(), one.value(), other.value())
+            : "false");
   }
 
   /** The components {@code then} if the condition holds, and {@code otherwise} if not. */

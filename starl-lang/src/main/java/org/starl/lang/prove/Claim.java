@@ -24,7 +24,8 @@ public record Claim(String subject, Verdict verdict, String text, List<String> l
     UNDECIDED
   }
 
-  boolean isGood() {
+  /** Whether it holds. */
+  public boolean isGood() {
     return verdict == Verdict.PROVED || verdict == Verdict.PROVED_SMALL;
   }
 }

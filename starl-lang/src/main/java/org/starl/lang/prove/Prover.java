@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.IntFunction;
+import java.util.stream.Stream;
 import org.starl.lang.prove.Claim.Verdict;
 import org.starl.lang.prove.Question.Frame;
 import org.starl.lang.prove.Solver.Answer;
@@ -57,6 +59,16 @@ public final class Prover {
   public Report prove() {
     List<Claim> claims = new ArrayList<>();
     measures(automaton, claims);
+    claims.addAll(
+        undefined(
+            "start",
+            (size, title) -> new Question(automaton, size, title),
+            question ->
+                question.obligations(
+                    Stream.concat(
+                            automaton.assumptions().stream().map(Invariant::condition),
+                            automaton.start().stream())
+                        .toList())));
     claims.add(start());
     if (claims.stream().allMatch(Claim::isGood)) {
       claims.addAll(new Induction(automaton.invariants()).claims());
@@ -145,6 +157,46 @@ public final class Prover {
     };
   }
 
+  /** The operations that may have no value where {@code at} asks, each told for itself. */
+  private List<Claim> undefined(
+      String subject,
+      BiFunction<Integer, String, Question> at,
+      java.util.function.Function<Question, List<Obligation>> obligations) {
+    String title = subject + " is defined";
+    Question any = at.apply(0, title);
+    List<Obligation> all = obligations.apply(any);
+    if (all.isEmpty()) {
+      return List.of();
+    }
+    any.failing(all);
+    if (ask(title, 0, any, (answer, solver) -> {}) == Answer.UNSAT) {
+      return List.of();
+    }
+    List<Claim> claims = new ArrayList<>();
+    for (int i = 0; i < all.size(); i++) {
+      int number = i;
+      String name = title + " part " + (i + 1);
+      Finding found =
+          refute(
+              name,
+              size -> {
+                Question question = at.apply(size, name);
+                question.failing(List.of(obligations.apply(question).get(number)));
+                return question;
+              });
+      if (!found.isGood()) {
+        List<String> lines = new ArrayList<>(List.of("at " + all.get(i).pos()));
+        lines.addAll(found.lines());
+        String text = all.get(i).otherwise();
+        claims.add(
+            found.verdict() == Verdict.FAILED
+                ? new Claim(subject, Verdict.FAILED, text, lines)
+                : new Claim(subject, found.verdict(), "perhaps " + text + ": not decided", lines));
+      }
+    }
+    return claims;
+  }
+
   /** Only a function that ends can be defined by itself. */
   private void measures(Automaton of, List<Claim> claims) {
     of.uses().values().forEach(used -> measures(used, claims));
@@ -163,6 +215,8 @@ public final class Prover {
                     Verdict.UNDECIDED,
                     "may not end: its measure may not become smaller",
                     List.of()));
+        claims.addAll(
+            undefined(name, (n, t) -> new Question(of, n, t), at -> at.obligations(function)));
       }
     }
   }
@@ -176,7 +230,8 @@ public final class Prover {
           case FAILED -> "contradicts itself: there is no start state";
           default -> "is not decided: no start state found";
         };
-    return new Claim("start", found.verdict(), text, List.of());
+    Verdict verdict = found.verdict() == Verdict.FAILED ? Verdict.UNDECIDED : found.verdict();
+    return new Claim("start", verdict, text, List.of()); // of no state, all would hold
   }
 
   /** How far a state is known to exist. */
@@ -249,18 +304,18 @@ public final class Prover {
       }
       seeksExamples = true;
       List<Invariant> general = general(kept, findings);
-      List<Claim> numbers = numbers(general);
-      Verdict most = worst(numbers);
+      List<Claim> undefined = undefinedWith(general);
+      Verdict most = worst(undefined);
       if (most != Verdict.PROVED && general.size() < kept.size()) {
-        numbers = numbers(kept);
-        most = worst(numbers);
+        undefined = undefinedWith(kept);
+        most = worst(undefined);
       }
       for (Invariant each : kept) {
         Verdict verdict = general.contains(each) ? Verdict.PROVED : Verdict.PROVED_SMALL;
         verdict = most.compareTo(verdict) > 0 ? most : verdict;
         claims.put(each.name(), claim(each, verdict));
       }
-      List<Claim> result = new ArrayList<>(numbers.stream().filter(n -> !n.isGood()).toList());
+      List<Claim> result = new ArrayList<>(undefined.stream().filter(n -> !n.isGood()).toList());
       all.forEach(each -> result.add(Objects.requireNonNull(claims.get(each.name()))));
       automaton.actions().forEach(action -> result.add(possible(action, kept)));
       return result;
@@ -298,7 +353,7 @@ public final class Prover {
                     + " of "
                     + types()
                     + "; for more it is not decided";
-            default -> "holds as long as no number is negative, which is not proved";
+            default -> "stands only on operations that have values, which is not proved";
           };
       return new Claim(invariant.name(), verdict, text, List.of());
     }
@@ -427,28 +482,25 @@ public final class Prover {
       return question;
     }
 
-    /** Numbers that may not be negative are none after each action. */
-    private List<Claim> numbers(List<Invariant> assumed) {
+    /** Wherever an action is enabled, and in each state an invariant, operations have values. */
+    private List<Claim> undefinedWith(List<Invariant> assumed) {
       List<Claim> claims = new ArrayList<>();
       for (Action action : automaton.actions()) {
-        String title = action.name() + " keeps numbers";
-        Question any = step(0, action, assumed, title);
-        if (any.leavesItsType()) {
-          Finding found =
-              refute(
-                  title,
-                  any,
-                  size -> {
-                    Question question = step(size, action, assumed, title);
-                    question.leavesItsType();
-                    return question;
-                  });
-          String text =
-              found.verdict() == Verdict.FAILED
-                  ? "makes a number negative"
-                  : "may make a number negative: not decided";
-          claims.add(new Claim(action.name(), found.verdict(), text, found.lines()));
-        }
+        claims.addAll(
+            undefined(
+                action.name(),
+                (size, title) -> new Question(automaton, size, title).assuming(assumed),
+                question -> question.obligations(action)));
+      }
+      for (Invariant each : all) {
+        List<Invariant> before = all.subList(0, all.indexOf(each));
+        claims.addAll(
+            undefined(
+                each.name(),
+                (size, title) ->
+                    new Question(automaton, size, title)
+                        .assuming(before.stream().filter(assumed::contains).toList()),
+                question -> question.obligations(List.of(each.condition()))));
       }
       return claims;
     }

@@ -2,7 +2,6 @@ package org.starl.lang.prove;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -168,28 +167,39 @@ final class Question {
     return Smt.or(parts);
   }
 
-  /** Says that a component is no longer a value of its type; false if that cannot be. */
-  boolean leavesItsType() {
-    script.comment("a number is negative");
-    List<String> all = new ArrayList<>();
-    inside(automaton, machine.before.cells(), asked().cells(), all);
-    String inside = Smt.and(all);
-    script.require(Smt.not(inside));
-    return !inside.equals(Smt.TRUE);
+  /** What must hold so that an action has an effect wherever it is enabled. */
+  List<Obligation> obligations(Action of) {
+    action = of;
+    script.comment("action " + Shown.head(of));
+    Scope scope = machine.declared("a.", of.parameters(), machine.before);
+    parameters = scope;
+    of.parameters().forEach(p -> add(p, scope.variable(p.name())));
+    List<Obligation> all = machine.obligations(of, scope);
+    after(of);
+    return all;
   }
 
-  private void inside(Automaton of, Map<String, Val> was, Map<String, Val> is, List<String> all) {
-    for (Automaton.Component each : of.state()) {
-      Val value = java.util.Objects.requireNonNull(is.get(each.name()));
-      Val old = java.util.Objects.requireNonNull(was.get(each.name()));
-      if (value instanceof Val.Cells inner
-          && old instanceof Val.Cells before
-          && each.type() instanceof Type.StateOf used) {
-        inside(used.automaton(), before.cells(), inner.cells(), all);
-      } else if (!value.equals(old)) {
-        all.add(translator.inside(each.type(), value));
-      }
-    }
+  /** What must hold so that conditions have values, each where those before it hold. */
+  List<Obligation> obligations(List<Expr> conditions) {
+    return translator.obligations(() -> translator.all(conditions, machine.before));
+  }
+
+  /** What must hold so that a function has a value for all arguments. */
+  List<Obligation> obligations(Function function) {
+    List<Field> parameters = function.signature().parameters();
+    Scope scope = machine.declared("w.", parameters, machine.before);
+    return translator.obligations(() ->
+        translator.as(
+            function.signature().result(),
+            function.body(),
+            machine.before.only(
+                parameters, parameters.stream().map(p -> scope.variable(p.name())).toList())));
+  }
+
+  /** Says that one of {@code obligations} does not hold. */
+  void failing(List<Obligation> obligations) {
+    script.comment("an operation has no value");
+    script.require(Smt.not(Smt.and(obligations.stream().map(Obligation::condition).toList())));
   }
 
   // --- recursive functions -----------------------------------------------------------------------

@@ -3,9 +3,20 @@ package org.starl.lang.prove;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.starl.lang.verdict.Verdict;
 
 /** What came of the claims on an automaton. */
 public record Report(String automaton, List<Claim> claims) {
+
+  /** What came of all. */
+  public Verdict verdict() {
+    return claims.stream()
+        .map(claim ->
+            claim.isGood()
+                ? Verdict.HOLDS
+                : claim.verdict() == Claim.Verdict.FAILED ? Verdict.VIOLATED : Verdict.NOT_DECIDED)
+        .reduce(Verdict.HOLDS, Verdict::and);
+  }
 
   /** Whether all hold. */
   public boolean isProved() {

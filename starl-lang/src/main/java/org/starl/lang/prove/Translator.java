@@ -11,12 +11,15 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.prove.Val.Fn;
 import org.starl.lang.prove.Val.Term;
+import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Binary;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Signature;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
@@ -49,6 +52,7 @@ final class Translator {
   private final List<Unfolded> unfolded = new ArrayList<>();
   private final List<String> defining = new ArrayList<>();
   private final List<RecursiveCall> calls = new ArrayList<>();
+  private @Nullable List<Obligation> obligations;
   private List<String> path = new ArrayList<>();
   private List<String> binders = new ArrayList<>();
   private int bound;
@@ -317,8 +321,47 @@ final class Translator {
     return Smt.and(all);
   }
 
+  // --- obligations -------------------------------------------------------------------------------
+
+  /** What must hold so that what {@code work} translates has values. */
+  List<Obligation> obligations(Runnable work) {
+    List<Obligation> all = new ArrayList<>();
+    obligations = all;
+    work.run();
+    obligations = null;
+    return all;
+  }
+
+  /** Where this is reached, {@code condition} must hold. */
+  void oblige(String condition, String otherwise, Pos pos) {
+    if (obligations != null && !condition.equals(Smt.TRUE)) {
+      String reached = Smt.implies(Smt.and(path), condition);
+      obligations.add(new Obligation(Smt.quantified(true, binders, reached), otherwise, pos));
+    }
+  }
+
+  /** Work whose obligations are known, or are those of another place. */
+  private <T> T withoutObligations(Supplier<T> work) {
+    List<Obligation> before = obligations;
+    obligations = null;
+    T result = work.get();
+    obligations = before;
+    return result;
+  }
+
+  /** All conditions, each where those before it hold. */
+  String all(List<Expr> conditions, Scope scope) {
+    List<String> texts = new ArrayList<>();
+    for (Expr each : conditions) {
+      texts.add(bool(each, scope));
+      path.add(texts.getLast());
+    }
+    path.subList(path.size() - texts.size(), path.size()).clear();
+    return Smt.and(texts);
+  }
+
   /** What is worked out where {@code condition} holds. */
-  private <T> T under(String condition, Supplier<T> work) {
+  <T> T under(String condition, Supplier<T> work) {
     path.add(condition);
     T result = work.get();
     path.removeLast();
@@ -377,13 +420,11 @@ final class Translator {
                     enabled.action().parameters(),
                     arguments(enabled.action().parameters(), enabled.arguments(), scope));
         yield new Term(
-            Smt.and(
-                enabled.action().pre().stream().map(pre -> bool(pre.condition(), used)).toList()));
+            all(enabled.action().pre().stream().map(Conjunct::condition).toList(), used));
       }
       case Expr.Started started -> {
         Scope used = scope.used(started.used());
-        yield new Term(
-            Smt.and(started.automaton().start().stream().map(each -> bool(each, used)).toList()));
+        yield new Term(all(started.automaton().start(), used));
       }
       case Expr.Get get -> get(get, scope);
       case Expr.Make make -> {
@@ -452,12 +493,36 @@ final class Translator {
         Type element = ((Type.OptionOf) some.type().base()).element();
         yield new Term(Smt.call("some", termAs(element, some.of(), scope)));
       }
-      case Expr.BuiltIn builtIn -> builtIn(builtIn, smt(value(builtIn.of(), scope)));
+      case Expr.BuiltIn builtIn -> {
+        String of = smt(value(builtIn.of(), scope));
+        switch (builtIn.name()) {
+          case THE -> oblige(some(of), "has no value: the(none)", builtIn.pos());
+          case HEAD -> oblige("((_ is cons) " + of + ")", "has no value: head([])", builtIn.pos());
+          case TAIL -> oblige("((_ is cons) " + of + ")", "has no value: tail([])", builtIn.pos());
+          case ELEMENTS, DISTINCT -> {
+            // These have values for all lists.
+          }
+        }
+        yield builtIn(builtIn, of);
+      }
     };
+  }
+
+  private String texts(
+      List<String> terms, Type.MapOf type, java.util.function.Function<List<Val>, Val> body) {
+    List<Val> values = new ArrayList<>();
+    for (int i = 0; i < terms.size(); i++) {
+      values.add(of(terms.get(i), type.arguments().get(i)));
+    }
+    Objects.requireNonNull(body.apply(values));
+    return Smt.TRUE;
   }
 
   /** A map whose values are worked out later, where its text stands now. */
   private Fn fn(Type.MapOf type, java.util.function.Function<List<Val>, Val> body) {
+    if (obligations != null) { // of all arguments
+      each(type.arguments(), terms -> texts(terms, type, body));
+    }
     List<String> pathHere = List.copyOf(path);
     List<String> bindersHere = List.copyOf(binders);
     return new Fn(
@@ -472,7 +537,7 @@ final class Translator {
           path = new ArrayList<>(pathHere);
           binders = new ArrayList<>(bindersThere);
           binders.addAll(bindersHere);
-          Val result = body.apply(values);
+          Val result = withoutObligations(() -> body.apply(values));
           path = pathThere;
           binders = bindersThere;
           return result;
@@ -550,13 +615,19 @@ final class Translator {
       case Type.Sum sum -> {
         String of = smt(value(get.of(), scope));
         Val value = null;
+        List<String> forms = new ArrayList<>();
         for (Constructor form : sum.constructors()) {
           for (Field f : form.fields()) {
             if (f.name().equals(get.field())) {
+              forms.add(is(sum, form, of));
               Val one = of(Smt.call(sorts.field(sum, form, f), of), f.type());
               value = value == null ? one : ite(is(sum, form, of), one, value);
             }
           }
+        }
+        if (forms.size() < sum.constructors().size()) {
+          String otherwise = "has no value: '" + get.field() + "' of a form without such a field";
+          oblige(Smt.or(forms), otherwise, get.pos());
         }
         yield Objects.requireNonNull(value);
       }
@@ -620,11 +691,18 @@ final class Translator {
       }
       case LESS, AT_MOST, GREATER, AT_LEAST, PLUS, LESS_BY, TIMES -> {
         Type wider = left.type().isA(right.type()) ? right.type() : left.type();
-        yield new Term(
-            Smt.call(operator.text(), termAs(wider, left, scope), termAs(wider, right, scope)));
+        String a = termAs(wider, left, scope);
+        String b = termAs(wider, right, scope);
+        if (operator == Operator.LESS_BY && binary.type().base() != Num.REAL) {
+          oblige(Smt.call(">=", a, b), "makes a number negative", binary.pos());
+        }
+        yield new Term(Smt.call(operator.text(), a, b));
       }
-      case DIVIDED_BY ->
-          new Term(Smt.call("/", smt(as(Num.REAL, left, scope)), smt(as(Num.REAL, right, scope))));
+      case DIVIDED_BY -> {
+        String by = smt(as(Num.REAL, right, scope));
+        oblige(Smt.not(Smt.equal(by, "0.0")), "has no value: a division by 0", binary.pos());
+        yield new Term(Smt.call("/", smt(as(Num.REAL, left, scope)), by));
+      }
       case IN -> {
         Type element = Sorts.map(right.type()).arguments().getFirst();
         yield ((Fn) value(right, scope)).at().apply(List.of(termAs(element, left, scope)));
@@ -718,7 +796,7 @@ final class Translator {
       more.add("x" + more.size());
       bindings.add("(" + more.getLast() + " " + sort + ")");
     }
-    String body = body(function, scope, values, more);
+    String body = withoutObligations(() -> body(function, scope, values, more));
     defining.removeLast();
     String text = "(" + String.join(" ", bindings) + ") " + resultSort(result) + " " + body;
     // Over two states that are equal in all that it reads, it is one function.

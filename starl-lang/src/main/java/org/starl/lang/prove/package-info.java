@@ -5,7 +5,7 @@
  * does not decide is tried with few elements. Its limit is a number of steps, not a time, so that a result does not
  * depend on the machine.
  *
- * <p>May import: {@code org.starl.lang.tree}, Z3.
+ * <p>May import: {@code org.starl.lang.tree}, {@code org.starl.lang.verdict}, Z3.
  */
 @NullMarked
 package org.starl.lang.prove;
