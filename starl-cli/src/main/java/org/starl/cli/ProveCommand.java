@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.lang.prove.Claim;
@@ -49,7 +48,8 @@ final class ProveCommand extends SourceCommand {
       description = "Write each obligation as a file for Z3 (SMT-LIB 2) into this folder.")
   private @Nullable String folder;
 
-  private final AtomicLong questions = new AtomicLong();
+  private long questions;
+  private volatile String asked = "no question to Z3";
 
   @Override
   int run(Source source) throws IOException {
@@ -59,8 +59,8 @@ final class ProveCommand extends SourceCommand {
     for (Automaton automaton : automata) {
       stop()
           .progress(() ->
-              "%d questions to Z3; %s is not decided: to go on, repeat the command"
-                  .formatted(questions.get(), automaton.name()));
+              "%s; %s is not decided: to go on, repeat the command"
+                  .formatted(asked, automaton.name()));
       Report report;
       try {
         report = prove(automaton, steps);
@@ -99,7 +99,7 @@ final class ProveCommand extends SourceCommand {
   }
 
   private void keep(@Nullable Path folder, String title, String text) {
-    questions.incrementAndGet();
+    asked = ++questions + " questions to Z3";
     if (folder != null) {
       try {
         Files.writeString(folder.resolve(title + ".smt2"), text);

@@ -586,14 +586,18 @@ final class Compiler {
     try {
       return left.test(frame);
     } catch (Beyond e) {
-      try {
-        if (right.test(frame) == decides) {
-          return decides;
-        }
-      } catch (EvalError hidden) {
-        // It may have a value only where the first one holds.
+      if (isDecided(right, decides, frame)) {
+        return decides;
       }
       throw e;
+    }
+  }
+
+  private static boolean isDecided(Code right, boolean decides, Frame frame) {
+    try {
+      return right.test(frame) == decides;
+    } catch (EvalError e) {
+      return false; // it may have a value only where the first condition holds
     }
   }
 

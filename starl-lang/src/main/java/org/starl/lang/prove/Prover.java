@@ -1,3 +1,5 @@
+// Longer than 500 lines because each kind of claim has one method here, and all share how Z3 is
+// asked.
 package org.starl.lang.prove;
 
 import java.util.ArrayList;

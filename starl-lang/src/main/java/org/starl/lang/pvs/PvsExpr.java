@@ -47,11 +47,11 @@ final class PvsExpr {
       case Type.ListOf list -> "list[" + type(list.element()) + "]";
       case Type.OptionOf option -> "lift[" + type(option.element()) + "]";
       case Type.MapOf map -> "[" + types(map.arguments()) + " -> " + type(map.result()) + "]";
-      case Type.StateOf state -> state.automaton().name() + ".states";
-      case Type.Opaque named -> named.name();
-      case Type.Alias named -> named.name();
-      case Type.Rec named -> named.name();
-      case Type.Sum named -> named.name();
+      case Type.StateOf state -> PvsNames.id(state.automaton().name()) + ".states";
+      case Type.Opaque named -> PvsNames.id(named.name());
+      case Type.Alias named -> PvsNames.id(named.name());
+      case Type.Rec named -> PvsNames.id(named.name());
+      case Type.Sum named -> PvsNames.id(named.name());
     };
   }
 
@@ -62,7 +62,14 @@ final class PvsExpr {
   /** {@code i: PIDS, z: Zones}. */
   static String fields(List<Field> fields) {
     return fields.stream()
-        .map(field -> field.name() + ": " + type(field.type()))
+        .map(field -> PvsNames.id(field.name()) + ": " + type(field.type()))
+        .collect(Collectors.joining(", "));
+  }
+
+  /** The same of a record. */
+  static String components(List<Field> fields) {
+    return fields.stream()
+        .map(field -> PvsNames.field(field.name()) + ": " + type(field.type()))
         .collect(Collectors.joining(", "));
   }
 
@@ -83,11 +90,11 @@ final class PvsExpr {
   Doc effect(Effect effect) {
     return switch (effect) {
       case Effect.Assign assign -> {
-        List<Object> place = new ArrayList<>(List.of("`" + assign.component()));
+        List<Object> place = new ArrayList<>(List.of("`" + PvsNames.field(assign.component())));
         for (Selector selector : assign.selectors()) {
           switch (selector) {
             case Selector.At at -> place.add(arguments(at.arguments()));
-            case Selector.Of of -> place.add("`" + of.field());
+            case Selector.Of of -> place.add("`" + PvsNames.field(of.field()));
           }
         }
         place.addAll(List.of(" := ", of(assign.value())));
@@ -97,12 +104,12 @@ final class PvsExpr {
         Doc after =
             group(
                 2,
-                step.automaton().name() + ".trans(",
-                call(step.action().name(), step.arguments()),
+                PvsNames.id(step.automaton().name()) + ".trans(",
+                call(PvsNames.id(step.action().name()), step.arguments()),
                 ",",
                 SOFT,
-                "s`" + step.used() + ")");
-        String place = "`" + step.used() + " := ";
+                state(step.used()) + ")");
+        String place = "`" + PvsNames.field(step.used()) + " := ";
         yield step.condition().isEmpty()
             ? group(2, place, after)
             : group(
@@ -110,7 +117,7 @@ final class PvsExpr {
                 place,
                 group(2, "IF ", of(step.condition().get()), " THEN", LINE, after),
                 LINE,
-                "ELSE s`" + step.used() + " ENDIF");
+                "ELSE " + state(step.used()) + " ENDIF");
       }
     };
   }
@@ -161,24 +168,25 @@ final class PvsExpr {
     return switch (expr) {
       case Expr.Bool of -> Doc.of(of.value() ? "TRUE" : "FALSE");
       case Expr.Numeral of -> Doc.of(of.value().toPlainString());
-      case Expr.Variable of -> Doc.of(of.name());
-      case Expr.Parameter of -> Doc.of(of.name());
-      case Expr.Component of -> Doc.of("s`" + of.name());
+      case Expr.Variable of -> Doc.of(PvsNames.id(of.name()));
+      case Expr.Parameter of -> Doc.of(PvsNames.id(of.name()));
+      case Expr.Component of -> Doc.of(state(of.name()));
       case Expr.At of -> Doc.of(atom(of.map()), arguments(of.arguments()));
       case Expr.Call of -> call(of);
       case Expr.Enabled of ->
           group(
               2,
-              of.automaton().name() + ".enabled(",
-              call(of.action().name(), of.arguments()),
+              PvsNames.id(of.automaton().name()) + ".enabled(",
+              call(PvsNames.id(of.action().name()), of.arguments()),
               ",",
               SOFT,
-              "s`" + of.used() + ")");
-      case Expr.Started of -> Doc.of(of.automaton().name() + ".start(s`" + of.used() + ")");
+              state(of.used()) + ")");
+      case Expr.Started of ->
+          Doc.of(PvsNames.id(of.automaton().name()) + ".start(" + state(of.used()) + ")");
       case Expr.Get of -> get(of);
-      case Expr.Make of -> call(of.constructor().name(), of.arguments());
+      case Expr.Make of -> call(PvsNames.id(of.constructor().name()), of.arguments());
       case Expr.MakeRecord of -> record(of);
-      case Expr.Is of -> Doc.of(of.constructor().name() + "?(", of(of.of()), ")");
+      case Expr.Is of -> Doc.of(PvsNames.id(of.constructor().name()) + "?(", of(of.of()), ")");
       case Expr.Match of -> match(of);
       case Expr.Not of -> Doc.of("NOT ", of(of.of(), NOT, isLast));
       case Expr.Negative of -> Doc.of("-", of(of.of(), MINUS, isLast));
@@ -202,6 +210,11 @@ final class PvsExpr {
     };
   }
 
+  /** A component of the state. */
+  private static String state(String component) {
+    return "s`" + PvsNames.field(component);
+  }
+
   private Doc arguments(List<Expr> arguments) {
     List<Doc> all = arguments.stream().map(this::of).toList();
     return group(2, "(", join(all, ",", SOFT), ")");
@@ -214,9 +227,9 @@ final class PvsExpr {
   private Doc call(Expr.Call call) {
     List<Doc> arguments = new ArrayList<>(call.arguments().stream().map(this::of).toList());
     if (call.function().readsState()) {
-      arguments.add(Doc.of(call.used().isEmpty() ? "s" : "s`" + call.used()));
+      arguments.add(Doc.of(call.used().isEmpty() ? "s" : state(call.used())));
     }
-    String name = call.function().name();
+    String name = PvsNames.id(call.function().name());
     return arguments.isEmpty()
         ? Doc.of(name)
         : group(2, name, "(", join(arguments, ",", SOFT), ")");
@@ -225,15 +238,16 @@ final class PvsExpr {
   /** A field of a record is selected; that of a constructor's value has a function of its name. */
   private Doc get(Expr.Get get) {
     return get.of().type().base() instanceof Type.Sum
-        ? Doc.of(get.field() + "(", of(get.of()), ")")
-        : Doc.of(atom(get.of()), "`" + get.field());
+        ? Doc.of(PvsNames.id(get.field()) + "(", of(get.of()), ")")
+        : Doc.of(atom(get.of()), "`" + PvsNames.field(get.field()));
   }
 
   private Doc record(Expr.MakeRecord made) {
     Type.Rec type = (Type.Rec) made.type().base();
     List<Doc> all = new ArrayList<>();
     for (int i = 0; i < made.values().size(); i++) {
-      all.add(Doc.of(type.fields().get(i).name() + " := ", of(made.values().get(i))));
+      all.add(
+          Doc.of(PvsNames.field(type.fields().get(i).name()) + " := ", of(made.values().get(i))));
     }
     return group(3, "(# ", join(all, ",", SOFT), " #)");
   }
@@ -256,10 +270,13 @@ final class PvsExpr {
 
   /** {@code failed(M):}, where a case begins. */
   static String pattern(String constructor, List<Field> variables) {
+    String head = PvsNames.id(constructor);
     return variables.isEmpty()
-        ? constructor + ":"
-        : constructor
-            + variables.stream().map(Field::name).collect(Collectors.joining(", ", "(", "):"));
+        ? head + ":"
+        : head
+            + variables.stream()
+                .map(field -> PvsNames.id(field.name()))
+                .collect(Collectors.joining(", ", "(", "):"));
   }
 
   private Doc conditional(Expr.If first) {

@@ -3,7 +3,9 @@ package org.starl.lang.pvs;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Effect;
@@ -23,6 +25,25 @@ final class PvsNames {
 
   private final Map<String, String> declared = new LinkedHashMap<>();
   private final TreeSet<String> ambiguous = new TreeSet<>();
+
+  /** The names that each theory declares. */
+  private static final Set<String> OWN =
+      Set.of("s", "a", "states", "actions", "enabled", "trans", "start");
+
+  /** Words of PVS, of any case. */
+  private static final Set<String> RESERVED =
+      Set.of(
+          """
+          and andthen array as assuming assumption auto_rewrite axiom begin but by cases
+          challenge claim closure codatatype coinductive cond conjecture containing
+          conversion corollary datatype else elsif end endassuming endcases endcond
+          endif endtable exists exporting fact false forall formula from function
+          has_type if iff implies importing in inductive judgement lambda law lemma let
+          library macro measure nonempty_type not obligation of or orelse postulate
+          proposition recursive sublemma subtype_of subtypes table then theorem theory
+          true type var when where with xor
+          """
+              .split("\\s+"));
 
   private boolean usesDistinct;
 
@@ -69,11 +90,25 @@ final class PvsNames {
     return lines;
   }
 
+  /**
+   * The name that stands in a theory for one of a source: another one if PVS, or each theory, has a
+   * meaning for it. Different names stay different.
+   */
+  static String id(String name) {
+    String word = name.replaceFirst("_+$", "");
+    boolean isReserved = OWN.contains(word) || RESERVED.contains(word.toLowerCase(Locale.ROOT));
+    return isReserved ? name + "_" : name;
+  }
+
+  /** The same of a component of the state, or of a record. */
+  static String field(String name) {
+    return name.matches("[oO]_*") ? name + "_" : id(name); // an operator behind a backquote
+  }
+
   /** A variable where it is bound: {@code i}, or {@code i: PIDS} if the name alone says not enough. */
   String bound(Field variable) {
-    return declared.containsKey(variable.name())
-        ? variable.name()
-        : variable.name() + ": " + PvsExpr.type(variable.type());
+    String name = id(variable.name());
+    return declared.containsKey(name) ? name : name + ": " + PvsExpr.type(variable.type());
   }
 
   /** The variables of a quantifier or function: {@code i, j}, or {@code (i: PIDS), j}. */
@@ -88,14 +123,9 @@ final class PvsNames {
 
   private void add(Field variable) {
     String type = PvsExpr.type(variable.type());
-    if (!declared.computeIfAbsent(variable.name(), any -> type).equals(type)) {
-      if (variable.name().equals("s") || variable.name().equals("a")) {
-        throw new IllegalArgumentException(
-            "variable '"
-                + variable.name()
-                + "' has this name in PVS for the state or the action; expected another name");
-      }
-      ambiguous.add(variable.name());
+    String name = id(variable.name());
+    if (!declared.computeIfAbsent(name, any -> type).equals(type)) {
+      ambiguous.add(name);
     }
   }
 

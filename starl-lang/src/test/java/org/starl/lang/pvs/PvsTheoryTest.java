@@ -1,11 +1,12 @@
 package org.starl.lang.pvs;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 
@@ -273,19 +274,28 @@ class PvsTheoryTest {
         .contains("go: s WITH [ " + written + " ]");
   }
 
-  @Test
-  void variableWithTheNameOfTheStateIsRefused() {
-    assertThatThrownBy(() ->
-            theory(
-                """
-                automaton Bad
-                state n: nat
-                start forall s: nat :: n <= s
-                action go
-                """))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(
-            "variable 's' has this name in PVS for the state or the action; expected another name");
+  @ParameterizedTest
+  @ValueSource(strings = {"s", "a", "by", "table", "claim", "states", "trans", "s_", "Lemma"})
+  void nameThatMeansSomethingInPvsIsAnotherOne(String name) throws SourceErrors {
+    String plain =
+        """
+        automaton Bad[T]
+        type Rec = record(field_: nat)
+        type Form = form_ | other(arg: nat)
+        state comp: nat r: Rec f: Form
+        fun fn(par: nat): nat = par
+        start comp = 0, r.field_ = 0, f = form_, forall var: nat :: comp <= fn(var)
+        action act(given_: nat)
+          pre comp < given_
+          eff comp := given_, r.field_ := comp
+        invariant Inv: f is other => f.arg = r.field_
+        """;
+    for (String each :
+        List.of("T", "field_", "form_", "arg", "comp", "fn", "par", "var", "act", "given_")) {
+      String renamed = plain.replaceAll("\\b" + each + "\\b", name);
+      String expected = plain.replaceAll("\\b" + each + "\\b", name + "x");
+      assertThat(theory(renamed)).isEqualTo(theory(expected).replace(name + "x", name + "_"));
+    }
   }
 
   private static String theory(String source) throws SourceErrors {
