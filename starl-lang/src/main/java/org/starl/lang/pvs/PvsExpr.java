@@ -62,14 +62,14 @@ final class PvsExpr {
   /** {@code i: PIDS, z: Zones}. */
   static String fields(List<Field> fields) {
     return fields.stream()
-        .map(field -> PvsNames.id(field.name()) + ": " + type(field.type()))
+        .map(field -> PvsNames.variable(field.name()) + ": " + type(field.type()))
         .collect(Collectors.joining(", "));
   }
 
-  /** The same of a record. */
+  /** The same of a record, or of a theory's parameters. */
   static String components(List<Field> fields) {
     return fields.stream()
-        .map(field -> PvsNames.field(field.name()) + ": " + type(field.type()))
+        .map(field -> PvsNames.id(field.name()) + ": " + type(field.type()))
         .collect(Collectors.joining(", "));
   }
 
@@ -90,11 +90,11 @@ final class PvsExpr {
   Doc effect(Effect effect) {
     return switch (effect) {
       case Effect.Assign assign -> {
-        List<Object> place = new ArrayList<>(List.of("`" + PvsNames.field(assign.component())));
+        List<Object> place = new ArrayList<>(List.of("`" + PvsNames.id(assign.component())));
         for (Selector selector : assign.selectors()) {
           switch (selector) {
             case Selector.At at -> place.add(arguments(at.arguments()));
-            case Selector.Of of -> place.add("`" + PvsNames.field(of.field()));
+            case Selector.Of of -> place.add("`" + PvsNames.id(of.field()));
           }
         }
         place.addAll(List.of(" := ", of(assign.value())));
@@ -109,7 +109,7 @@ final class PvsExpr {
                 ",",
                 SOFT,
                 state(step.used()) + ")");
-        String place = "`" + PvsNames.field(step.used()) + " := ";
+        String place = "`" + PvsNames.id(step.used()) + " := ";
         yield step.condition().isEmpty()
             ? group(2, place, after)
             : group(
@@ -168,7 +168,7 @@ final class PvsExpr {
     return switch (expr) {
       case Expr.Bool of -> Doc.of(of.value() ? "TRUE" : "FALSE");
       case Expr.Numeral of -> Doc.of(of.value().toPlainString());
-      case Expr.Variable of -> Doc.of(PvsNames.id(of.name()));
+      case Expr.Variable of -> Doc.of(PvsNames.variable(of.name()));
       case Expr.Parameter of -> Doc.of(PvsNames.id(of.name()));
       case Expr.Component of -> Doc.of(state(of.name()));
       case Expr.At of -> Doc.of(atom(of.map()), arguments(of.arguments()));
@@ -212,7 +212,7 @@ final class PvsExpr {
 
   /** A component of the state. */
   private static String state(String component) {
-    return "s`" + PvsNames.field(component);
+    return "s`" + PvsNames.id(component);
   }
 
   private Doc arguments(List<Expr> arguments) {
@@ -238,16 +238,15 @@ final class PvsExpr {
   /** A field of a record is selected; that of a constructor's value has a function of its name. */
   private Doc get(Expr.Get get) {
     return get.of().type().base() instanceof Type.Sum
-        ? Doc.of(PvsNames.id(get.field()) + "(", of(get.of()), ")")
-        : Doc.of(atom(get.of()), "`" + PvsNames.field(get.field()));
+        ? Doc.of(PvsNames.variable(get.field()) + "(", of(get.of()), ")")
+        : Doc.of(atom(get.of()), "`" + PvsNames.id(get.field()));
   }
 
   private Doc record(Expr.MakeRecord made) {
     Type.Rec type = (Type.Rec) made.type().base();
     List<Doc> all = new ArrayList<>();
     for (int i = 0; i < made.values().size(); i++) {
-      all.add(
-          Doc.of(PvsNames.field(type.fields().get(i).name()) + " := ", of(made.values().get(i))));
+      all.add(Doc.of(PvsNames.id(type.fields().get(i).name()) + " := ", of(made.values().get(i))));
     }
     return group(3, "(# ", join(all, ",", SOFT), " #)");
   }
@@ -275,7 +274,7 @@ final class PvsExpr {
         ? head + ":"
         : head
             + variables.stream()
-                .map(field -> PvsNames.id(field.name()))
+                .map(field -> PvsNames.variable(field.name()))
                 .collect(Collectors.joining(", ", "(", "):"));
   }
 

@@ -95,19 +95,19 @@ final class PvsNames {
    * meaning for it. Different names stay different.
    */
   static String id(String name) {
+    return name.matches("[oO]_*") ? name + "_" : variable(name); // an operator elsewhere
+  }
+
+  /** The same of a variable, or of an argument of a form or action. */
+  static String variable(String name) {
     String word = name.replaceFirst("_+$", "");
     boolean isReserved = OWN.contains(word) || RESERVED.contains(word.toLowerCase(Locale.ROOT));
     return isReserved ? name + "_" : name;
   }
 
-  /** The same of a component of the state, or of a record. */
-  static String field(String name) {
-    return name.matches("[oO]_*") ? name + "_" : id(name); // an operator behind a backquote
-  }
-
   /** A variable where it is bound: {@code i}, or {@code i: PIDS} if the name alone says not enough. */
   String bound(Field variable) {
-    String name = id(variable.name());
+    String name = variable(variable.name());
     return declared.containsKey(name) ? name : name + ": " + PvsExpr.type(variable.type());
   }
 
@@ -123,7 +123,7 @@ final class PvsNames {
 
   private void add(Field variable) {
     String type = PvsExpr.type(variable.type());
-    String name = id(variable.name());
+    String name = variable(variable.name());
     if (!declared.computeIfAbsent(name, any -> type).equals(type)) {
       ambiguous.add(name);
     }

@@ -74,7 +74,7 @@ public final class PvsTheory {
         .forEach(name -> parameters.add(Doc.of(PvsNames.id(name) + ": TYPE")));
     automaton
         .valueParameters()
-        .forEach(field -> parameters.add(Doc.of(PvsExpr.fields(List.of(field)))));
+        .forEach(field -> parameters.add(Doc.of(PvsExpr.components(List.of(field)))));
     String name = PvsNames.id(automaton.name());
     Doc head =
         parameters.isEmpty()
@@ -189,7 +189,7 @@ public final class PvsTheory {
       component.comment().forEach(line -> lines.add(indent + comment(line), ""));
       lines.add(
           (i == 0 ? begin : indent)
-              + PvsNames.field(component.name())
+              + PvsNames.id(component.name())
               + ": "
               + PvsExpr.type(component.type())
               + (i == automaton.state().size() - 1 ? " #]" : ","),

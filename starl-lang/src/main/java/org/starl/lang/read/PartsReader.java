@@ -72,13 +72,21 @@ class PartsReader {
   final void readJava() {
     each(
         StarlParser.JavaClassPartContext.class,
-        at -> javaClass = unquoted(at.STRING().getSymbol()));
+        at -> {
+          if (!javaClass.isEmpty()) {
+            problems.add(at, "a Java class is named twice; expected one line: java \"...\"");
+          }
+          javaClass = unquoted(at.STRING().getSymbol());
+        });
     each(
         StarlParser.JavaTypePartContext.class,
-        at ->
-            javaTypes.put(
-                types.type(at.type()),
-                new JavaType(unquoted(at.of), at.first == null ? "" : unquoted(at.first))));
+        at -> {
+          Type type = types.type(at.type());
+          String first = at.first == null ? "" : unquoted(at.first);
+          if (javaTypes.put(type, new JavaType(unquoted(at.of), first)) != null) {
+            problems.add(at, "the Java type of " + type + " is here twice; expected one line");
+          }
+        });
   }
 
   final List<Function> functions() {

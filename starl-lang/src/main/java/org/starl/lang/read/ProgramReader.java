@@ -41,6 +41,7 @@ final class ProgramReader extends PartsReader {
   private final Map<String, Instance> instances = new LinkedHashMap<>();
   private final List<Variable> variables = new ArrayList<>();
   private int everyMs = USUAL_EVERY_MS;
+  private boolean hasEvery;
 
   /**
    * @param primitives those that it may use
@@ -125,6 +126,7 @@ final class ProgramReader extends PartsReader {
             }
             case StarlParser.StartPartContext at -> "a start value with each variable: 'x: T := e'";
             case StarlParser.ActionPartContext at -> "'location' and its branches";
+            case StarlParser.AssumePartContext at -> "a guard: 'when condition do ...'";
             default -> "";
           };
       if (!expected.isEmpty()) {
@@ -258,6 +260,10 @@ final class ProgramReader extends PartsReader {
   }
 
   private void every(StarlParser.EveryPartContext at) {
+    if (hasEvery) {
+      problems.add(at, "'every' is here twice; expected it once");
+    }
+    hasEvery = true;
     String number = at.NUMBER().getText();
     boolean isWhole = number.matches("[1-9][0-9]{0,4}");
     if (!isWhole || !at.unitOfTime.getText().equals("ms")) {

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.Parser;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Recognizer;
 import org.antlr.v4.runtime.Token;
@@ -220,6 +221,9 @@ public final class SourceReader {
 
   private static BaseErrorListener listener(Problems problems) {
     return new BaseErrorListener() {
+
+      private int lastLine;
+
       @Override
       public void syntaxError(
           Recognizer<?, ?> recognizer,
@@ -228,7 +232,12 @@ public final class SourceReader {
           int column,
           String message,
           @Nullable RecognitionException e) {
-        problems.add(new Pos(line, column + 1), SyntaxMessage.of(message));
+        if (line != lastLine) { // others follow from the first one on a line
+          Token found = symbol instanceof Token token ? token : null;
+          Parser at = recognizer instanceof Parser parser ? parser : null;
+          problems.add(new Pos(line, column + 1), SyntaxMessage.of(message, found, at));
+        }
+        lastLine = line;
       }
     };
   }

@@ -1,10 +1,20 @@
 package org.starl.lang.read;
 
+import static java.util.Map.entry;
+
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.antlr.v4.runtime.CharStream;
+import org.antlr.v4.runtime.Parser;
+import org.antlr.v4.runtime.RuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.misc.Interval;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.grammar.StarlParser;
 
 /** The parser's messages in the form of all others: what was found; what was expected. */
 final class SyntaxMessage {
@@ -42,11 +52,151 @@ final class SyntaxMessage {
           "'and'",
           "'or'");
 
+  /** Words of other languages that are read as names before the error is seen. */
+  private static final Pattern WORDS =
+      Pattern.compile(
+          "let|var|variables|const|constants|init|transition|rule|def|function|"
+              + "property|safety|require|requires|guard|effect|ensures|all|any|mod|div");
+
   private static final int MOST_NAMED = 6;
+  private static final String NEXT = " the next declaration or branch";
+
+  /** What a word or sign of other languages is called here. */
+  private static final Map<String, String> CURES =
+      Map.ofEntries(
+          entry("&", "'and'"),
+          entry("|", "'or'"),
+          entry("\\", "'and' or 'or'"),
+          entry("!", "'not'"),
+          entry("->", "'=>' for an implication"),
+          entry("%", "no remainder: the language has + - * and, of times, /"),
+          entry("mod", "no remainder: the language has + - * and, of times, /"),
+          entry("div", "no quotient of naturals: the language has + - * and, of times, /"),
+          entry(";", "',' between conditions and effects, and nothing after the last one"),
+          entry(",", "no ',' after the last one, or a further one behind it"),
+          entry("[", "'(': the value of a map m at i is m(i)"),
+          entry("{", "no braces around declarations"),
+          entry("#", "'//' before a comment"),
+          entry("-", "'//' before a comment, or a value before '-'"),
+          entry("/", "'//' before a comment, or a value before '/'"),
+          entry("..", "two comparisons: 0 <= n and n <= 2"),
+          entry("let", "a function: 'fun name: type = ...'"),
+          entry("var", "'state'"),
+          entry("variables", "'state'"),
+          entry("const", "a parameter, in [ ] after the automaton's name"),
+          entry("constants", "a parameter, in [ ] after the automaton's name"),
+          entry("init", "'start'"),
+          entry("transition", "'action'"),
+          entry("rule", "'action'"),
+          entry("def", "'fun'"),
+          entry("function", "'fun'"),
+          entry("property", "'invariant'"),
+          entry("safety", "'invariant'"),
+          entry("require", "'pre'"),
+          entry("requires", "'pre'"),
+          entry("guard", "'pre'"),
+          entry("when", "'pre' before the conditions of an action; 'when' is for locations"),
+          entry("do", "'eff' before the effects of an action; 'do' is for locations"),
+          entry("effect", "'eff'"),
+          entry("ensures", "'eff'"),
+          entry("then", "'eff' before effects, or 'if' before the condition"),
+          entry("if", "',' or an operator before it"),
+          entry("all", "'forall'"),
+          entry("any", "'exists'"));
 
   private SyntaxMessage() {}
 
-  static String of(String message) {
+  /**
+   * The message of an error.
+   *
+   * @param at where the parser is; null if it is a lexer that reads
+   */
+  static String of(String message, @Nullable Token found, @Nullable Parser at) {
+    if (found == null || at == null) {
+      return of(message);
+    }
+    String cure = cure(message, found, at);
+    if (cure.isEmpty()) {
+      String word = previous(at, found).getText();
+      boolean isName = !NO_WAY.matcher(message).matches() && WORDS.matcher(word).matches();
+      cure = isName ? cureOf(word) : "";
+      return cure.isEmpty() ? of(message) : "'" + word + "' is a name here; expected " + cure;
+    }
+    return "found '" + found.getText() + "'; expected " + cure;
+  }
+
+  private static String cure(String message, Token found, Parser at) {
+    String text = found.getText();
+    Token last = at.getTokenStream().get(Math.max(0, found.getTokenIndex() - 1));
+    boolean isAtOnce = last.getStopIndex() + 1 == found.getStartIndex();
+    if (text.equals("=")) {
+      int next = found.getStopIndex() + 1;
+      CharStream chars = found.getInputStream();
+      boolean isSecond = isAtOnce && last.getText().equals("=");
+      if (isSecond || (next < chars.size() && chars.getText(Interval.of(next, next)).equals("="))) {
+        return "one '='";
+      }
+    }
+    if (text.equals(">") && isAtOnce && last.getText().equals("<")) {
+      return "'!=' for not equal";
+    }
+    if (text.equals(".") && isAtOnce && last.getText().equals(".")) {
+      return cureOf("..");
+    }
+    boolean isEffect = isInside(at, StarlParser.EffContext.class);
+    if (NO_WAY.matcher(message).matches() && isEffect) {
+      return "':=' after the place, as in 'c := c + 1'";
+    }
+    if (found.getType() == Token.EOF || !message.contains(" expecting ")) {
+      return "";
+    }
+    String expected = of(message);
+    String cure = cureOf(text);
+    boolean isProgram = isInProgram(at, found);
+    if (cure.isEmpty()) {
+      boolean mayBeName = found.getType() == StarlParser.ID && expected.endsWith(NEXT);
+      if (!mayBeName || WORDS.matcher(previous(at, found).getText()).matches()) {
+        return "";
+      }
+      return isProgram
+          ? "'when' before a guard, 'do' before statements, or " + NEXT.strip()
+          : "',' before a further condition or effect, or " + NEXT.strip();
+    }
+    boolean isOwn = isProgram && (text.equals(";") || text.equals("when") || text.equals("do"));
+    return isOwn ? "" : cure;
+  }
+
+  private static Token previous(Parser at, Token found) {
+    int index = found.getTokenIndex() - 1;
+    while (index > 0 && at.getTokenStream().get(index).getChannel() != Token.DEFAULT_CHANNEL) {
+      index--;
+    }
+    return at.getTokenStream().get(Math.max(0, index));
+  }
+
+  private static boolean isInProgram(Parser at, Token found) {
+    for (int i = found.getTokenIndex(); i >= 0; i--) {
+      int type = at.getTokenStream().get(i).getType();
+      if (type == StarlParser.PROGRAM || type == StarlParser.AUTOMATON) {
+        return type == StarlParser.PROGRAM;
+      }
+    }
+    return false;
+  }
+
+  private static String cureOf(String word) {
+    return CURES.getOrDefault(word, "");
+  }
+
+  private static boolean isInside(Parser at, Class<? extends RuleContext> rule) {
+    RuleContext context = at.getContext();
+    while (context != null && !rule.isInstance(context)) {
+      context = context.parent;
+    }
+    return context != null;
+  }
+
+  private static String of(String message) {
     Matcher unexpected = UNEXPECTED.matcher(message);
     if (unexpected.matches()) {
       return "found " + found(unexpected.group(1)) + "; expected " + expected(unexpected.group(2));
@@ -88,7 +238,7 @@ final class SyntaxMessage {
       return words.contains("'if'") ? "an expression" : "a name";
     }
     if (words.contains("'automaton'")) {
-      return "the next declaration or branch"; // a unit may end here, and so may its last part
+      return NEXT.strip(); // a unit may end here, and so may its last part
     }
     List<String> named = words.isEmpty() ? all : words;
     return named.size() > MOST_NAMED ? "another word here" : String.join(" or ", named);

@@ -3,8 +3,10 @@ package org.starl.lang.server;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.InitializeParams;
@@ -23,6 +25,7 @@ import org.eclipse.lsp4j.services.WorkspaceService;
 public final class StarlServer implements LanguageServer {
 
   private final Documents documents = new Documents();
+  private final CompletableFuture<Future<Void>> listening = new CompletableFuture<>();
   private boolean wasShutDown;
 
   /**
@@ -34,8 +37,12 @@ public final class StarlServer implements LanguageServer {
     StarlServer server = new StarlServer();
     Launcher<LanguageClient> launcher = LSPLauncher.createServerLauncher(server, in, out);
     server.documents.connect(launcher.getRemoteProxy());
+    Future<Void> listening = launcher.startListening();
+    server.listening.complete(listening);
     try {
-      launcher.startListening().get();
+      listening.get();
+    } catch (CancellationException e) {
+      return server.wasShutDown ? 0 : 1;
     } catch (ExecutionException e) {
       throw new IllegalStateException("the connection to the editor", e.getCause());
     }
@@ -59,7 +66,7 @@ public final class StarlServer implements LanguageServer {
 
   @Override
   public void exit() {
-    // The editor closes its stream after this, which ends serve().
+    listening.join().cancel(true); // whether or not the editor closes its stream
   }
 
   @Override

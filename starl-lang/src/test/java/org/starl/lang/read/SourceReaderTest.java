@@ -33,6 +33,44 @@ class SourceReaderTest {
         eff shows := if shows = red then green else red
       """;
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '~',
+      textBlock =
+          """
+          pre free? ~ pre free? && true ~ 11:13: found '&'; expected 'and'
+          pre free? ~ pre free? || true ~ 11:13: found '|'; expected 'or'
+          pre free? ~ pre free? -> true ~ 11:13: found '->'; expected '=>' for an implication
+          pre free? ~ pre !free? ~ 11:7: found '!'; expected 'not'
+          pre free? ~ pre by == none ~ 11:10: found '='; expected one '='
+          pre free? ~ pre by <> none ~ 11:11: found '>'; expected '!=' for not equal
+          pre free? ~ require free? ~ 11:3: found 'require'; expected 'pre'
+          pre free? ~ when free? ~ 11:3: found 'when'; expected 'pre' before the conditions of an action; 'when' is for locations
+          eff by := some(i) ~ do by := some(i) ~ 12:3: found 'do'; expected 'eff' before the effects of an action; 'do' is for locations
+          eff by := some(i) ~ eff by = some(i) ~ 12:10: found '='; expected ':=' after the place, as in 'c := c + 1'
+          eff by := some(i) ~ eff by := some(i); shows := red ~ 12:20: found ';'; expected ',' between conditions and effects, and nothing after the last one
+          eff by := some(i) ~ eff by := some(i) shows := red ~ 12:21: found 'shows'; expected ',' before a further condition or effect, or the next declaration or branch
+          start by = none, ~ start by = none; ~ 7:16: found ';'; expected ',' between conditions and effects, and nothing after the last one
+          start by ~ init by ~ 7:6: 'init' is a name here; expected 'start'
+          action take ~ transition take ~ 10:1: found 'transition'; expected 'action'
+          state ~ var ~ 4:1: found 'var'; expected 'state'
+          fun free?: bool = by = none ~ fun free?: bool = by[1] = none ~ 8:21: found '['; expected '(': the value of a map m at i is m(i)
+          fun free?: bool = by = none ~ fun free?: bool = 1 mod 2 = 0 ~ 8:21: found 'mod'; expected no remainder: the language has + - * and, of times, /
+          // A lamp. ~ # A lamp. ~ 1:1: found '#'; expected '//' before a comment
+          type Color = red ~ -- a type ~ 3:1: found '-'; expected '//' before a comment, or a value before '-'
+          """)
+  void commonMistakeIsToldWithItsCureAlone(String instead, String mistake, String told) {
+    SourceErrors errors =
+        catchThrowableOfType(
+            SourceErrors.class,
+            () ->
+                new SourceReader()
+                    .read(
+                        "lamp.starl",
+                        LAMP.replaceFirst(java.util.regex.Pattern.quote(instead), mistake)));
+    assertThat(errors.errors()).hasToString("[lamp.starl:" + told + "]");
+  }
+
   @Test
   void sourceBecomesATree() throws SourceErrors {
     Automaton lamp = new SourceReader().read("lamp.starl", LAMP).getFirst();

@@ -176,6 +176,13 @@ class StarlServerTest {
   }
 
   @Test
+  void serverEndsAtExitThoughItsInputStaysOpen() throws Exception {
+    server.shutdown().get(60, TimeUnit.SECONDS);
+    server.exit();
+    assertThat(status.get(60, TimeUnit.SECONDS)).isZero();
+  }
+
+  @Test
   void serverEndsWithTheEditor() throws Exception {
     server.shutdown().get(60, TimeUnit.SECONDS);
     server.exit();
