@@ -49,7 +49,6 @@ final class ProveCommand extends SourceCommand {
   private @Nullable String folder;
 
   private long questions;
-  private volatile String asked = "no question to Z3";
 
   @Override
   int run(Source source) throws IOException {
@@ -57,10 +56,7 @@ final class ProveCommand extends SourceCommand {
     long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
     Verdict verdict = Verdict.HOLDS;
     for (Automaton automaton : automata) {
-      stop()
-          .progress(() ->
-              "%s; %s is not decided: to go on, repeat the command"
-                  .formatted(asked, automaton.name()));
+      tell(automaton.name());
       Report report;
       try {
         report = prove(automaton, steps);
@@ -85,10 +81,27 @@ final class ProveCommand extends SourceCommand {
     return ExitStatus.of(verdict);
   }
 
+  /** What a signal prints. */
+  private void tell(String automaton) {
+    long asked = questions;
+    stop()
+        .progress(() ->
+            "%d questions to Z3; %s is not decided: to go on, repeat the command"
+                .formatted(asked, automaton));
+  }
+
   private Report prove(Automaton automaton, long steps) throws IOException {
     try {
       Path of = folder == null ? null : Files.createDirectories(Path.of(folder, automaton.name()));
-      return new Prover(automaton, steps, (title, text) -> keep(of, title, text)).prove();
+      return new Prover(
+              automaton,
+              steps,
+              (title, text) -> {
+                questions++;
+                tell(automaton.name());
+                keep(of, title, text);
+              })
+          .prove();
     } catch (NoSolver e) {
       throw new MissingDependencyException(String.valueOf(e.getMessage()));
     } catch (Unprovable e) {
@@ -98,8 +111,7 @@ final class ProveCommand extends SourceCommand {
     }
   }
 
-  private void keep(@Nullable Path folder, String title, String text) {
-    asked = ++questions + " questions to Z3";
+  private static void keep(@Nullable Path folder, String title, String text) {
     if (folder != null) {
       try {
         Files.writeString(folder.resolve(title + ".smt2"), text);
