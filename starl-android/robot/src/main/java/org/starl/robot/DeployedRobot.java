@@ -52,13 +52,11 @@ import org.starl.robot.udp.OpenSessions;
 import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
-import org.starl.shape.Shapes;
 import org.starl.time.Time;
-import org.starl.trace.Instance;
 import org.starl.trace.Note;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceSink;
-import org.starl.trace.Var;
 import org.starl.trace.Vocabulary;
 
 /**
@@ -67,18 +65,12 @@ import org.starl.trace.Vocabulary;
  */
 public final class DeployedRobot implements AutoCloseable {
 
-  private static final Instance WHEELS = Instance.of("wheels");
-
-  /** What stops or limits the wheels now, below the program: worst first. */
-  private static final Var<List<CreateHold>> HELD_BY =
-      Var.of("heldBy", Shapes.list(Shapes.constant(CreateHold.class), CreateHold.values().length));
-
   /** What a reader of the traces of robots in real time needs, besides that of the app. */
   public static final Vocabulary VOCABULARY =
       ProcessFact.VOCABULARY
           .and(DropSummary.VOCABULARY)
           .and(MeasuredBody.VOCABULARY)
-          .variables(WHEELS.primitive(), HELD_BY);
+          .variables(CreateHold.WHEELS.primitive(), CreateHold.HELD_BY);
 
   private static final String TAG = "network";
 
@@ -260,7 +252,7 @@ public final class DeployedRobot implements AutoCloseable {
             gvh -> {
               // The boot number is in stable storage now.
               discovery.begin(gvh.id.boot());
-              wheels.onHolds(gvh.variable(WHEELS, HELD_BY, List.of())::set);
+              wheels.onHolds(gvh.variable(CreateHold.WHEELS, CreateHold.HELD_BY, List.of())::set);
               return program.app().apply(gvh);
             },
             this::finished);

@@ -1,5 +1,10 @@
 package org.starl.robot.create;
 
+import java.util.List;
+import org.starl.shape.Shapes;
+import org.starl.trace.Instance;
+import org.starl.trace.Var;
+
 /** Reasons for which the driver stops the wheels; {@link #CLIFF} and {@link #BUMP} only limit them. */
 public enum CreateHold {
   /** {@link CreateChassis#emergencyStop} was called and not released. */
@@ -22,6 +27,13 @@ public enum CreateHold {
   CLIFF,
   /** A bump sensor is closed: turning and backward are allowed, forward is not. */
   BUMP;
+
+  /** The source of {@link #HELD_BY} in traces. */
+  public static final Instance WHEELS = Instance.of("wheels");
+
+  /** What stops or limits the wheels now, below the program: worst first. */
+  public static final Var<List<CreateHold>> HELD_BY =
+      Var.of("heldBy", Shapes.list(Shapes.constant(CreateHold.class), values().length));
 
   /** Whether it stops the wheels completely. */
   public boolean isWhole() {
