@@ -22,7 +22,7 @@ class BadInputTest {
       rum | 'rum' | run
       list more | 'more' | did you mean maze?
       run | APP|PRIMITIVE|FILE.yaml | --help
-      run nope | 'nope' | expected one of hello, intersection
+      run nope | 'nope' | expected one of fleet, hello, intersection
       run intersecton | 'intersecton' | did you mean intersection?
       run intersection hello | 'hello' | expected nothing more
       run intersection --robots -3 | --robots | expected a whole number of at least 0

@@ -34,8 +34,8 @@ public final class FleetDemo implements Demo {
   private static final FleetFactory FACTORY = new FleetFactory();
   private static final int ROBOTS = 8;
 
-  /** The time step of task files. */
-  private static final long TASK_STEP_MS = 1_000;
+  // Of a list that counts steps: the time for a lane of the built-in warehouse.
+  private static final long STEP_MS = 6_000;
 
   // A robot that has the floor for itself drives a delivery faster.
   private static final double SLOWEST_MM_PER_S = 100;
@@ -86,15 +86,15 @@ public final class FleetDemo implements Demo {
 
   /** Of a file, or built in. */
   private static NavGraph graph(Request request, int robots) {
+    FleetFactory.checkRobots(robots);
     String file = request.parameter(FleetFactory.MAP.key());
     if (file.isEmpty()) {
       return FleetFactory.grid(robots);
     }
-    String graph = request.parameter(FleetFactory.GRAPH.key());
     NavGraphs.Choice choice =
         new NavGraphs.Choice(
             request.parameter(FleetFactory.LEVEL.key()),
-            graph.isEmpty() ? -1 : request.whole(FleetFactory.GRAPH),
+            request.whole(FleetFactory.GRAPH),
             request.amount(FleetFactory.SPACING),
             request.amount(FleetFactory.CLEARANCE));
     return NavGraphs.read(Path.of(file), choice);
@@ -104,7 +104,7 @@ public final class FleetDemo implements Demo {
     String file = request.parameter(FleetFactory.TASKS.key());
     return file.isEmpty()
         ? FleetFactory.drawn(request, graph)
-        : Deliveries.read(Path.of(file), graph, TASK_STEP_MS);
+        : Deliveries.read(Path.of(file), graph, STEP_MS);
   }
 
   /** Even if the robots did all deliveries one after the other. */

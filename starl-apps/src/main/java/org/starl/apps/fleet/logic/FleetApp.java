@@ -294,10 +294,15 @@ public final class FleetApp extends LogicThread {
     List<Integer> own = List.of(home, first.from(), first.to());
     places.standsIn(sections(own));
     List<Integer> vertices = new ArrayList<>(List.of(first.from()));
-    vertices.addAll(roads.way(first.to(), List.of(home)));
+    // A way over a station ends there: it may come back to the section in which the body stands,
+    // and
+    // a robot that holds that until then blocks those that it waits for.
+    int end = roads.isPrivate(first.to()) ? first.to() : home;
+    vertices.addAll(roads.way(first.to(), List.of(end)));
     Journey journey = journey(vertices, own);
     journey.resume(first, roads.occupied(at, gvh.gps.errorMm(), own));
     drive(journey, journey.end());
+    driveOver(end, home);
     places.standsIn(List.of());
   }
 

@@ -50,9 +50,9 @@ public final class FleetFactory implements AppFactory {
   public static final Parameter GRAPH =
       new Parameter(
           "graph",
-          "",
-          "graph_idx of the level's lanes; without one: that of most lanes",
-          Form.whole(0, 1_000));
+          "-1",
+          "graph_idx of the level's lanes; -1: that of most lanes",
+          Form.whole(-1, 1_000));
   public static final Parameter SPACING =
       new Parameter(
           "spacing",
@@ -109,10 +109,15 @@ public final class FleetFactory implements AppFactory {
    * @throws BadInput if a fleet has not so many robots
    */
   public static NavGraph grid(int robots) {
+    checkRobots(robots);
+    return GridWarehouse.of(robots);
+  }
+
+  /** @throws BadInput if a fleet has not so many robots */
+  public static void checkRobots(int robots) {
     if (robots < 1 || robots > MOST_ROBOTS) {
       throw new BadInput("robots: " + robots + ": expected 1 to " + MOST_ROBOTS + " in a fleet");
     }
-    return GridWarehouse.of(robots);
   }
 
   /**
