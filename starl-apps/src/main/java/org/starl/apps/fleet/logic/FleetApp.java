@@ -50,9 +50,8 @@ public final class FleetApp extends LogicThread {
   private static final long HANDLE_MS = 2_000;
   private static final long TRY_MS = 60_000;
   private static final long ROOM_MS = 2_000;
-  // Robots wait for each other for minutes. With a third of the datagrams lost, a live one is
-  // silent
-  // for 10 s now and then, for 30 s never.
+  // Robots wait for each other for minutes. With 30 % loss, a live one is silent for 10 s now and
+  // then, for 30 s never.
   private static final MutexTimes TIMES = MutexTimes.DEFAULT.withSuspectMs(30_000);
   private static final LedgerSettings LEASES =
       new LedgerSettings(SynodTiming.DEFAULT, 2_000, 30_000, 30_000);
