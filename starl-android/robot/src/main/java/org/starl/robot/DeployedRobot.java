@@ -53,9 +53,9 @@ import org.starl.robot.udp.PeerKeys;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.time.Time;
+import org.starl.trace.Instance;
 import org.starl.trace.Note;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceSink;
 import org.starl.trace.Vocabulary;
 
