@@ -265,16 +265,19 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     if (when != null) {
       throw new BadInput("--when " + when + ": with --html, expected no --when");
     }
-    long everyNs =
-        every == null
-            ? RunPage.EVERY_NS
-            : OptionValues.read("--every", every, RecordCommand::everyNs);
+    long everyNs = every == null ? 0 : OptionValues.read("--every", every, RecordCommand::everyNs);
     Recording recording = new Recording(plan.obstacles(), plan.layer());
     return ObserverFile.after(
         "--out",
         target,
         recording,
-        out -> new RunPage(recording, everyNs, 0, Long.MAX_VALUE).write(out));
+        out -> {
+          RunPage page =
+              every == null
+                  ? new RunPage(recording)
+                  : new RunPage(recording, everyNs, 0, Long.MAX_VALUE);
+          page.write(out);
+        });
   }
 
   private ObserverFile csv(String target) {

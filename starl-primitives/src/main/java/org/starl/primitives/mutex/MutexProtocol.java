@@ -750,20 +750,29 @@ class MutexProtocol {
 
   /** How many of the sections that it waits for it may hold now, from the first. */
   private int grantable() {
-    if (isOccupied()) {
-      // Not what lies before a ghost's section either: the way of a robot that was removed wrongly
-      // may
-      // lead there from the other side.
+    if (isBehindGhost()) {
       return 0;
     }
     int free = 0;
-    while (free < waiting.size() && hasConsents(waiting.get(free))) {
+    while (free < waiting.size()
+        && !isOccupied(waiting.get(free))
+        && hasConsents(waiting.get(free))) {
       free++;
     }
     // While the view has a ghost, a request that holds nothing is granted only as a whole: else it
     // could hold a section and wait for the ghost's one.
     boolean isAtOnce = !inOrder || (held.isEmpty() && !view.ghosts().isEmpty());
     return isAtOnce && free < waiting.size() ? 0 : free;
+  }
+
+  /**
+   * Whether the robot of a ghost ahead may come towards it: it was removed, perhaps wrongly, and no
+   * newer process of it is listed, which would keep what its way needs.
+   */
+  private boolean isBehindGhost() {
+    return ghosts()
+        .filter(ghost -> !view.participants().contains(ghost.getKey().robot()))
+        .anyMatch(ghost -> Sections.exclude(ghost.getValue().sections(), waiting));
   }
 
   private boolean isNew(Req req, Peers.Peer peer, SortedSet<String> free) {

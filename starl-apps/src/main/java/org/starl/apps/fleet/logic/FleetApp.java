@@ -294,8 +294,7 @@ public final class FleetApp extends LogicThread {
     places.standsIn(sections(own));
     List<Integer> vertices = new ArrayList<>(List.of(first.from()));
     // A way over a station ends there: it may come back to the section in which the body stands,
-    // and
-    // a robot that holds that until then blocks those that it waits for.
+    // which the robot holds until then.
     int end = roads.isPrivate(first.to()) ? first.to() : home;
     vertices.addAll(roads.way(first.to(), List.of(end)));
     Journey journey = journey(vertices, own);

@@ -227,6 +227,17 @@ class SequenceProtocolTest {
   }
 
   @Test
+  void aHolderGoesOnTowardsAGhostWhoseRobotIsListedAgain() {
+    holdsFirst("x", "y", "g");
+    ProcessId next = ProcessId.first(C.robot(), 2);
+    b.learn(b.view().next().confined(C, sections("g")).with(next));
+    hears(new Ok(A, B, 1));
+    assertThat(b.held()).as("the new process has a say").containsExactly("x");
+    hears(new Ok(next, B, 1));
+    assertThat(b.held()).containsExactly("x", "y");
+  }
+
+  @Test
   void aSetAndASequenceExcludeEachOther() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x", "y"), 0);

@@ -54,9 +54,9 @@ public final class RunPage {
   private final long fromNs;
   private final long toNs;
 
-  /** The page of a whole recording, with a picture per {@link #EVERY_NS}. */
+  /** The page of a whole recording, with a picture per {@link #EVERY_NS}; fewer of a long run. */
   public RunPage(Recording recording) {
-    this(recording, EVERY_NS, 0, Long.MAX_VALUE);
+    this(recording, Math.max(EVERY_NS, recording.endNs() / MOST_PICTURES + 1), 0, Long.MAX_VALUE);
   }
 
   /**
