@@ -6,6 +6,8 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -115,6 +117,15 @@ class LivePageTest {
     assertThat(page.get("toMs").asDouble()).isEqualTo(recording.endNs() / 1e6);
     assertThat(page.get("isOver").asBoolean()).isTrue();
     assertThat(page.get("frames")).hasSize((int) Math.ceil(recording.endNs() / 1e8) + 1);
+  }
+
+  @Example
+  void thePageOfALongRunHasFewerPictures() throws IOException {
+    Recording recording = begun();
+    recording.over(2 * 3_600_000 * MS);
+    ByteArrayOutputStream page = new ByteArrayOutputStream();
+    new RunPage(recording).write(page);
+    assertThat(page.size()).isPositive();
   }
 
   @Example
