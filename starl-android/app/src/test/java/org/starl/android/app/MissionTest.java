@@ -97,7 +97,7 @@ class MissionTest {
         SEALED.replace("app: intersection", "app: crossroads"),
         "bot0",
         key(),
-        "my.yaml:1: app: 'crossroads': expected one of [doors, hello, intersection, lightpaint,"
+        "my.yaml:1: app: 'crossroads': expected one of [doors, fleet, hello, intersection, lightpaint,"
             + " maze, race, search], this phone's apps");
     isRefused(
         SEALED.replace("figure7}", "figure7, floorWidth: 7m}"),

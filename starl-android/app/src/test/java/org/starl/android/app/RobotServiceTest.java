@@ -188,7 +188,7 @@ public final class RobotServiceTest extends ServiceFixture {
     until(() -> service.phase() == Phase.FAILED);
     assertThat(service.problem())
         .isEqualTo(
-            "deployment.yaml:1: app: 'crossroads': expected one of [doors, hello, intersection,"
+            "deployment.yaml:1: app: 'crossroads': expected one of [doors, fleet, hello, intersection,"
                 + " lightpaint, maze, race, search], this phone's apps");
     until(() -> !service.holdsLocks());
   }
@@ -221,7 +221,7 @@ public final class RobotServiceTest extends ServiceFixture {
     until(() -> service.phase() == Phase.FAILED);
     assertThat(service.problem())
         .isEqualTo(
-            "this phone has no app yet: choose one of [doors, hello, intersection, lightpaint, maze,"
+            "this phone has no app yet: choose one of [doors, fleet, hello, intersection, lightpaint, maze,"
                 + " race, search]");
     store.setApp("hello");
     tell(RobotService.START);
