@@ -3,8 +3,8 @@ package org.starl.apps.fleet;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.apps.Demo;
-import org.starl.apps.Parameter;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
@@ -26,10 +26,9 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
-import org.starl.trace.Vocabulary;
 
 /** {@code starl run fleet}. */
-public final class FleetDemo implements Demo {
+public final class FleetDemo implements FactoryDemo {
 
   private static final FleetFactory FACTORY = new FleetFactory();
   private static final int ROBOTS = 8;
@@ -42,23 +41,13 @@ public final class FleetDemo implements Demo {
   private static final long HANDLING_NS = 60 * Time.NS_PER_S;
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
   public String summary() {
     return "robots deliver loads along the lanes of a warehouse, without a dispatcher";
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.starl.apps.hello;
 
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.robot.HelloFactory;
@@ -12,13 +13,13 @@ import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 
 /** {@code starl run hello}. */
-public final class HelloDemo implements Demo {
+public final class HelloDemo implements FactoryDemo {
 
   private static final HelloFactory FACTORY = new HelloFactory();
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override

@@ -11,9 +11,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Input;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -30,10 +30,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
-import org.starl.trace.Vocabulary;
 
 /** The paper's section 3: {@code starl run intersection}. */
-public final class IntersectionDemo implements Demo {
+public final class IntersectionDemo implements FactoryDemo {
 
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
@@ -54,8 +53,8 @@ public final class IntersectionDemo implements Demo {
           new Scenario("legacy", "the original StarL's files; needs files=FOLDER"));
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
@@ -66,16 +65,6 @@ public final class IntersectionDemo implements Demo {
   @Override
   public List<Scenario> scenarios() {
     return SCENARIOS;
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
   }
 
   @Override

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Input;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
@@ -40,10 +40,9 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.time.Time;
-import org.starl.trace.Vocabulary;
 
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
-public final class LightPaintDemo implements Demo {
+public final class LightPaintDemo implements FactoryDemo {
 
   /** Without faults and position noise: the goal radius, and the distance driven in a period. */
   private static final double TOLERANCE_MM = 25;
@@ -59,19 +58,14 @@ public final class LightPaintDemo implements Demo {
   private static final LightPaintFactory FACTORY = new LightPaintFactory();
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
   public String summary() {
     return "robots paint a drawing with their lights, in tubes that never meet"
         + " (paper, section 5.4)";
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
   }
 
   @Override
@@ -89,11 +83,6 @@ public final class LightPaintDemo implements Demo {
     }
     inputs.sort(Comparator.comparing(Input::name));
     return inputs;
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
   }
 
   @Override

@@ -13,7 +13,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
@@ -43,10 +44,9 @@ import org.starl.sim.world.GridMap;
 import org.starl.sim.world.GridMaps;
 import org.starl.spec.ExceptRobots;
 import org.starl.time.Time;
-import org.starl.trace.Vocabulary;
 
 /** The paper's section 5.4: {@code starl run maze}. */
-public final class MazeDemo implements Demo {
+public final class MazeDemo implements FactoryDemo {
 
   private static final int MOST_BOXES = 64;
   private static final double LEAST_CELL_MM = 480;
@@ -75,8 +75,8 @@ public final class MazeDemo implements Demo {
           "Berlin_1_256");
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
@@ -88,16 +88,6 @@ public final class MazeDemo implements Demo {
   @Override
   public List<Scenario> scenarios() {
     return SCENARIOS;
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
   }
 
   @Override

@@ -7,9 +7,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Input;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.race.logic.Drive;
@@ -29,10 +29,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.trace.Vocabulary;
 
 /** The paper's Race App (section 5.4): {@code starl run race}. */
-public final class RaceDemo implements Demo {
+public final class RaceDemo implements FactoryDemo {
 
   private static final RaceFactory FACTORY = new RaceFactory();
 
@@ -43,23 +42,13 @@ public final class RaceDemo implements Demo {
   private static final Duration CHAOS = Duration.ofSeconds(30);
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
   public String summary() {
     return "robots race to the same points; arrivals are broadcast (paper, section 5.4)";
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
   }
 
   @Override

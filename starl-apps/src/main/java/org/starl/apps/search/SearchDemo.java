@@ -16,9 +16,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.starl.apps.Demo;
+import org.starl.apps.AppFactory;
+import org.starl.apps.FactoryDemo;
 import org.starl.apps.Input;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -44,10 +44,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.trace.Vocabulary;
 
 /** The paper's Distributed Search (section 5.4): {@code starl run search}. */
-public final class SearchDemo implements Demo {
+public final class SearchDemo implements FactoryDemo {
 
   private static final String FILES_SCENARIO = "files";
   private static final Pattern PLACE = Pattern.compile("(-?[0-9]{1,6}),(-?[0-9]{1,6})");
@@ -64,8 +63,8 @@ public final class SearchDemo implements Demo {
   private static final SearchFactory FACTORY = new SearchFactory();
 
   @Override
-  public String name() {
-    return FACTORY.name();
+  public AppFactory factory() {
+    return FACTORY;
   }
 
   @Override
@@ -76,16 +75,6 @@ public final class SearchDemo implements Demo {
   @Override
   public List<Scenario> scenarios() {
     return SCENARIOS;
-  }
-
-  @Override
-  public List<Parameter> parameters() {
-    return FACTORY.parameters();
-  }
-
-  @Override
-  public Vocabulary vocabulary(Request request) {
-    return FACTORY.vocabulary(request);
   }
 
   @Override
