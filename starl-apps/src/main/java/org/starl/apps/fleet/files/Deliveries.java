@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.function.LongSupplier;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.NavGraph;
-import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.input.TextFile;
+import org.starl.time.Time;
 
 /**
  * Reads lists of deliveries, in two forms. Empty lines and the text after {@code #} are ignored.
@@ -31,11 +31,13 @@ public final class Deliveries {
 
   private final String file;
   private final NavGraph graph;
+  private final List<Integer> stations;
   private final List<Delivery> deliveries = new ArrayList<>();
 
   private Deliveries(String file, NavGraph graph) {
     this.file = file;
     this.graph = graph;
+    stations = graph.stations();
   }
 
   /**
@@ -80,22 +82,21 @@ public final class Deliveries {
       throw wrong(line, String.join(" ", words), "TIME FROM TO, such as 90s pantry coe");
     }
     long ns = at(line, () -> Quantities.durationNs(words.get(0)));
-    add(line, ns / 1_000_000, named(line, words.get(1)), named(line, words.get(2)));
+    add(line, ns / Time.NS_PER_MS, named(line, words.get(1)), named(line, words.get(2)));
   }
 
   private int named(int line, String name) {
-    for (int v = 0; v < graph.vertices().size(); v++) {
-      if (graph.vertices().get(v).name().equals(name) && graph.vertices().get(v).isStation()) {
-        return v;
+    for (int station : stations) {
+      if (name(station).equals(name)) {
+        return station;
       }
     }
-    String station =
-        graph.vertices().stream()
-            .filter(Vertex::isStation)
-            .map(Vertex::name)
-            .findFirst()
-            .orElse("");
-    throw wrong(line, name, "the name of a station of the graph, such as " + station);
+    String first = stations.isEmpty() ? "" : name(stations.get(0));
+    throw wrong(line, name, "the name of a station of the graph, such as " + first);
+  }
+
+  private String name(int vertex) {
+    return graph.vertices().get(vertex).name();
   }
 
   private void addTask(int line, List<String> words, long stepMs) {
@@ -103,13 +104,6 @@ public final class Deliveries {
       throw wrong(line, String.join(" ", words), "STEP FROM TO or STEP FROM TO 0 0");
     }
     words.subList(3, words.size()).forEach(word -> whole(line, word, 0, 0));
-    List<Integer> stations = new ArrayList<>();
-    for (int v = 0; v < graph.vertices().size(); v++) {
-      Vertex vertex = graph.vertices().get(v);
-      if (vertex.isStation()) {
-        stations.add(v);
-      }
-    }
     int last = stations.size() - 1;
     add(
         line,
@@ -120,7 +114,7 @@ public final class Deliveries {
 
   private void add(int line, long atMs, int from, int to) {
     if (from == to) {
-      throw wrong(line, graph.vertices().get(to).name(), "two places that are not the same");
+      throw wrong(line, name(to), "two places that are not the same");
     }
     deliveries.add(new Delivery(atMs, from, to));
   }

@@ -1,5 +1,6 @@
 package org.starl.apps.fleet.logic;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.starl.geometry.Point;
 
@@ -46,6 +47,17 @@ public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
 
   private static boolean isVertex(int number, List<Vertex> vertices) {
     return number >= 0 && number < vertices.size();
+  }
+
+  /** The numbers of the vertices where loads are picked up and put down, in order. */
+  public List<Integer> stations() {
+    List<Integer> stations = new ArrayList<>();
+    for (int v = 0; v < vertices.size(); v++) {
+      if (vertices.get(v).isStation()) {
+        stations.add(v);
+      }
+    }
+    return stations;
   }
 
   /** Length of a lane in mm. */

@@ -46,8 +46,8 @@ public final class Roads {
   private final double gapMm;
   private final List<Integer> homes = new ArrayList<>();
   private final List<Integer> chargers = new ArrayList<>();
-  private final List<Integer> stations = new ArrayList<>();
-  private final Map<Integer, int[]> trees = new TreeMap<>(); // by private vertex
+  private final List<Integer> stations;
+  private final Map<Integer, int[]> trees = new TreeMap<>(); // by home, charger and station
   private final Set<Integer> closed = new TreeSet<>(); // private
   private final List<List<Integer>> lanesFrom = new ArrayList<>();
   private final SortedMap<String, List<Half>> stars = new TreeMap<>();
@@ -69,6 +69,7 @@ public final class Roads {
   public Roads(NavGraph graph, double bodyMm, int robots) {
     this.graph = graph;
     gapMm = 2 * bodyMm + SLACK_MM;
+    stations = graph.stations();
     for (int v = 0; v < graph.vertices().size(); v++) {
       lanesFrom.add(new ArrayList<>());
     }
@@ -84,17 +85,15 @@ public final class Roads {
       if (vertex(v).isCharger() && isApart(v) && neighbours(v) == 1 && !homes.contains(v)) {
         chargers.add(v);
       }
-      if (vertex(v).isStation()) {
-        stations.add(v);
-      }
     }
     closed.addAll(homes);
     closed.addAll(chargers);
     stations.stream().filter(this::isApart).forEach(closed::add);
+    growTrees();
     if (!isConnected()) {
       closed.removeAll(stations);
+      growTrees();
     }
-    closed.forEach(vertex -> trees.put(vertex, tree(vertex)));
     List<List<Integer>> trips = trips();
     longestMm = 3 * trips.stream().mapToDouble(this::lengthMm).max().orElse(0);
     int merged = 1;
@@ -149,17 +148,19 @@ public final class Roads {
         });
   }
 
-  /** Whether each station can be reached from each home, and each home from each station. */
-  private boolean isConnected() {
-    List<Integer> ends = new ArrayList<>(homes);
-    ends.addAll(chargers);
-    ends.addAll(stations);
-    boolean isConnected = true;
-    for (int from : ends) {
-      int[] before = tree(from);
-      isConnected &= ends.stream().allMatch(to -> to == from || before[to] != NONE);
+  private void growTrees() {
+    trees.clear();
+    for (List<Integer> ends : List.of(homes, chargers, stations)) {
+      ends.forEach(end -> trees.put(end, tree(end)));
     }
-    return isConnected;
+  }
+
+  /** Whether each home, charger and station can be reached from each other one. */
+  private boolean isConnected() {
+    return trees.entrySet().stream()
+        .allMatch(tree ->
+            trees.keySet().stream()
+                .allMatch(to -> to.equals(tree.getKey()) || tree.getValue()[to] != NONE));
   }
 
   private Vertex vertex(int number) {
@@ -211,11 +212,7 @@ public final class Roads {
       addHalf(lane.to(), lane.from(), sections);
     }
     for (Lane lane : graph.lanes()) {
-      List<String> its = needs(segment(lane), List.of(lane.from(), lane.to()));
-      if (!lane.group().isEmpty()) {
-        its.add(groups.getOrDefault(lane.group(), ""));
-      }
-      needs.add(its);
+      needs.add(needs(at(lane.from()), lane));
     }
     return trips.stream().allMatch(this::fits);
   }

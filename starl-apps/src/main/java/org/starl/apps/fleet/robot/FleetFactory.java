@@ -162,12 +162,7 @@ public final class FleetFactory implements AppFactory {
    * @throws BadInput if the map has fewer than two stations
    */
   public static List<Delivery> drawn(Request request, NavGraph graph) {
-    List<Integer> stations = new ArrayList<>();
-    for (int v = 0; v < graph.vertices().size(); v++) {
-      if (graph.vertices().get(v).isStation()) {
-        stations.add(v);
-      }
-    }
+    List<Integer> stations = graph.stations();
     if (stations.size() < 2) {
       throw new BadInput("map: " + stations.size() + " stations: expected at least 2");
     }
