@@ -17,6 +17,7 @@ import org.starl.platform.LogSink.Level;
 import org.starl.platform.Strand;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.create.Guard;
+import org.starl.robot.create.HoldNews;
 import org.starl.robot.create.ReactionMeter;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Limits;
@@ -46,6 +47,7 @@ final class RosBase implements Wheelbase {
   private final Consumer<Throwable> onFailure;
   private final AutoCloseable node;
   private final Guard guard = new Guard();
+  private final HoldNews holdNews;
   private final Thread watchdog;
 
   // Guarded.
@@ -63,8 +65,6 @@ final class RosBase implements Wheelbase {
   // Strand only.
   private Runnable receiver = () -> {};
   private Bumps seenBumps = Bumps.NONE;
-  private Consumer<List<CreateHold>> holdReceiver = holds -> {};
-  private List<CreateHold> seenHolds = List.of();
 
   /**
    * @param odometryTopic for messages
@@ -88,6 +88,7 @@ final class RosBase implements Wheelbase {
     this.links = links;
     this.stopDirectly = stopDirectly;
     this.strand = strand;
+    holdNews = new HoldNews(strand);
     this.clock = clock;
     this.log = log;
     this.onFailure = onFailure;
@@ -174,8 +175,7 @@ final class RosBase implements Wheelbase {
 
   @Override
   public void onHolds(Consumer<List<CreateHold>> newReceiver) {
-    holdReceiver = newReceiver;
-    newReceiver.accept(seenHolds);
+    holdNews.onChange(newReceiver);
   }
 
   @Override
@@ -261,12 +261,6 @@ final class RosBase implements Wheelbase {
     sentNs = nowNs;
   }
 
-  // On the strand.
-  private void held(List<CreateHold> now) {
-    seenHolds = now;
-    holdReceiver.accept(now);
-  }
-
   // The watchdog's thread.
   private void watch() {
     Set<CreateHold> before = EnumSet.noneOf(CreateHold.class);
@@ -276,12 +270,8 @@ final class RosBase implements Wheelbase {
         update(() -> {});
         Set<CreateHold> last = before;
         guard.get(() -> state.news(last, clock.nowNs(), odometryTopic)).forEach(this::warn);
-        Set<CreateHold> now = holds();
-        if (!now.equals(before)) {
-          List<CreateHold> told = List.copyOf(now);
-          strand.post(() -> held(told));
-        }
-        before = now;
+        before = holds();
+        holdNews.now(List.copyOf(before));
       }
     } catch (Throwable bug) {
       emergencyStop();

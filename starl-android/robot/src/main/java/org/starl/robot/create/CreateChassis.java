@@ -43,6 +43,7 @@ public final class CreateChassis implements Wheelbase {
   private final LogSink log;
   private final Consumer<Throwable> onFailure;
   private final Guard guard = new Guard();
+  private final HoldNews holdNews;
 
   // Guarded.
   private final CreateProtocol protocol;
@@ -65,8 +66,6 @@ public final class CreateChassis implements Wheelbase {
   // Strand only.
   private Runnable receiver = () -> {};
   private Bumps seenBumps = Bumps.NONE;
-  private Consumer<List<CreateHold>> holdReceiver = holds -> {};
-  private List<CreateHold> seenHolds = List.of();
 
   private CreateChassis(
       String name,
@@ -80,6 +79,7 @@ public final class CreateChassis implements Wheelbase {
     this.settings = settings;
     this.links = links;
     this.strand = strand;
+    holdNews = new HoldNews(strand);
     this.clock = clock;
     this.log = log;
     this.onFailure = onFailure;
@@ -156,8 +156,7 @@ public final class CreateChassis implements Wheelbase {
 
   @Override
   public void onHolds(Consumer<List<CreateHold>> newReceiver) {
-    holdReceiver = newReceiver;
-    newReceiver.accept(seenHolds);
+    holdNews.onChange(newReceiver);
   }
 
   @Override
@@ -235,12 +234,6 @@ public final class CreateChassis implements Wheelbase {
     update(() -> {});
   }
 
-  // On the strand.
-  private void held(List<CreateHold> now) {
-    seenHolds = now;
-    holdReceiver.accept(now);
-  }
-
   // The watchdog's thread.
   private void watch() {
     List<CreateHold> logged = List.of();
@@ -255,9 +248,9 @@ public final class CreateChassis implements Wheelbase {
       logSilence(silentNs[0]);
       WriteQueue.closeQuietly(dead[0]);
       CreateStatus now = status();
+      holdNews.now(now.holds());
       if (!now.holds().equals(logged)) {
         logHolds(logged, now.holds());
-        strand.post(() -> held(now.holds()));
         logged = now.holds();
       }
       String ofBattery = battery.update(now.sensors());
