@@ -28,7 +28,7 @@ final class MutexProgress {
     /** Whether a crash, a ghost or a fault may delay the request. */
     boolean isImpeded(Request request);
 
-    /** Whether the request is over, and keeps nobody waiting: of a dead or removed participant. */
+    /** Whether its participant is dead or removed, and nobody waits for it. It is owed nothing. */
     boolean isOwedNothing(Request request);
 
     /** Whether its participant is dead: it is owed nothing, even if it keeps others waiting. */
