@@ -41,11 +41,22 @@ class OdometryWayTest {
 
   @Property(tries = 200)
   void itIsTheSumOfTheStepsAlsoIfMessagesAreLost(@ForAll("drives") List<Step> drive) {
+    checkTheSum(drive);
+  }
+
+  @Test
+  void aTurnAfterALostMessageTiltsTheChordOfTheWayBefore() {
+    checkTheSum(List.of(new Step(0.01, 0, true), new Step(0, 0.03, false)));
+  }
+
+  private static void checkTheSum(List<Step> drive) {
     OdometryWay way = new OdometryWay(LIMITS);
     Pose pose = new Pose(1000, -500, 3);
     double forwardMm = 0;
     double turnedRad = 0;
+    double drivenSinceMessage = 0;
     double turnedSinceMessage = 0;
+    int stepsSinceMessage = 0;
     double errorMm = 0;
     long nowNs = 1;
     assertThat(way.add(message(nowNs, pose))).isFalse();
@@ -59,15 +70,24 @@ class OdometryWayTest {
       forwardMm += step.forwardMm;
       turnedRad += step.turnRad;
       nowNs += PERIOD_NS;
+      drivenSinceMessage += Math.abs(step.forwardMm);
       turnedSinceMessage += Math.abs(step.turnRad);
-      // A message that was lost leaves a chord in place of an arc.
-      errorMm += Math.abs(step.forwardMm) * turnedSinceMessage;
+      stepsSinceMessage++;
       if (!step.isLost) {
+        // Lost messages leave one chord in place of their arcs: no arc is turned from it by more
+        // than the turns between the two
+        // messages.
+        if (stepsSinceMessage > 1) {
+          errorMm +=
+              drivenSinceMessage * (1 - StrictMath.cos(Math.min(turnedSinceMessage, Math.PI)));
+        }
         assertThat(way.add(message(nowNs, pose))).isTrue();
         CreateTravel travel = way.travel();
         assertThat(travel.forwardMm()).isCloseTo(forwardMm, within(errorMm + 1e-6));
         assertThat(travel.turnedRad()).isCloseTo(turnedRad, within(1e-9));
+        drivenSinceMessage = 0;
         turnedSinceMessage = 0;
+        stepsSinceMessage = 0;
       }
     }
   }
