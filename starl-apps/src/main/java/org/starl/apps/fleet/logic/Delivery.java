@@ -2,6 +2,7 @@ package org.starl.apps.fleet.logic;
 
 import static org.starl.shape.Shapes.part;
 
+import java.util.List;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shapes;
 import org.starl.time.Time;
@@ -22,6 +23,11 @@ public record Delivery(long atMs, int pick, int drop) {
           part("pick", Shapes.INT, Delivery::pick),
           part("drop", Shapes.INT, Delivery::drop),
           Delivery::new);
+
+  /** Where it lies, and where it is wanted. */
+  List<Integer> stops() {
+    return List.of(pick, drop);
+  }
 
   /** {@link #atMs} in ns. */
   public long atNs() {

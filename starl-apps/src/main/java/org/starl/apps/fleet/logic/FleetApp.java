@@ -29,7 +29,6 @@ import org.starl.primitives.ledger.LedgerTask;
 import org.starl.primitives.ledger.TaskId;
 import org.starl.primitives.ledger.TaskLedger;
 import org.starl.primitives.mutex.M_Mutex;
-import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
 import org.starl.random.Rng;
@@ -49,6 +48,7 @@ public final class FleetApp extends LogicThread {
   private static final long PERIOD_MS = 100;
   private static final long HANDLE_MS = 2_000;
   private static final long TRY_MS = 60_000;
+  private static final long MOMENT_MS = 10_000;
   private static final long ROOM_MS = 2_000;
   // Robots wait for each other for minutes. With 30 % loss, a live one is silent for 10 s now and
   // then, for 30 s never.
@@ -62,6 +62,8 @@ public final class FleetApp extends LogicThread {
   // A nearer robot claims a delivery before a farther one does, up to this way.
   private static final double FAR_MM = 40_000;
   private static final double FAR_MS = 2_000;
+  // Another robot at a station, or on its way there, is as this way.
+  private static final double BUSY_MM = 10_000;
 
   /**
    * The load of the delivery that this robot has begun.
@@ -87,8 +89,7 @@ public final class FleetApp extends LogicThread {
   private final int home;
   private final Registration floorList;
   private final M_Mutex floor;
-  private final Registration placeList;
-  private final M_Mutex places;
+  private final Places places;
   private final LedgerPrim<Delivery> ledger;
   private final Rng rng;
   private final Persistent<Load> load;
@@ -97,6 +98,7 @@ public final class FleetApp extends LogicThread {
   private final GvhCell<List<Integer>> lane;
   private final GvhCell<Long> aboard;
   private final GvhCell<Long> delivered;
+  private int at; // the private vertex where the robot stands, or from where it drives
   private @Nullable LedgerCall adding;
   private @Nullable Battery battery;
 
@@ -113,11 +115,11 @@ public final class FleetApp extends LogicThread {
     number = all.indexOf(gvh.id.name());
     robots = all.size();
     home = roads.home(number);
+    at = home;
     Participants voters = Participants.of(all.subList(0, Math.min(VOTERS, robots)));
     floorList = new Registration(gvh, "floor", voters);
     floor = new M_Mutex(gvh, "floor", floorList, TIMES);
-    placeList = new Registration(gvh, "places", voters);
-    places = new M_Mutex(gvh, "places", placeList, TIMES);
+    places = new Places(gvh, roads, home, voters, TIMES);
     ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LEASES);
     rng = gvh.plat.entropy.fork("app");
     load = gvh.plat.persistent("load", Load.SHAPE, Load.NONE);
@@ -147,15 +149,16 @@ public final class FleetApp extends LogicThread {
       SortedSet<TaskId> mine = ledger.held().get(); // also by a call that was told UNKNOWN
       boolean mayDrive = battery().suffices(roads.longestMm());
       if (!mayDrive) {
+        goHome();
         charge();
       } else if (!mine.isEmpty()) {
         deliver(mine.first(), done);
       } else {
-        work.set(Work.PARKS);
         choose();
         battery().tick(false);
       }
     }
+    goHome();
     work.set(Work.ENDS);
     return done;
   }
@@ -176,12 +179,15 @@ public final class FleetApp extends LogicThread {
 
   /**
    * Claims the nearest open delivery, if the lists of the mutexes have room for this robot. Of several
-   * robots the nearest one is first, mostly.
+   * robots the nearest one is first, mostly. Without a delivery the robot goes home: others need the
+   * station.
    */
   private void choose() {
     Optional<TaskId> next = nearest();
     LedgerTask<Delivery> its = next.isPresent() ? ledger.tasks().get(next.get()) : null;
     if (its == null) {
+      goHome();
+      work.set(Work.PARKS);
       leaveLists();
       sleep(500);
       return;
@@ -190,9 +196,10 @@ public final class FleetApp extends LogicThread {
     if (!next.equals(nearest())) {
       return;
     }
-    if (placeList.register(ROOM_MS) && floorList.register(ROOM_MS)) {
+    if (floorList.register(ROOM_MS) && places.register(its.what().pick(), ROOM_MS)) {
       told(ledger.claim(its.id()));
     } else {
+      goHome();
       leaveLists();
       sleep(rng.nextLong(ROOM_MS, 10 * ROOM_MS));
     }
@@ -200,7 +207,9 @@ public final class FleetApp extends LogicThread {
 
   /** A robot that parks makes room for others. */
   private void leaveLists() {
-    for (Registration list : List.of(placeList, floorList)) {
+    List<Registration> lists = new ArrayList<>(places.lists());
+    lists.add(floorList);
+    for (Registration list : lists) {
       while (list.mayRequest()) {
         list.unregister();
         await("a list", () -> list.isUnregistered() || list.failed().get());
@@ -213,7 +222,8 @@ public final class FleetApp extends LogicThread {
   }
 
   private double awayMm(Delivery delivery) {
-    return roads.at(delivery.pick()).distanceMm(roads.at(home));
+    return roads.at(delivery.pick()).distanceMm(roads.at(at))
+        + BUSY_MM * places.contenders(delivery.pick());
   }
 
   /** Does a delivery that this robot has claimed or begun, or the part that is left of it. */
@@ -237,46 +247,83 @@ public final class FleetApp extends LogicThread {
     }
   }
 
-  /** Drives to the stations that are left, and home: one journey to each private vertex. */
+  /** Drives to the station that is next, or over both, and on to a private vertex. */
   private void carry(TaskId task, Delivery delivery, Load onTheWay, Load down) {
-    List<Integer> stops = new ArrayList<>(List.of(delivery.pick(), delivery.drop(), home));
-    if (isAboard(onTheWay)) {
-      stops.remove(0);
-    } else if (!roads.fits(home, stops)) {
-      stops.remove(1); // then it comes home with the load, and drives on from there
-    }
     boolean isFree = isAboard(onTheWay);
-    if (!acquire(stops, () -> isFree || ledger.held().get().contains(task))) {
-      return; // its claim has been given to another robot
+    List<Integer> leg = roads.leg(at, isFree ? List.of(delivery.drop()) : delivery.stops(), home);
+    int from = at;
+    int end = leg.get(leg.size() - 1);
+    if (!enter(end, () -> isFree || ledger.held().get().contains(task))) {
+      return; // it has gone home, or its claim has been given to another robot
     }
-    int at = home;
-    for (List<Integer> part : roads.parts(stops)) {
-      int end = part.get(part.size() - 1);
-      Journey journey = journey(roads.way(at, part), List.of(home, at, end));
-      for (int i = 0; i < part.size(); i++) {
-        int stop = part.get(i);
-        work.set(isAboard(onTheWay) ? Work.CARRIES : stop == home ? Work.RETURNS : Work.FETCHES);
-        drive(journey, roads.way(at, part.subList(0, i + 1)).size() - 1);
-        if (isAboard(onTheWay) && stop == delivery.drop()) {
-          sleep(HANDLE_MS);
-          store(down);
-          aboard.set(0L);
-          delivered.set(task.number());
-        } else if (stop == delivery.pick()
-            && !load.get().equals(down)
-            && told(ledger.begin(task)) == LedgerOutcome.DONE) {
-          sleep(HANDLE_MS);
-          store(onTheWay);
-          aboard.set(task.number());
-        }
+    Journey journey = journey(roads.way(from, leg), List.of(home, from, end));
+    for (int i = 0; i < leg.size(); i++) {
+      int stop = leg.get(i);
+      work.set(isAboard(onTheWay) ? Work.CARRIES : stop == home ? Work.RETURNS : Work.FETCHES);
+      drive(journey, roads.way(from, leg.subList(0, i + 1)).size() - 1);
+      if (isAboard(onTheWay) && stop == delivery.drop()) {
+        sleep(HANDLE_MS);
+        store(down);
+        aboard.set(0L);
+        delivered.set(task.number());
+      } else if (stop == delivery.pick()
+          && !load.get().equals(down)
+          && told(ledger.begin(task)) == LedgerOutcome.DONE) {
+        sleep(HANDLE_MS);
+        store(onTheWay);
+        aboard.set(task.number());
       }
-      leave(at);
-      at = end;
+    }
+    arrive(end);
+  }
+
+  /**
+   * Gets a private vertex before the robot drives there. At a station, where others may wait for it, it
+   * waits for a moment only, and then goes home; so no robots wait for each other's stations.
+   *
+   * @param isWanted asked after each failed request; false ends the search
+   * @return whether it holds the vertex
+   */
+  private boolean enter(int vertex, BooleanSupplier isWanted) {
+    if (vertex == at) {
+      return true;
+    }
+    if (at != home) {
+      boolean isGot = places.mayAsk(at, vertex) && places.acquire(vertex, MOMENT_MS);
+      if (!isGot) {
+        goHome();
+      }
+      return isGot;
+    }
+    boolean isGot;
+    do {
+      isGot = places.acquire(vertex, TRY_MS);
+    } while (!isGot && isWanted.getAsBoolean());
+    return isGot;
+  }
+
+  /** The body has left the last private vertex and is at this one. */
+  private void arrive(int vertex) {
+    if (vertex != at) {
+      places.leave(at);
+      at = vertex;
+    }
+  }
+
+  private void goHome() {
+    if (at != home) {
+      work.set(isLoaded() ? Work.CARRIES : Work.RETURNS);
+      driveOver(at, home);
+      arrive(home);
     }
   }
 
   private boolean isAboard(Load onTheWay) {
     return load.get().equals(onTheWay);
+  }
+
+  private boolean isLoaded() {
+    return load.get().number() > 0 && !load.get().isDown();
   }
 
   /** To its home, from where the body stands after a restart. */
@@ -291,7 +338,7 @@ public final class FleetApp extends LogicThread {
     }
     NavGraph.Lane first = roads.laneAt(at, home);
     List<Integer> own = List.of(home, first.from(), first.to());
-    places.standsIn(sections(own));
+    places.standsIn(own);
     List<Integer> vertices = new ArrayList<>(List.of(first.from()));
     // A way over a station ends there: it may come back to the section in which the body stands,
     // which the robot holds until then.
@@ -304,56 +351,20 @@ public final class FleetApp extends LogicThread {
     places.standsIn(List.of());
   }
 
-  /** The sections of those private vertices that several robots use. */
-  private List<String> sections(List<Integer> vertices) {
-    List<String> sections = new ArrayList<>();
-    for (int vertex : vertices) {
-      if (vertex != home && roads.isPrivate(vertex)) {
-        sections.add("p" + vertex);
-      }
-    }
-    return sections;
-  }
-
-  /**
-   * Gets the private vertices at which it will stop, before it drives; then it holds nothing else.
-   *
-   * @param isWanted asked after each failed request; false ends the search
-   */
-  private boolean acquire(List<Integer> vertices, BooleanSupplier isWanted) {
-    List<String> sections = sections(vertices);
-    MutexFailure failure = MutexFailure.NONE;
-    do {
-      if (!sections.isEmpty()) {
-        failure =
-            placeList.register(TRY_MS) ? places.acquire(sections, TRY_MS) : MutexFailure.DEADLINE;
-      }
-    } while (failure != MutexFailure.NONE && isWanted.getAsBoolean());
-    return failure == MutexFailure.NONE;
-  }
-
-  /** The body has left a private vertex. */
-  private void leave(int vertex) {
-    List<String> sections = sections(List.of(vertex));
-    if (!sections.isEmpty()) {
-      places.release(sections);
-    }
-  }
-
-  /** Charges at its home, or at a charger. */
+  /** Charges at its home, where it stands, or at a charger. */
   private void charge() {
     boolean isAtHome = roads.graph().vertices().get(home).isCharger();
     int charger = isAtHome ? home : nearestCharger();
     work.set(Work.PARKS);
-    acquire(List.of(charger), () -> true);
+    enter(charger, () -> true);
     work.set(Work.CHARGES);
     driveOver(home, charger);
+    arrive(charger);
     while (!battery().isFull()) {
       sleep(1_000);
       battery().tick(true);
     }
-    driveOver(charger, home);
-    leave(charger);
+    goHome();
   }
 
   private void driveOver(int from, int to) {
@@ -365,7 +376,7 @@ public final class FleetApp extends LogicThread {
   private int nearestCharger() {
     return roads.chargers().stream()
         .min(
-            Comparator.<Integer>comparingInt(each -> places.contenders("p" + each))
+            Comparator.<Integer>comparingInt(each -> places.contenders(each))
                 .thenComparingDouble(each -> roads.at(each).distanceMm(roads.at(home))))
         .orElseThrow();
   }

@@ -39,6 +39,11 @@ public final class Roads {
   private static final double SLACK_MM = 100;
 
   private static final double SPARE_MM = SLACK_MM / 2;
+
+  // A robot stops so near to a vertex. It may choose among lanes that are as near; a body drives
+  // beside none by more than SPARE_MM.
+  private static final double AT_VERTEX_MM = 20;
+
   private static final int MOST_MERGED = 8;
   private static final int NONE = -1;
 
@@ -53,6 +58,7 @@ public final class Roads {
   private final SortedMap<String, List<Half>> stars = new TreeMap<>();
   private final SortedMap<String, String> groups = new TreeMap<>();
   private final List<List<String>> needs = new ArrayList<>(); // of each lane
+  private final List<Integer> shared = new ArrayList<>();
   private final double longestMm;
 
   /** A part of a star; {@code owner} is the private vertex of its lane, or {@link #NONE}. */
@@ -94,6 +100,8 @@ public final class Roads {
       closed.removeAll(stations);
       growTrees();
     }
+    shared.addAll(chargers);
+    stations.stream().filter(closed::contains).forEach(shared::add);
     List<List<Integer>> trips = trips();
     longestMm = 3 * trips.stream().mapToDouble(this::lengthMm).max().orElse(0);
     int merged = 1;
@@ -318,23 +326,12 @@ public final class Roads {
     return all.size() <= Sections.MAX_COUNT;
   }
 
-  /** Whether this is so for each part of a drive over stops. */
-  boolean fits(int from, List<Integer> stops) {
-    boolean fits = true;
-    int at = from;
-    for (List<Integer> part : parts(stops)) {
-      fits &= fits(way(at, part));
-      at = part.get(part.size() - 1);
-    }
-    return fits;
-  }
-
   /** The lane on which a robot is that stands here; of several, that of the shortest way home. */
   Lane laneAt(Point at, int home) {
     double nearestMm =
         graph.lanes().stream().mapToDouble(lane -> segment(lane).distanceMm(at)).min().orElse(0);
     return graph.lanes().stream()
-        .filter(lane -> segment(lane).distanceMm(at) <= nearestMm + SPARE_MM)
+        .filter(lane -> segment(lane).distanceMm(at) <= nearestMm + AT_VERTEX_MM)
         .filter(lane -> lane.to() == home || !homes.contains(lane.to()))
         .min(
             Comparator.comparingDouble(
@@ -354,17 +351,20 @@ public final class Roads {
     return way;
   }
 
-  /** Stops, of which the last one is private, in parts that end at a private vertex. */
-  List<List<Integer>> parts(List<Integer> stops) {
-    List<List<Integer>> parts = new ArrayList<>();
-    int begin = 0;
-    for (int i = 0; i < stops.size(); i++) {
-      if (isPrivate(stops.get(i))) {
-        parts.add(stops.subList(begin, i + 1));
-        begin = i + 1;
+  /**
+   * The part of a drive over stops that ends at a private vertex: the first private stop, or the home after
+   * all stops, or after the first one if there are too many sections on the way.
+   */
+  List<Integer> leg(int from, List<Integer> stops, int home) {
+    List<Integer> leg = new ArrayList<>();
+    for (int stop : stops) {
+      leg.add(stop);
+      if (isPrivate(stop)) {
+        return leg;
       }
     }
-    return parts;
+    leg.add(home);
+    return fits(way(from, leg)) ? leg : List.of(leg.get(0), home);
   }
 
   /** The shortest way; of equal ones always the same. */
@@ -455,6 +455,11 @@ public final class Roads {
   /** The vertices where robots charge. */
   public List<Integer> chargers() {
     return List.copyOf(chargers);
+  }
+
+  /** The chargers and the private stations, which one robot uses after another. */
+  List<Integer> shared() {
+    return List.copyOf(shared);
   }
 
   /** Whether robots stand at this vertex without a section. */

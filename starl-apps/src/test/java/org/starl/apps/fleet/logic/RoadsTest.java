@@ -90,14 +90,21 @@ class RoadsTest {
     assertThat(roads.home(1)).isEqualTo(3);
     assertThat(roads.isPrivate(4)).isTrue();
     assertThat(roads.way(0, List.of(4, 3))).containsExactly(0, 1, 4, 1, 2, 3);
-    assertThat(roads.parts(List.of(4, 3))).containsExactly(List.of(4), List.of(3));
+    assertThat(roads.leg(0, List.of(4, 2), 0)).containsExactly(4);
   }
 
   @Test
   void aStationOnTheOnlyWayIsShared() {
     Roads roads = new Roads(corridor(false), BODY_MM, 2);
     assertThat(roads.isPrivate(2)).isFalse();
-    assertThat(roads.parts(List.of(2, 3))).containsExactly(List.of(2, 3));
+    assertThat(roads.leg(0, List.of(2), 0)).containsExactly(2, 0);
+  }
+
+  @Test
+  void aRobotBesideALaneIsNotOnIt() {
+    Roads roads = new Roads(corridor(true), BODY_MM, 2);
+    assertThat(roads.laneAt(new Point(1_310, 10), 3)).isEqualTo(new Lane(1, 2, ""));
+    assertThat(roads.laneAt(new Point(1_300, 45), 3)).isEqualTo(new Lane(4, 1, ""));
   }
 
   @Test
