@@ -51,6 +51,13 @@ final class BarrierClient extends Client {
   private BarrierClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     reg = registration(XID, setup.registration());
+    // Also after its rounds: a robot that registers again waits for votes at the barrier of its view.
+    reg.onChange(
+        () -> {
+          if (reg.mayRequest()) {
+            open();
+          }
+        });
   }
 
   static void setUp(Setup setup) {
@@ -72,7 +79,7 @@ final class BarrierClient extends Client {
   @Override
   protected boolean obtain(int round) {
     long view = reg.ts();
-    Barrier barrier = barriers.computeIfAbsent(view, any -> barrier());
+    Barrier barrier = open();
     barrier.arrive();
     await(() -> barrier.outcome().get().isTold() || reg.ts() > view || !reg.mayRequest());
     BarrierOutcome outcome = barrier.outcome().get();
@@ -80,6 +87,11 @@ final class BarrierClient extends Client {
       unregister(reg); // to register again in a new view
     }
     return outcome instanceof BarrierOutcome.Passed;
+  }
+
+  /** The barrier of the latest view. */
+  private Barrier open() {
+    return barriers.computeIfAbsent(reg.ts(), any -> barrier());
   }
 
   private Barrier barrier() {

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.starl.sim.fault.Envelope;
+import org.starl.time.Time;
 
 /**
  * The contract of every implementation of a primitive: under the faults of its envelope no
@@ -62,6 +64,23 @@ abstract class PrimitiveContract {
       assertThat(ended.faults()).as(what).isPositive();
       assertThat(ended.servedAfterHealing()).as(what).hasSize(ROBOTS);
       assertThat(ended.servedAfterHealing().values()).as(what).allMatch(times -> times >= 3);
+    }
+  }
+
+  /** The others have done all their rounds, and are needed again. */
+  @Test
+  void aRobotThatCrashesInItsLastRoundIsServedAgain() {
+    if (Set.of(Envelope.NETWORK, Envelope.SPATIAL).contains(envelope())) {
+      return; // no crashes
+    }
+    Map<String, String> quiet = Map.of("busy", "1s");
+    long atNs = run(1, quiet).result().endNs() - Time.NS_PER_MS;
+    for (int robot = 0; robot < ROBOTS; robot++) {
+      String crash = "crash(bot%d,at=%dns,restart=125ms)".formatted(robot, atNs);
+      Runs.Ended ended = run(1, Map.of("busy", "1s", "faults", crash));
+      String what = replay(1, " --set busy=1s --fault '" + crash + "'");
+      assertThat(ended.result().spec().holds()).as("%s: %s", what, ended.result().spec()).isTrue();
+      assertThat(ended.result().unfinished()).as(what).isEmpty();
     }
   }
 
