@@ -7,6 +7,7 @@ import java.lang.reflect.Constructor;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -37,11 +38,17 @@ import org.starl.workload.Runs;
 final class MutantReplay {
 
   /** The workload and the conformance monitor of an automaton with Java. */
-  private record Twin(String workload, String monitor) {}
+  private record Twin(String workload, Map<String, String> parameters, String monitor) {
+    Twin(String workload, String monitor) {
+      this(workload, Map.of(), monitor);
+    }
+  }
 
   private static final Map<String, Twin> TWINS =
       Map.of(
           "Mutex_decls", new Twin("mutex", "mutex.MutexConformance"),
+          "Pipeline_decls",
+              new Twin("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance"),
           "Modes_decls", new Twin("mutex", "mutex.ModesConformance"),
           "Registration_decls", new Twin("registration", "registration.RegistrationConformance"),
           "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
@@ -154,9 +161,10 @@ final class MutantReplay {
 
   /** Simulates the automaton's workload under chaos, each of {@code replays} with a look at all of it. */
   static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
-    String workload = twin(automaton).workload;
-    String chaos = Runs.demo(workload).envelope().toString();
-    var plan = Runs.plan(workload, seed, Map.of("chaos", chaos));
+    Twin twin = twin(automaton);
+    Map<String, String> parameters = new HashMap<>(twin.parameters);
+    parameters.put("chaos", Runs.demo(twin.workload).envelope().toString());
+    var plan = Runs.plan(twin.workload, seed, parameters);
     long[] end = new long[1];
     plan.simulation()
         .observer(
