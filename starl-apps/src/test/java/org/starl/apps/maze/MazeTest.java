@@ -178,6 +178,27 @@ class MazeTest {
         .containsExactly("outside NO_WAY", "block NO_WAY", "inside REACHED");
   }
 
+  @Test
+  void aHiddenWallIsFeltAlongByOneRobotForAll(@TempDir Path folder) throws IOException {
+    String wall = "Hidden;0,2500;3500,2500;-1\n";
+    folder(folder, wall, "WAY,700,700,0,bot0", "WAY,700,4300,0,north,20");
+    long alone = contacts(folder, 1);
+    folder(
+        folder,
+        wall,
+        "WAY,700,700,0,bot0\nWAY,1700,700,0,bot1",
+        "WAY,700,4300,0,north,20",
+        "WAY,1700,4300,0,beside,20");
+    assertThat(contacts(folder, 2)).isLessThan(alone + 4);
+  }
+
+  private static long contacts(Path folder, int robots) {
+    Map<String, String> floor = Map.of("floorWidth", "5m", "floorHeight", "5m");
+    Plan plan = plan(1, robots, Map.of("files", folder.toString()), floor);
+    assertThat(plan.simulation().build().run().spec().violations()).isEmpty();
+    return plan.story().measures().counts().get("contacts");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

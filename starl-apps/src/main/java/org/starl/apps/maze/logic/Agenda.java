@@ -2,7 +2,10 @@ package org.starl.apps.maze.logic;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 
@@ -16,9 +19,9 @@ final class Agenda {
 
   private final ArrayDeque<Goal> goals;
   private final List<Object> answers = new ArrayList<>();
+  private final SortedSet<String> needed = new TreeSet<>();
   private Point rest;
   private boolean goesBack;
-  private boolean needsAll;
   private boolean isCutOff;
 
   Agenda(MazeTask task) {
@@ -51,14 +54,20 @@ final class Agenda {
     return goesBack ? BACK_MM : goal().toleranceMm();
   }
 
-  /** Whether the robot has to hold all blocks of the floor for this goal. */
-  boolean needsAll() {
-    return needsAll;
+  /** The blocks of a way to this goal, and those that earlier ways to it have needed. */
+  SortedSet<String> withNeeded(Collection<String> blocks) {
+    SortedSet<String> all = new TreeSet<>(needed);
+    all.addAll(blocks);
+    return all;
   }
 
-  /** There is a way, but it needs blocks that are not held: go back, then ask for all blocks. */
-  void backForAll() {
-    needsAll = true;
+  /**
+   * There is a way, but it needs {@code more} blocks than are {@code held}: go back, then ask for all
+   * of these. So what a robot asks for grows each time, until it holds a way or the whole floor.
+   */
+  void backForMore(Collection<String> held, Collection<String> more) {
+    needed.addAll(held);
+    needed.addAll(more);
     goesBack = true;
   }
 
@@ -84,7 +93,7 @@ final class Agenda {
       rest = goal.at();
     }
     answers.add(goal.name() + " " + answer);
-    needsAll = false;
+    needed.clear();
     return goal;
   }
 

@@ -2,15 +2,21 @@ package org.starl.apps.maze.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Endpoint;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Segment;
 import org.starl.motion.Contact;
+import org.starl.primitives.paths.Path;
 
 /**
  * One robot's knowledge of the maze: its map, and the marks that contacts have proven. After a bump
  * the collision mode moves the robot, which may give more contacts. Then the robot learns from all
- * of them. Strand only.
+ * of them, and tells the others, so that a wall is felt along once. A lost message costs another
+ * bump. Strand only.
  */
 final class Knowledge {
 
@@ -25,6 +31,11 @@ final class Knowledge {
   private final double bodyMm;
   private final Obstacles map;
   private final List<Mark> marks = new ArrayList<>();
+  private final Endpoint<Mark> team;
+
+  /** Marks since the latest look at them. */
+  private final List<Mark> news = new ArrayList<>();
+
   private long feltMs;
 
   Knowledge(GlobalVarHolder gvh, MazeTask task, Ride ride, Diary diary) {
@@ -34,6 +45,7 @@ final class Knowledge {
     this.diary = diary;
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     map = gvh.gps.knownObstacles().all();
+    team = gvh.comms.open(MazeFact.MARKS, (from, mark) -> heard(mark));
   }
 
   /** A search for a way from here to {@code goal}, with the present knowledge. */
@@ -74,6 +86,30 @@ final class Knowledge {
       List<Mark> proven = Mark.of(contact, bodyMm);
       marks.addAll(proven);
       diary.marks(proven);
+      proven.forEach(team::broadcast);
     }
+  }
+
+  private void heard(Mark mark) {
+    if (mark.bodyMm() == bodyMm && !marks.contains(mark)) {
+      marks.add(mark);
+      news.add(mark);
+    }
+  }
+
+  /** Whether a mark of another robot, heard since the latest call, is on this way. */
+  boolean hasClosed(Path way) {
+    boolean isClosed =
+        Mark.places(news, 1).stream()
+            .anyMatch(
+                place -> IntStream.range(0, way.legs()).anyMatch(i -> meets(place, way.leg(i))));
+    news.clear();
+    return isClosed;
+  }
+
+  private static boolean meets(Polygon place, Segment leg) {
+    return place.contains(leg.to())
+        || IntStream.range(0, place.vertices().size())
+            .anyMatch(side -> leg.distanceMm(place.side(side)) == 0);
   }
 }

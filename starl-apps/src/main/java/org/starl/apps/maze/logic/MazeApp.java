@@ -75,12 +75,15 @@ public final class MazeApp extends LogicThread {
         case START -> location.set(known.isPositionCertain() ? Location.CHOOSE : Location.START);
         case CHOOSE -> choose();
         case ASK -> {
-          mutex.do_mutex(agenda.needsAll() ? task.blocks().all() : blocksFor(path));
+          mutex.do_mutex(agenda.withNeeded(blocksFor(path)));
           location.set(Location.ASK_WAIT);
         }
         case ASK_WAIT -> {
           if (mutex.od_mutex()) {
             drive(path);
+          } else if (known.hasClosed(path)) {
+            mutex.withdraw();
+            location.set(Location.CHOOSE);
           } else if (mutex.failed().get()) {
             location.set(Location.ASK);
           }
@@ -117,6 +120,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void drive(Path way) {
+    path = way;
     diary.way(way);
     CollisionMode mode = agenda.goesBack() ? task.mode().goingBack() : task.mode();
     ride.along(way, agenda.toleranceMm(), mode);
@@ -125,7 +129,12 @@ public final class MazeApp extends LogicThread {
 
   private void drives(Runnable arrived) {
     switch (ride.step()) {
-      case UNDER_WAY -> {}
+      case UNDER_WAY -> {
+        if (known.hasClosed(path)) {
+          ride.stop();
+          location.set(Location.PLAN_AGAIN);
+        }
+      }
       case ARRIVED -> arrived.run();
       case BUMPED -> {
         known.bumped();
@@ -161,7 +170,7 @@ public final class MazeApp extends LogicThread {
         } else if (isBack || mutex.held().containsAll(blocksFor(way.path()))) {
           drive(way.path());
         } else {
-          agenda.backForAll();
+          agenda.backForMore(mutex.held(), blocksFor(way.path()));
         }
       }
       case Search.Outcome.NoWay no -> agenda.backForGood();

@@ -6,6 +6,7 @@ import static org.starl.shape.Shapes.part;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import org.starl.comms.Channel;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.primitives.monitor.PrimitiveVocabulary;
@@ -102,9 +103,23 @@ public sealed interface MazeFact {
         Polygon::new);
   }
 
+  /** Marks that a robot has proven, for the others. */
+  Channel<Mark> MARKS =
+      Channel.of(
+          "marks",
+          Shapes.of(
+              Mark.class,
+              part("at", Geometry.POINT, Mark::at),
+              part("errorMm", REAL, Mark::errorMm),
+              part("fromRad", REAL, Mark::fromRad),
+              part("sweepRad", REAL, Mark::sweepRad),
+              part("bodyMm", REAL, Mark::bodyMm),
+              Mark::new));
+
   /** What a reader of traces needs. */
   Vocabulary VOCABULARY =
       PrimitiveVocabulary.ALL
+          .messages(MARKS.instance(), MARKS.shape())
           .facts(Instance.APP.primitive(), SHAPE)
           .variables(Instance.APP.primitive(), LOCATION, TOWARD, WAY);
 }

@@ -21,8 +21,10 @@
  *   <li><b>No robot blocks another for ever.</b> Robots stand at starts and goals only, unless they
  *       hold the blocks of the floor that they are in. The mutex grants all blocks of a request at
  *       once. A robot that needs more goes back to its resting place, releases all, and requests
- *       the whole floor. If each goal can be reached past the starts and goals of the others, no
- *       two robots ever wait for each other.
+ *       these and what it held: each time more, up to the whole floor. If each goal can be reached
+ *       past the starts and goals of the others, no two robots ever wait for each other.
+ *   <li><b>Robots share marks.</b> A mark is true for every robot with an equal body. A lost one
+ *       costs another contact.
  * </ul>
  *
  * <p><b>Assumptions.</b> Obstacles do not move; all moving bodies on the floor belong to the group;

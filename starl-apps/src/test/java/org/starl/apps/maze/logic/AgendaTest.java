@@ -3,6 +3,7 @@ package org.starl.apps.maze.logic;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.starl.body.Bumps;
 import org.starl.geometry.Point;
@@ -50,19 +51,19 @@ class AgendaTest {
     assertThat(agenda.goesBack()).isFalse();
     assertThat(agenda.to()).isEqualTo(SECOND.at());
     assertThat(agenda.answers()).containsExactly("first NO_WAY");
-    agenda.backForAll();
+    agenda.backForMore(Set.of(), Set.of());
     assertThat(agenda.arrived()).as("it is not cut off from its second goal").isNull();
   }
 
   @Test
-  void allBlocksAreNeededForOneGoalOnlyAndNothingIsAnsweredBeforeIt() {
-    agenda.backForAll();
+  void blocksOfEarlierWaysAreNeededForOneGoalOnlyAndNothingIsAnsweredBeforeIt() {
+    agenda.backForMore(Set.of("0.0"), Set.of("0.0", "0.1"));
     assertThat(agenda.to()).isEqualTo(START);
     assertThat(agenda.arrived()).isNull();
     assertThat(agenda.to()).isEqualTo(FIRST.at());
-    assertThat(agenda.needsAll()).isTrue();
+    assertThat(agenda.withNeeded(Set.of("1.1"))).containsExactly("0.0", "0.1", "1.1");
     agenda.answer(Answer.REACHED);
-    assertThat(agenda.needsAll()).isFalse();
+    assertThat(agenda.withNeeded(Set.of("1.1"))).containsExactly("1.1");
     agenda.answer(Answer.GAVE_UP);
     assertThat(agenda.isDone()).isTrue();
     assertThat(agenda.answers()).containsExactly("first REACHED", "second GAVE_UP");
