@@ -28,9 +28,13 @@ import picocli.CommandLine.Option;
 /** {@code starl check}. */
 @Command(
     name = "check",
-    description =
-        "Visits all states of the automata in a source at small sizes, and checks the invariants in"
-            + " each. Prints a shortest run to the first state where one is false.",
+    description = {
+      "Visits all states of the automata in a source at small sizes, and checks the invariants in"
+          + " each. Prints a shortest run to the first state where one is false.",
+      "Then checks progress ('eventually', 'leads to', 'no deadlock') in all fair runs. Prints a run in"
+          + " which it does not happen: the steps that come round for ever, and the fair actions"
+          + " taken there."
+    },
     footer = {
       "",
       "Example: starl check pvs/starl/Mutex_decls.starl --robots 3 --size Zones=2",

@@ -81,8 +81,13 @@ final class CompileCommand extends SourceCommand {
     } catch (IllegalArgumentException e) {
       throw new BadInput(file() + ": " + e.getMessage());
     }
-    automata.forEach(
-        each -> out().println(each.name() + ": " + each.actions().size() + " actions"));
+    for (Automaton each : automata) {
+      out().println(each.name() + ": " + each.actions().size() + " actions");
+      if (!each.claims().isEmpty() && (java != null || pvs != null)) {
+        String names = String.join(", ", each.claims());
+        out().println(each.name() + ": not in Java and PVS, see 'starl check': progress " + names);
+      }
+    }
     write("--java", java, classes);
     write("--pvs", pvs, theories);
     write("--svg", "", pictures);

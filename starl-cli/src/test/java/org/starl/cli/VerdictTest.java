@@ -70,12 +70,12 @@ class VerdictTest {
           """
           exists n: nat :: n > c | 0 | NotBad, More hold
           forall n: nat :: n >= c or n < c | 0 | NotBad, More hold
-          forall n: nat :: exists k: nat :: k > n | 4 | not decided: invariants are not evaluated
+          forall n: nat :: exists k: nat :: k > n | 4 | not decided: conditions are not evaluated
           forall n: nat :: n < c or n + 1 > c | 0 | NotBad, More hold
           forall n: nat :: n < 3 | 1 | More is false after 0 steps
           forall n: nat :: n <= c => n < 3 | 0 | NotBad, More hold
-          exists l: list[nat] :: l != [] and head(l) > c | 4 | not decided: invariants are not evaluated
-          forall t: time :: t <= c or t > c | 4 | not decided: invariants are not evaluated
+          exists l: list[nat] :: l != [] and head(l) > c | 4 | not decided: conditions are not evaluated
+          forall t: time :: t <= c or t > c | 4 | not decided: conditions are not evaluated
           exists o: option[nat] :: o != none and the(o) > c | 0 | NotBad, More hold
           exists o: option[nat] :: the(o) > c | 1 | More is undefined
           """)
@@ -143,5 +143,31 @@ class VerdictTest {
     Cli cli = Cli.run("check", file.toString(), "--robots", "" + robots);
     assertThat(cli.status()).isZero();
     assertThat(cli.out()).anyMatch(line -> line.contains(told) && line.endsWith(": P"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          fair | 0 | NotBad, Full hold
+          | 1 | Full is false: nothing more happens after 0 steps
+          """)
+  void progressIsDecidedByCheckAndNotLookedAtElsewhere(String fair, int status, String headline)
+      throws IOException {
+    String text =
+        Files.readString(source("", "c < 2", "c = 0", "progress Full: eventually c = 2"))
+            .replace("bad := true", "bad := false");
+    Path file = folder.resolve("p.starl");
+    Files.writeString(file, text.replace("action inc", "action inc " + (fair == null ? "" : fair)));
+    hasVerdict(Cli.run("check", file.toString()), status, headline);
+    Cli cli = Cli.run("compile", file.toString(), "--pvs", folder.toString());
+    assertThat(cli.out()).contains("C: not in Java and PVS, see 'starl check': progress Full");
+    assertThat(Files.readString(folder.resolve("C.pvs"))).contains("progress: Full");
+    Cli prove = Cli.run("prove", file.toString());
+    assertThat(prove.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+    assertThat(prove.out())
+        .contains(
+            "C: Full is not looked at: 'starl check' asks for progress", "C: not decided: Full");
   }
 }

@@ -16,11 +16,12 @@ parameter
 part
     : TYPE name=id '=' typeBody                                     # typePart
     | ASSUME name=id ':' expression                                  # assumePart
+    | ASSUME? PROGRESS name=id ':' formula                          # progressPart
     | STATE component+                                              # statePart
     | USES name=id ':' of=id ('[' argument (',' argument)* ']')?    # usesPart
     | FUN name=id binders? ':' type '=' expression measure?         # funPart
     | START expression (',' expression)*                            # startPart
-    | ACTION name=id binders? pre? eff?                             # actionPart
+    | ACTION name=id binders? fairness? pre? eff?                   # actionPart
     | INVARIANT name=id ':' expression                              # invariantPart
     | JAVA STRING                                                   # javaClassPart
     | JAVA type '=' of=STRING (START first=STRING)?                 # javaTypePart
@@ -35,6 +36,16 @@ binders: '(' binderGroup (',' binderGroup)* ')';
 binderGroup: id (',' id)* ':' type;
 
 measure: MEASURE expression;
+
+// Each instance of the action is fair; with 'as', all actions that are fair under this name together.
+fairness: STRONGLY? FAIR (AS group=id)? (FOR each+=id (',' each+=id)*)?;
+
+formula
+    : FORALL binderGroup (',' binderGroup)* '::' formula            # allOf
+    | EVENTUALLY to=expression                                      # eventually
+    | from=expression LEADS TO to=expression                        # leadsTo
+    | NO DEADLOCK (UNLESS to=expression)?                           # noDeadlock
+    ;
 
 pre: PRE expression (',' expression)*;
 
@@ -144,7 +155,7 @@ namedArgument: name=id ':=' expression;
 // Words that are names where they cannot be anything else.
 id
     : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
-    | GIVEN | EVERY | RESTART
+    | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS
     ;
 
 AUTOMATON: 'automaton';
@@ -165,6 +176,17 @@ FUN: 'fun';
 START: 'start';
 ACTION: 'action';
 INVARIANT: 'invariant';
+PROGRESS: 'progress';
+EVENTUALLY: 'eventually';
+LEADS: 'leads';
+TO: 'to';
+NO: 'no';
+DEADLOCK: 'deadlock';
+UNLESS: 'unless';
+STRONGLY: 'strongly';
+FAIR: 'fair';
+AS: 'as';
+FOR: 'for';
 JAVA: 'java';
 PRE: 'pre';
 EFF: 'eff';

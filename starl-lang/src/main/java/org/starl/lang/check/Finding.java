@@ -4,21 +4,23 @@ import java.util.List;
 import org.starl.lang.tree.Pos;
 
 /**
- * A false invariant, or an operation that has no value, in a state that can be reached.
+ * A false invariant, an operation that has no value, or a deadlock, in a state that can be reached; or
+ * a run in which something does not happen.
  *
- * @param invariant empty if it is a step that has no value
+ * @param name of the invariant or progress; empty if it is a step that has no value
+ * @param what is wrong with it: {@code is false after 4 steps}
  * @param steps the number of steps to the state
- * @param story a shortest run to it: the start state if it is one of several, then the steps, numbered
+ * @param story a shortest run to it: the start state if it is one of several, then the steps, numbered; of a
+ *     progress also what goes on for ever after it
  * @param automaton in whose source {@code pos} is
  * @param pos of what is false, or has no value
- * @param isFalse whether the invariant is false there; else an operation has no value
  * @param message what is wrong there
  */
 public record Finding(
-    String invariant,
+    String name,
+    String what,
     int steps,
     List<String> story,
     String automaton,
     Pos pos,
-    boolean isFalse,
     String message) {}

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
@@ -35,14 +36,8 @@ public final class Report {
         .finding()
         .ifPresentOrElse(
             finding -> {
-              String what = finding.invariant().isEmpty() ? "a step" : finding.invariant();
-              lines.add(
-                  head
-                      + "%s %s after %s"
-                          .formatted(
-                              what,
-                              finding.isFalse() ? "is false" : "is undefined",
-                              count(finding.steps(), "step")));
+              String name = finding.name().isEmpty() ? "a step" : finding.name();
+              lines.add(head + name + " " + finding.what());
               finding.story().forEach(line -> lines.add("  " + line));
               lines.add(
                   "  %s:%s: %s"
@@ -51,6 +46,7 @@ public final class Report {
             },
             () -> lines.add(head + counts + "; " + verdict(automaton, result) + never(result)));
     addNotes(lines, sizes, result);
+    addFairness(lines, automaton);
     return List.copyOf(lines);
   }
 
@@ -109,6 +105,17 @@ public final class Report {
             texts.forEach(text -> lines.add("  never false: '" + text + "' of " + action)));
   }
 
+  /** Of which runs progress was asked. */
+  private static void addFairness(List<String> lines, Automaton automaton) {
+    if (Search.needsGraph(automaton)) {
+      String fair = String.join("; ", automaton.fairness());
+      lines.add(
+          "  progress is of runs that may stop where nothing fair is possible; "
+              + (fair.isEmpty() ? "no action is fair" : fair));
+      lines.add("  states that differ in the names of elements alone count each, for progress");
+    }
+  }
+
   private static String within(Sizes sizes) {
     return "to --nat %d, --time %d".formatted(sizes.nat(), sizes.time());
   }
@@ -130,9 +137,13 @@ public final class Report {
           + String.join(", ", result.undecided())
           + (result.states() == 0 ? "" : "; nothing is wrong so far");
     }
-    List<String> names = automaton.invariants().stream().map(Invariant::name).toList();
+    List<String> names =
+        Stream.concat(
+                automaton.invariants().stream().map(Invariant::name), automaton.claims().stream())
+            .toList();
     if (names.size() > MOST_NAMED) {
-      return "all " + names.size() + " invariants hold";
+      String and = automaton.claims().isEmpty() ? "" : " and progress";
+      return "all %d invariants%s hold".formatted(names.size(), and);
     }
     return switch (names.size()) {
       case 0 -> "it has no invariant";
@@ -141,7 +152,7 @@ public final class Report {
     };
   }
 
-  private static String count(long number, String noun) {
+  static String count(long number, String noun) {
     return "%,d %s%s".formatted(number, noun, number == 1 ? "" : "s");
   }
 }

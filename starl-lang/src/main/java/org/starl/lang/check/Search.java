@@ -2,6 +2,7 @@ package org.starl.lang.check;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -44,6 +45,7 @@ public final class Search {
    * @param unevaluated the invariants that were beyond the bounds in some states, with the number of these
    * @param never the actions that cannot happen
    * @param neverFalse for each action, the conjuncts that are true wherever those before them are
+   * @param unasked why progress is not decided; empty if it is
    * @param finding empty if nothing is wrong
    */
   public record Result(
@@ -62,6 +64,7 @@ public final class Search {
       Map<String, Long> unevaluated,
       List<String> never,
       Map<String, List<String>> neverFalse,
+      List<String> unasked,
       Optional<Finding> finding) {
 
     /** Whether the search ended by itself. */
@@ -89,11 +92,12 @@ public final class Search {
         all.add("steps are not taken");
       }
       if (!unevaluated.isEmpty()) {
-        all.add("invariants are not evaluated in some states");
+        all.add("conditions are not evaluated in some states");
       }
       if (!cut.isEmpty() || !untried.isEmpty()) {
         all.add("values are not tried");
       }
+      all.addAll(unasked);
       return all;
     }
   }
@@ -111,20 +115,25 @@ public final class Search {
     }
   }
 
-  private final Machine machine;
-  private final Automaton automaton;
-  private final Symmetry symmetry;
-  private final States states;
-  private final Starts starts;
+  final Machine machine;
+  final Automaton automaton;
+  final Symmetry symmetry;
+  final States states;
+  final Starts starts;
   private final int most;
 
   private final long[] taken;
   private final boolean[][] falses;
-  private final Map<String, Long> unevaluated = new LinkedHashMap<>();
+  final Map<String, Long> unevaluated = new LinkedHashMap<>();
   private long steps;
   private long beyond;
   private long beyondArguments;
+  final List<String> never = new ArrayList<>();
+  final List<String> unasked = new ArrayList<>();
   private String stopped = "";
+
+  /** Null if no progress is asked that needs it. */
+  private @Nullable Graph graph;
 
   /**
    * @param given the values of value parameters that are given
@@ -139,13 +148,23 @@ public final class Search {
     this.most = most;
     automaton = machine.automaton();
     starts = machine.starts(given);
-    symmetry = new Symmetry(machine, sizes.opaque(), isSymmetric);
+    boolean needsGraph = needsGraph(automaton);
+    graph = needsGraph ? new Graph(machine) : null;
+    symmetry = new Symmetry(machine, sizes.opaque(), isSymmetric && !needsGraph);
     states = new States(machine.parts().size());
     taken = new long[automaton.actions().size()];
     falses = new boolean[taken.length][];
     for (int i = 0; i < taken.length; i++) {
       falses[i] = new boolean[automaton.actions().get(i).pre().size()];
     }
+  }
+
+  /**
+   * Whether all runs are looked at, for progress. Then states that differ in names alone count each:
+   * that bot0 waits and that bot1 waits may not be taken for one.
+   */
+  static boolean needsGraph(Automaton automaton) {
+    return automaton.progress().stream().anyMatch(each -> !each.isAssumed());
   }
 
   /** Visits the states. */
@@ -175,10 +194,14 @@ public final class Search {
         }
         expand(number);
       }
+      if (graph != null && graph.states() == states.size()) {
+        finding = new Runs(this, graph).find().orElse(null);
+      }
     } catch (Found found) {
       finding = found.finding;
     } catch (OutOfMemoryError e) {
       states.clear();
+      graph = null;
       stopped = "memory ran out";
     }
     return result(depth, finding);
@@ -190,12 +213,13 @@ public final class Search {
   }
 
   private Result result(int depth, @Nullable Finding finding) {
-    List<String> never = new ArrayList<>();
     Map<String, List<String>> neverFalse = new LinkedHashMap<>();
     boolean isComplete = finding == null && stopped.isEmpty();
-    List<String> untried = new ArrayList<>();
-    for (int i = 0; i < taken.length; i++) {
-      String name = automaton.actions().get(i).name();
+    Set<String> untried = new LinkedHashSet<>(); // both sides of a progress have the same variables
+    List<Action> all = new ArrayList<>(automaton.actions());
+    all.addAll(automaton.sides());
+    for (int i = 0; i < all.size(); i++) {
+      String name = all.get(i).name();
       machine.untried(i).forEach(parameter -> untried.add(parameter + " of " + name));
     }
     Set<String> bounded = new TreeSet<>();
@@ -235,62 +259,71 @@ public final class Search {
         starts.open(),
         starts.cut(),
         bounded,
-        untried,
+        List.copyOf(untried),
         beyond,
         beyondArguments,
         unevaluated,
         never,
         neverFalse,
+        unasked,
         Optional.ofNullable(finding));
   }
 
-  private void visit(int[] numbers, int parent) {
+  /** Returns the state's number; below 0 if there is no room for it. */
+  private int visit(int[] numbers, int parent) {
     if (states.size() == most) {
-      stopped =
-          "--most "
-              + most
-              + " is reached"; // the states that are left are expanded, for what can be found of
-      // them
-      return;
+      int known = states.number(numbers);
+      if (known < 0) { // the states that are left are expanded, for what can be found of them
+        stopped = "--most " + most + " is reached";
+      }
+      return known;
     }
-    if (!states.add(numbers, parent)) {
-      return;
+    int before = states.size();
+    int number = states.add(numbers, parent);
+    if (number == before) {
+      ask(automaton.invariants(), symmetry.state(numbers), number);
     }
-    Row visited = symmetry.state(numbers);
-    for (Invariant invariant : automaton.invariants()) {
+    return number;
+  }
+
+  private void ask(List<Invariant> invariants, Row state, int number) {
+    for (Invariant invariant : invariants) {
       try {
-        if (!machine.holds(invariant, visited)) {
-          found(invariant, null, states.size() - 1);
+        if (!machine.holds(invariant, state)) {
+          found(invariant, null, number);
         }
       } catch (Beyond e) {
         unevaluated.merge(invariant.name(), 1L, Long::sum);
       } catch (EvalError e) {
-        found(invariant, e, states.size() - 1);
+        found(invariant, e, number);
       }
     }
   }
 
+  /** Tells a run by the numbers of its states. */
+  Story story(List<Integer> path) {
+    return new Story(machine, symmetry, starts.open(), path.stream().map(states::get).toList());
+  }
+
   /** One of {@code invariant} and {@code error} may be null. */
-  private void found(@Nullable Invariant invariant, @Nullable EvalError error, int number) {
-    List<int[]> path = new ArrayList<>();
-    for (int at = number; at >= 0; at = states.parent(at)) {
-      path.add(states.get(at));
-    }
-    Story story = new Story(machine, symmetry, starts.open(), path.reversed());
+  void found(@Nullable Invariant invariant, @Nullable EvalError error, int number) {
+    List<Integer> path = states.pathTo(number);
+    Story story = story(path);
     if (invariant == null) {
       story.addFailedStep();
     }
     String name = invariant == null ? "" : invariant.name();
+    int steps = path.size() - 1;
     if (error != null) {
       String message = String.valueOf(error.getMessage());
       throw new Found(
           new Finding(
               name,
-              path.size() - 1,
+              "is undefined after " + Report.count(steps, "step"),
+              steps,
               story.lines(),
               error.automaton(),
               error.pos(),
-              false,
               message));
     }
     Witness witness = machine.witness(Objects.requireNonNull(invariant), story.end());
@@ -300,12 +333,25 @@ public final class Search {
             + (witness.why().isEmpty() ? "" : ": " + witness.why());
     throw new Found(
         new Finding(
-            name, path.size() - 1, story.lines(), automaton.name(), witness.pos(), true, message));
+            name,
+            (automaton.ends().contains(invariant)
+                    ? "is false: nothing can happen after "
+                    : "is false after ")
+                + Report.count(steps, "step"),
+            steps,
+            story.lines(),
+            automaton.name(),
+            witness.pos(),
+            message));
   }
 
   private void expand(int number) {
     int[] numbers = states.get(number);
     Row state = symmetry.state(numbers);
+    boolean[] isEnd = {true};
+    if (graph != null) {
+      graph.beginState();
+    }
     machine.steps(
         state,
         new Machine.Steps() {
@@ -313,11 +359,19 @@ public final class Search {
           public void step(int action, Object[] arguments, Row after) {
             taken[action]++;
             steps += machine.areWithin(action, arguments) ? 1 : 0;
-            visit(symmetry.representative(after, state, numbers), number);
+            isEnd[0] = false;
+            int to = visit(symmetry.representative(after, state, numbers), number);
+            if (graph != null) {
+              graph.add(action, arguments, to);
+            }
           }
 
           @Override
           public void beyond(int action, Object[] arguments) {
+            isEnd[0] = false;
+            if (graph != null) {
+              graph.addUntaken();
+            }
             if (machine.areWithin(action, arguments)) {
               beyond++;
             } else {
@@ -335,5 +389,8 @@ public final class Search {
             found(null, error, number);
           }
         });
+    if (isEnd[0]) {
+      ask(automaton.ends(), state, number);
+    }
   }
 }

@@ -35,11 +35,16 @@ final class States {
     slots = new int[1];
   }
 
-  /** Adds a state that is not there yet; returns whether it was not. */
-  boolean add(int[] state, int parent) {
+  /** The number of a state; below 0 if it is not there. */
+  int number(int[] state) {
+    return slots[slot(state)] - 1;
+  }
+
+  /** Adds a state if it is not there yet; returns its number. */
+  int add(int[] state, int parent) {
     int slot = slot(state);
     if (slots[slot] != 0) {
-      return false;
+      return slots[slot] - 1;
     }
     if (size % BLOCK == 0) {
       blocks.add(new int[BLOCK * (width + 1)]);
@@ -51,7 +56,7 @@ final class States {
     if (size > slots.length / 2) {
       grow();
     }
-    return true;
+    return size - 1;
   }
 
   int[] get(int number) {
@@ -61,6 +66,15 @@ final class States {
   /** The state from which it was reached; below 0 for a start state. */
   int parent(int number) {
     return blocks.get(number / BLOCK)[at(number) + width];
+  }
+
+  /** The numbers of the states of a shortest run to one. */
+  List<Integer> pathTo(int number) {
+    List<Integer> path = new ArrayList<>();
+    for (int at = number; at >= 0; at = parent(at)) {
+      path.addFirst(at);
+    }
+    return path;
   }
 
   private int at(int number) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
@@ -15,7 +16,6 @@ final class Story {
   private record Step(String text, Row after) {}
 
   private final Machine machine;
-  private final Symmetry symmetry;
   private final Set<String> open;
   private final List<String> lines = new ArrayList<>();
   private Row state;
@@ -28,7 +28,6 @@ final class Story {
    */
   Story(Machine machine, Symmetry symmetry, Set<String> open, List<int[]> path) {
     this.machine = machine;
-    this.symmetry = symmetry;
     this.open = open;
     state = symmetry.state(path.getFirst());
     String start = start(state);
@@ -36,11 +35,25 @@ final class Story {
       lines.add("0. start   " + start);
     }
     for (int[] to : path.subList(1, path.size())) {
-      Step step = taken(state, to);
-      String changes = String.join(", ", changes(state, step.after));
-      lines.add(++steps + ". " + step.text + "   " + changes);
-      state = step.after;
+      add(first(after -> Arrays.equals(symmetry.representative(after), to)));
     }
+  }
+
+  private void add(Step step) {
+    String changes = String.join(", ", changes(state, step.after));
+    lines.add(++steps + ". " + step.text + "   " + changes);
+    state = step.after;
+  }
+
+  /** Takes the step of this number, from 0, of those that are possible. */
+  void take(int number) {
+    int[] left = {number};
+    add(first(after -> left[0]-- == 0));
+  }
+
+  /** Adds a line between the steps. */
+  void tell(String line) {
+    lines.add(line);
   }
 
   List<String> lines() {
@@ -77,15 +90,15 @@ final class Story {
     return String.join(", ", texts);
   }
 
-  /** The first step to a state that is {@code to} but for names. */
-  private Step taken(Row from, int[] to) {
+  /** The first step to a state that is so. */
+  private Step first(Predicate<Row> isSo) {
     List<Step> steps = new ArrayList<>();
     machine.steps(
-        from,
+        state,
         new Machine.Steps() {
           @Override
           public void step(int action, Object[] arguments, Row after) {
-            if (steps.isEmpty() && Arrays.equals(symmetry.representative(after), to)) {
+            if (steps.isEmpty() && isSo.test(after)) {
               steps.add(new Step(machine.text(action, arguments), after));
             }
           }

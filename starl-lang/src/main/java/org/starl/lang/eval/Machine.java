@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.starl.lang.eval.Code.Frame;
 import org.starl.lang.tree.Action.Conjunct;
+import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
@@ -55,6 +57,7 @@ public final class Machine {
   private final List<Field> parameters;
   private final List<Part> parts = new ArrayList<>();
   private final List<Act> acts = new ArrayList<>();
+  private final List<Invariant> asked = new ArrayList<>();
   private final List<Condition> conditions = new ArrayList<>();
 
   /**
@@ -73,7 +76,9 @@ public final class Machine {
         .forEach(component -> parts.add(new Part(component.name(), domains.of(component.type()))));
     Compiler compiler = new Compiler(automaton, domains, parameters, false);
     automaton.actions().forEach(action -> acts.add(new Act(action, compiler)));
-    for (Invariant invariant : automaton.invariants()) {
+    automaton.sides().forEach(side -> acts.add(new Act(side, compiler)));
+    Stream.concat(automaton.invariants().stream(), automaton.ends().stream()).forEach(asked::add);
+    for (Invariant invariant : asked) {
       Compiler.Scope scope = new Compiler.Scope();
       Code code = compiler.code(invariant.condition(), scope);
       conditions.add(new Condition(code, scope.most));
@@ -152,10 +157,15 @@ public final class Machine {
 
   /** Tells all steps of a state, in the order of the actions and of the values of their parameters. */
   public void steps(Row state, Steps to) {
-    for (int i = 0; i < acts.size(); i++) {
-      Act act = acts.get(i);
-      steps(i, act, 0, 0, frame(state, act.locals()), to);
+    for (int i = 0; i < automaton.actions().size(); i++) {
+      steps(state, i, to);
     }
+  }
+
+  /** The same, of one action, or of a side of a progress: these have the numbers after the actions'. */
+  public void steps(Row state, int action, Steps to) {
+    Act act = acts.get(action);
+    steps(action, act, 0, 0, frame(state, act.locals()), to);
   }
 
   private static void steps(int number, Act act, int level, int first, Frame frame, Steps to) {
@@ -210,6 +220,15 @@ public final class Machine {
     return acts.get(action).text(arguments);
   }
 
+  /** What is fair with a step: of {@code allocate(c, S)} that is fair for c, {@code allocate(bot0)}. */
+  public String text(Fairness fairness, int action, Object[] arguments) {
+    List<String> texts = new ArrayList<>();
+    for (int i : fairness.each()) {
+      texts.add(acts.get(action).parameters.get(i).text(arguments[i]));
+    }
+    return fairness.group() + "(" + String.join(", ", texts) + ")";
+  }
+
   /**
    * The first conjunct of an action's condition that is false; empty if the action is enabled.
    *
@@ -240,7 +259,7 @@ public final class Machine {
    * @throws Beyond if it needs a value beyond the bounds
    */
   public boolean holds(Invariant invariant, Row state) {
-    Condition condition = conditions.get(automaton.invariants().indexOf(invariant));
+    Condition condition = conditions.get(asked.indexOf(invariant));
     return condition.code.test(frame(state, new Object[condition.locals]));
   }
 

@@ -85,6 +85,8 @@ final class ProgramWriter {
         List.of(),
         List.of(),
         List.of(),
+        List.of(),
+        List.of(),
         program.javaClass(),
         javaTypes,
         program.comment(),

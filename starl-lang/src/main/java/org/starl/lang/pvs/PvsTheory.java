@@ -62,8 +62,18 @@ public final class PvsTheory {
     addTrans();
     block(List.of("  IMPORTING time_machine[states, actions, enabled, trans, start]"));
     automaton.invariants().forEach(this::addInvariant);
+    addLeftOut();
     text.setLength(text.length() - 1); // no empty line before END
     return text.append("END ").append(PvsNames.id(automaton.name())).append('\n').toString();
+  }
+
+  /** Fairness and progress are not stated: the reader is told. */
+  private void addLeftOut() {
+    List<String> out = new ArrayList<>(automaton.fairness());
+    automaton.claims().forEach(name -> out.add("progress: " + name));
+    if (!out.isEmpty()) {
+      block(List.of("  % Not stated here, see 'starl check': " + String.join("; ", out)));
+    }
   }
 
   private void addHead() {

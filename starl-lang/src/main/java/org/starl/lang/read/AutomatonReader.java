@@ -7,15 +7,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Automaton.Progress;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Type;
@@ -28,6 +32,8 @@ final class AutomatonReader extends PartsReader {
   private final java.util.function.Function<String, Optional<Automaton>> others;
   private final List<Invariant> assumptions = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
+  private final List<Invariant> ends = new ArrayList<>();
+  private final List<Progress> progress = new ArrayList<>();
 
   /**
    * @param others finds the automata that this one uses
@@ -81,6 +87,13 @@ final class AutomatonReader extends PartsReader {
     List<Action> actions = new ArrayList<>();
     each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
     List<Invariant> invariants = invariants();
+    each(StarlParser.ProgressPartContext.class, this::read);
+    Stream<Invariant> conditions = Stream.concat(ends.stream(), invariants.stream().distinct());
+    requireUnique(
+        Stream.concat(
+                progress.stream().map(Progress::name), conditions.map(Invariant::name).distinct())
+            .toList(),
+        "progress");
     requireUnique(actions.stream().map(Action::name).toList(), "action");
     if (start.isEmpty() && problems.isEmpty()) {
       problems.add(
@@ -105,6 +118,8 @@ final class AutomatonReader extends PartsReader {
         List.copyOf(start),
         List.copyOf(actions),
         invariants,
+        List.copyOf(ends),
+        List.copyOf(progress),
         javaClass,
         java.util.Collections.unmodifiableMap(javaTypes),
         source.before(unit),
@@ -185,6 +200,7 @@ final class AutomatonReader extends PartsReader {
           parameters,
           List.copyOf(pre),
           List.copyOf(eff),
+          Optional.ofNullable(at.fairness()).map(each -> fairness(each, at.name, parameters)),
           source.before(at),
           source.after(head.getStop()),
           pos(at));
@@ -207,6 +223,78 @@ final class AutomatonReader extends PartsReader {
                 + "' is changed twice; expected one effect on each place");
       }
     }
+  }
+
+  private Fairness fairness(
+      StarlParser.FairnessContext at, StarlParser.IdContext action, List<Field> parameters) {
+    List<String> names = parameters.stream().map(Field::name).toList();
+    List<Integer> each = new ArrayList<>();
+    for (StarlParser.IdContext id : at.each) {
+      int number = names.indexOf(id.getText());
+      if (number >= 0) {
+        each.add(number);
+      } else if (!id.getText().equals("any") || at.each.size() > 1) {
+        throw expressions.wrong(
+            id,
+            "'%s' is no parameter of '%s'; expected some of %s, or 'any'"
+                .formatted(id.getText(), action.getText(), names));
+      }
+    }
+    return new Fairness(
+        at.STRONGLY() != null,
+        (at.group == null ? action : at.group).getText(),
+        at.each.isEmpty() ? IntStream.range(0, names.size()).boxed().toList() : List.copyOf(each));
+  }
+
+  private void read(StarlParser.ProgressPartContext at) {
+    String name = newName(at.name);
+    boolean isAssumed = at.ASSUME() != null;
+    List<Field> variables = new ArrayList<>();
+    try {
+      StarlParser.FormulaContext formula = at.formula();
+      while (formula instanceof StarlParser.AllOfContext all) {
+        List<Field> more = types.fields(all.binderGroup(), false);
+        scope.push(more);
+        variables.addAll(more);
+        formula = all.formula();
+      }
+      if (formula instanceof StarlParser.LeadsToContext it) {
+        if (it.from instanceof StarlParser.QuantifiedContext quantified) {
+          String word = quantified.quantifier.getText();
+          throw expressions.wrong(
+              it.from, "'" + word + "' reaches to 'leads to' here; expected parentheses around it");
+        }
+        Action from = side(at, variables, List.of(it.from));
+        progress.add(
+            new Progress(name, isAssumed, false, from, side(at, variables, List.of(it.to))));
+      } else if (isAssumed) {
+        throw expressions.wrong(formula, "this cannot be assumed; expected 'P leads to Q'");
+      } else if (formula instanceof StarlParser.EventuallyContext it) {
+        Action to = side(at, variables, List.of(it.to));
+        progress.add(new Progress(name, false, true, side(at, variables, List.of()), to));
+      } else if (formula instanceof StarlParser.NoDeadlockContext it && variables.isEmpty()) {
+        Expr end = it.to == null ? new Expr.Bool(false, pos(it)) : expressions.bool(it.to);
+        ends.add(new Invariant(name, end, List.of(), pos(at)));
+      } else {
+        throw expressions.wrong(formula, "a deadlock is of the whole state; expected no 'forall'");
+      }
+    } finally {
+      scope.pop(variables);
+    }
+  }
+
+  private Action side(
+      StarlParser.ProgressPartContext at,
+      List<Field> variables,
+      List<StarlParser.ExpressionContext> all) {
+    return new Action(
+        at.name.getText(),
+        List.copyOf(variables),
+        all.stream()
+            .map(each -> new Conjunct(expressions.bool(each), SourceText.of(each)))
+            .toList(),
+        List.of(),
+        pos(at));
   }
 
   private Effect effect(StarlParser.EffectContext at) {

@@ -121,6 +121,8 @@ final class Lowering {
         start,
         List.copyOf(actions),
         List.copyOf(all),
+        List.of(),
+        List.of(),
         "",
         Map.of(),
         program.comment(),
@@ -377,9 +379,7 @@ final class Lowering {
       assigned.forEach((name, value) -> all.add(change(name, value)));
       all.addAll(eff);
       String name = at.name() + (branch.isRestart() ? "_restarts" : "_to_" + to);
-      actions.add(
-          new Action(
-              unique(name), SELF, List.copyOf(pre), List.copyOf(all), List.of(), "", branch.pos()));
+      actions.add(new Action(unique(name), SELF, List.copyOf(pre), List.copyOf(all), branch.pos()));
     }
 
     private Effect change(String component, Expr value) {
@@ -443,8 +443,6 @@ final class Lowering {
                       step,
                       arguments,
                       instance.pos())),
-              List.of(),
-              "",
               instance.pos()));
     }
   }

@@ -56,7 +56,7 @@ final class SyntaxMessage {
   private static final Pattern WORDS =
       Pattern.compile(
           "let|var|variables|const|constants|init|transition|rule|def|function|"
-              + "property|safety|require|requires|guard|effect|ensures|all|any|mod|div");
+              + "property|safety|liveness|require|requires|guard|effect|ensures|all|any|mod|div");
 
   private static final int MOST_NAMED = 6;
   private static final String NEXT = " the next declaration or branch";
@@ -92,6 +92,7 @@ final class SyntaxMessage {
           entry("function", "'fun'"),
           entry("property", "'invariant'"),
           entry("safety", "'invariant'"),
+          entry("liveness", "'progress'"),
           entry("require", "'pre'"),
           entry("requires", "'pre'"),
           entry("guard", "'pre'"),

@@ -9,6 +9,7 @@ import org.starl.lang.tree.Type.Field;
  *
  * @param pre the conjuncts of its enabling condition; none if it is always enabled
  * @param eff what it changes, at once: each right side reads the state before
+ * @param fairness empty if it need not be taken, however long it may be
  * @param comment the lines of comment before it
  * @param note the comment at the end of its first line; empty if there is none
  */
@@ -17,9 +18,16 @@ public record Action(
     List<Field> parameters,
     List<Conjunct> pre,
     List<Effect> eff,
+    Optional<Fairness> fairness,
     List<String> comment,
     String note,
     Pos pos) {
+
+  /** Not fair, and without comments. */
+  public Action(
+      String name, List<Field> parameters, List<Conjunct> pre, List<Effect> eff, Pos pos) {
+    this(name, parameters, pre, eff, Optional.empty(), List.of(), "", pos);
+  }
 
   /**
    * A conjunct of an enabling condition.
@@ -27,6 +35,15 @@ public record Action(
    * @param text as in the source, on one line
    */
   public record Conjunct(Expr condition, String text) {}
+
+  /**
+   * That steps are taken which stay possible; with {@code isStrong}, also those that are possible again
+   * and again.
+   *
+   * @param group actions of one group and of equal values count as one
+   * @param each the numbers of the parameters for each of whose values this is so
+   */
+  public record Fairness(boolean isStrong, String group, List<Integer> each) {}
 
   /** A change of the state. */
   public sealed interface Effect {

@@ -1,8 +1,11 @@
 package org.starl.lang.tree;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -15,6 +18,8 @@ import org.starl.lang.tree.Type.Field;
  * @param state the components of its state, those of used automata included, in order
  * @param uses the automata that it is composed with, by component
  * @param start the conjuncts that hold of a start state
+ * @param ends each holds wherever no action is possible: there is no deadlock
+ * @param progress what is to happen in each run, and what is assumed to
  * @param javaClass the full name of its executable form; empty if the source names none
  * @param javaTypes the Java types that stand for types of the source
  * @param comment the lines of comment before it
@@ -31,6 +36,8 @@ public record Automaton(
     List<Expr> start,
     List<Action> actions,
     List<Invariant> invariants,
+    List<Invariant> ends,
+    List<Progress> progress,
     String javaClass,
     Map<Type, JavaType> javaTypes,
     List<String> comment,
@@ -57,6 +64,45 @@ public record Automaton(
 
   /** What is to hold in every state that can be reached, or of every parameter. */
   public record Invariant(String name, Expr condition, List<String> comment, Pos pos) {}
+
+  /**
+   * Where {@code from} holds, {@code to} holds then or later, for all values of their parameters. Both
+   * are conditions in the form of actions without effects.
+   *
+   * @param isAssumed whether runs in which it does not are left out
+   * @param isOfStart whether this is said of start states alone
+   */
+  public record Progress(
+      String name, boolean isAssumed, boolean isOfStart, Action from, Action to) {}
+
+  /** Both sides of each progress, in order. */
+  public List<Action> sides() {
+    return progress.stream().flatMap(each -> Stream.of(each.from(), each.to())).toList();
+  }
+
+  /** The names of what is asked of its runs, and not of its states. */
+  public List<String> claims() {
+    return Stream.concat(
+            ends.stream().map(Invariant::name),
+            progress.stream().filter(each -> !each.isAssumed()).map(Progress::name))
+        .toList();
+  }
+
+  /** Which runs it has: {@code fair: release}, {@code assumed: Releases}. */
+  public List<String> fairness() {
+    Map<String, List<String>> names = new TreeMap<>();
+    for (Action each : actions) {
+      each.fairness()
+          .map(fairness -> fairness.isStrong() ? "strongly fair" : "fair")
+          .ifPresent(how -> names.computeIfAbsent(how, key -> new ArrayList<>()).add(each.name()));
+    }
+    progress.stream()
+        .filter(Progress::isAssumed)
+        .forEach(p -> names.computeIfAbsent("assumed", key -> new ArrayList<>()).add(p.name()));
+    return names.entrySet().stream()
+        .map(each -> each.getKey() + ": " + String.join(", ", each.getValue()))
+        .toList();
+  }
 
   /** The action of this name. */
   public Optional<Action> action(String wanted) {

@@ -221,9 +221,7 @@ class SearchAgainstPlainMeaningTest {
   }
 
   private static Optional<Integer> wrongAt(Search.Result result) {
-    return result
-        .finding()
-        .map(finding -> finding.steps() + (finding.invariant().isEmpty() ? 1 : 0));
+    return result.finding().map(finding -> finding.steps() + (finding.name().isEmpty() ? 1 : 0));
   }
 
   private static Set<String> texts(Machine machine, Search search) {

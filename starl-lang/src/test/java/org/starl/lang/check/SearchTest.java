@@ -87,7 +87,7 @@ class SearchTest {
     String broken = MUTEX.replace(", free_for?(i, RS)", "");
     for (boolean isSymmetric : new boolean[] {true, false}) {
       Finding finding = result(broken, 3, isSymmetric).finding().orElseThrow();
-      assertThat(finding.invariant()).isEqualTo("Exclusive");
+      assertThat(finding.name()).isEqualTo("Exclusive");
       assertThat(finding.steps()).isEqualTo(4);
       assertThat(finding.pos()).hasToString("18:37");
     }
@@ -151,7 +151,7 @@ class SearchTest {
         """;
     Search.Result result = result(CLOCK + invariant, 2, true);
     assertThat(result.unevaluated()).containsKey("Later");
-    assertThat(result.finding().orElseThrow().invariant()).isEqualTo("Never");
+    assertThat(result.finding().orElseThrow().name()).isEqualTo("Never");
   }
 
   @Test

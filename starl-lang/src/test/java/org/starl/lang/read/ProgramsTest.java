@@ -124,7 +124,7 @@ class ProgramsTest {
       text = text.replaceAll("location leaving\n.*\n", "");
     }
     Finding finding = search(text, 1).finding().orElseThrow();
-    assertThat(finding.invariant()).isEqualTo(invariant);
+    assertThat(finding.name()).isEqualTo(invariant);
     assertThat(finding.pos()).hasToString(pos);
   }
 

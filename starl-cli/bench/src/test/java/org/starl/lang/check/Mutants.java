@@ -51,6 +51,7 @@ public final class Mutants {
             action.parameters(),
             pre,
             eff,
+            action.fairness(),
             action.comment(),
             action.note(),
             action.pos());
@@ -73,6 +74,8 @@ public final class Mutants {
         of.start(),
         actions,
         of.invariants(),
+        of.ends(),
+        of.progress(),
         of.javaClass(),
         of.javaTypes(),
         of.comment(),
