@@ -12,14 +12,14 @@ dependencies {
     api(project(":starl-sim"))
     api(project(":starl-sim-view"))
     api(libs.jspecify)
-    implementation(libs.jsvg)
+    implementation(libs.batik.bridge)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
 
-// JSVG's classes bear annotations that no jar has.
-tasks.withType<JavaCompile>().configureEach {
-    options.compilerArgs.add("-Xlint:-classfile")
+configurations.configureEach {
+    // The JDK has its interfaces.
+    exclude(mapOf("group" to "xml-apis", "module" to "xml-apis"))
 }

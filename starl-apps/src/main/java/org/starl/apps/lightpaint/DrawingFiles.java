@@ -3,7 +3,6 @@ package org.starl.apps.lightpaint;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
@@ -16,26 +15,31 @@ final class DrawingFiles {
   private DrawingFiles() {}
 
   /**
-   * The lines of a drawing, in mm.
+   * A drawing, its lines in mm.
    *
-   * @param mmPerUnit scale of an SVG; of a {@code .wpt} drawing, of its lines' widths only
-   * @param flatnessMm maximum distance of a curve from the straight lines that replace it
+   * @param reading of a {@code .wpt} drawing, only the scale is used, for its lines' widths
    * @throws BadInput if the file cannot be read or has no line to paint
    */
-  static List<Line> read(Path path, double mmPerUnit, double flatnessMm) {
+  static SvgDrawing read(Path path, SvgDrawing.Reading reading) {
     String file = path.toString();
     boolean isSvg = file.toLowerCase(Locale.ROOT).endsWith(".svg");
     if (!isSvg && !file.toLowerCase(Locale.ROOT).endsWith(".wpt")) {
       throw new BadInput(file + ": " + EXPECTED);
     }
     byte[] bytes = TextFile.bytes(path, EXPECTED);
-    List<Line> lines =
+    SvgDrawing drawing =
         isSvg
-            ? SvgDrawing.read(file, bytes, mmPerUnit, flatnessMm)
-            : WptDrawing.read(file, TextFile.decode(file, bytes, EXPECTED), mmPerUnit);
-    if (lines.isEmpty()) {
-      throw new BadInput(file + ": no line has a stroke: expected at least one line to paint");
+            ? SvgDrawing.read(file, bytes, reading)
+            : new SvgDrawing(
+                WptDrawing.read(file, TextFile.decode(file, bytes, EXPECTED), reading.mmPerUnit()),
+                List.of());
+    if (drawing.lines().isEmpty()) {
+      String why = String.join("; ", drawing.notes());
+      throw new BadInput(
+          file
+              + ": no line has a stroke: expected at least one line to paint"
+              + (why.isEmpty() ? "" : " (" + why + ")"));
     }
-    return lines;
+    return drawing;
   }
 }

@@ -1,6 +1,7 @@
 package org.starl.apps.lightpaint;
 
 import static org.starl.apps.lightpaint.robot.LightPaintFactory.DRAWING;
+import static org.starl.apps.lightpaint.robot.LightPaintFactory.FILLS;
 import static org.starl.apps.lightpaint.robot.LightPaintFactory.SCALE;
 import static org.starl.apps.lightpaint.robot.LightPaintFactory.STARTS;
 
@@ -19,12 +20,12 @@ import org.starl.apps.Input;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
-import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.robot.LightPaintFactory;
 import org.starl.apps.lightpaint.spec.PaintSpec;
 import org.starl.apps.lightpaint.view.LightPaintLayer;
+import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -105,13 +106,14 @@ public final class LightPaintDemo implements FactoryDemo {
     int painters = request.robots().orElse(settings.robots());
     LightPaintFactory.checkPainters(painters);
     MotionParameters body = settings.motionParameters(0);
-    List<Stroke> strokes = LightPaintFactory.strokes(request, drawing(request));
+    SvgDrawing drawing = drawing(request);
+    List<Stroke> strokes = LightPaintFactory.strokes(request, drawing.lines());
     double radiusMm = Painting.radiusMm(body);
     String file = request.parameter(STARTS.key());
     List<Point> starts = file.isEmpty() ? List.of() : readStarts(Path.of(file), painters, radiusMm);
     Painting painting = Painting.of(strokes, starts, painters, radiusMm);
     RobotProgram program = LightPaintFactory.program(painting);
-    LightPaintStory story = new LightPaintStory(painting);
+    LightPaintStory story = new LightPaintStory(painting, drawing.notes());
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
     for (int i = 0; i < painters; i++) {
       RobotId name = new RobotId(settings.robotName() + i);
@@ -127,12 +129,17 @@ public final class LightPaintDemo implements FactoryDemo {
     return new Plan(simulation, story, new LightPaintLayer(painting), Obstacles.NONE);
   }
 
-  private static List<Line> drawing(Request request) {
-    double scaleMm = request.amount(SCALE);
+  private static SvgDrawing drawing(Request request) {
+    SvgDrawing.Reading reading =
+        new SvgDrawing.Reading(
+            request.amount(SCALE),
+            request.given().contains(SCALE.key()),
+            LightPaintFactory.flatnessMm(request),
+            request.choice(FILLS).equals("outline"));
     String file = request.parameter(DRAWING.key());
     return file.isEmpty()
-        ? LightPaintFactory.house(request)
-        : DrawingFiles.read(Path.of(file), scaleMm, LightPaintFactory.flatnessMm(request));
+        ? new SvgDrawing(LightPaintFactory.house(request), List.of())
+        : DrawingFiles.read(Path.of(file), reading);
   }
 
   private static double toleranceMm(SimSettings settings, MotionParameters body) {

@@ -27,6 +27,7 @@ import org.starl.trace.TraceEvent.Variable;
 final class LightPaintStory implements Story {
 
   private final Painting painting;
+  private final List<String> notes;
   private final LightTrail trail = new LightTrail();
   private final SortedMap<RobotId, Painter> painters = new TreeMap<>();
   private long lastLightNs;
@@ -40,8 +41,12 @@ final class LightPaintStory implements Story {
     private int left = -1;
   }
 
-  LightPaintStory(Painting painting) {
+  /**
+   * @param notes what of the drawing is not painted
+   */
+  LightPaintStory(Painting painting, List<String> notes) {
     this.painting = painting;
+    this.notes = notes;
   }
 
   @Override
@@ -90,6 +95,7 @@ final class LightPaintStory implements Story {
             drawingMm / 1e3,
             painting.strokes().size(),
             Time.seconds(lastLightNs)));
+    lines.addAll(notes);
     return lines;
   }
 

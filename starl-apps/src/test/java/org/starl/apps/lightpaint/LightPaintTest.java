@@ -102,7 +102,10 @@ class LightPaintTest {
             .isGreaterThan(1000);
       } else {
         // The drawing, pale, and what was painted: the same lines again.
-        List<Line> lines = SvgDrawing.read("painted.svg", out.toByteArray(), 1, 1);
+        List<Line> lines =
+            SvgDrawing.read(
+                    "painted.svg", out.toByteArray(), new SvgDrawing.Reading(1, false, 1, false))
+                .lines();
         double mm = lines.stream().mapToDouble(line -> line.path().lengthMm()).sum();
         assertThat(mm).isBetween(2 * 15_200.0, 2 * 15_600.0);
       }

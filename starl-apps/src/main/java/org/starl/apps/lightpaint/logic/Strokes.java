@@ -15,6 +15,9 @@ import org.starl.geometry.Segment;
  */
 public final class Strokes {
 
+  /** Maximum number of a painting's strokes. */
+  public static final int MAX = 300;
+
   /**
    * Two lines that meet at 15 degrees or more, or cross at 30, share less than this many widths.
    */
@@ -56,17 +59,21 @@ public final class Strokes {
   }
 
   private final double sameMm;
+  private final double mostMm;
+  private double keptMm;
   private final List<Kept> kept = new ArrayList<>();
   private final List<Line> chains = new ArrayList<>();
   private final List<Stroke> strokes = new ArrayList<>();
 
-  private Strokes(double sameMm) {
+  private Strokes(double sameMm, double longestMm) {
     this.sameMm = sameMm;
+    mostMm = MAX * longestMm;
   }
 
   /**
    * The strokes of a drawing, in order; equal drawings have equal strokes. Drawing and strokes are
-   * nowhere farther from each other than {@code sameMm} + 3 mm.
+   * nowhere farther from each other than {@code sameMm} + 3 mm. None, early, if the drawing is longer
+   * than {@link #MAX} strokes.
    *
    * @param lines in the order in which they are drawn
    * @param sameMm lines that run nearer to each other than this share that part
@@ -76,10 +83,13 @@ public final class Strokes {
     if (!(sameMm > 0) || !(longestMm > MIN_MM)) {
       throw new IllegalArgumentException("strokes: " + sameMm + " mm, " + longestMm + " mm");
     }
-    Strokes cutter = new Strokes(sameMm);
+    Strokes cutter = new Strokes(sameMm, longestMm);
     List<Line> parts = new ArrayList<>();
     for (int i = lines.size() - 1; i >= 0; i--) {
       parts.addAll(0, cutter.uncovered(lines.get(i)));
+    }
+    if (cutter.keptMm > cutter.mostMm) {
+      return List.of();
     }
     parts.forEach(cutter::chain);
     cutter.chains.forEach(chain -> cutter.cut(chain, longestMm));
@@ -93,6 +103,9 @@ public final class Strokes {
     List<Kept> all = new ArrayList<>(kept);
     double alongMm = 0;
     for (Segment leg : line.path().legs()) {
+      if (keptMm > mostMm) {
+        return List.of();
+      }
       List<Kept> near = new ArrayList<>(all);
       near.removeIf(other -> other.leg().distanceMm(leg) > sameMm);
       int first = places.size();
@@ -109,6 +122,7 @@ public final class Strokes {
         Place start = piece.get(0);
         Point end = piece.get(piece.size() - 1).point();
         all.add(new Kept(new Segment(start.point(), end), start.alongMm()));
+        keptMm += start.point().distanceMm(end);
       }
       alongMm += legMm;
     }

@@ -44,10 +44,15 @@ public final class LightPaintFactory implements AppFactory {
           "maximum length of a stroke, which one robot paints",
           Form.between(Quantity.DISTANCE, "100mm", "10m"));
 
+  public static final Parameter FILLS =
+      new Parameter(
+          "fills",
+          "leave",
+          "outlines of shapes that are only filled",
+          Form.choice(List.of("leave", "outline")));
+
   /** Every painter votes on every tube and plans around all tubes. */
   private static final int MAX_PAINTERS = 200;
-
-  private static final int MAX_STROKES = 300;
 
   @Override
   public String name() {
@@ -56,7 +61,7 @@ public final class LightPaintFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(DRAWING, STARTS, SCALE, FLATNESS, STROKE);
+    return List.of(DRAWING, STARTS, SCALE, FILLS, FLATNESS, STROKE);
   }
 
   @Override
@@ -104,19 +109,20 @@ public final class LightPaintFactory implements AppFactory {
   /**
    * The strokes of a drawing.
    *
-   * @throws BadInput if there are none, or too many
+   * @param lines at least one
+   * @throws BadInput if there are too many
    */
   public static List<Stroke> strokes(Request request, List<Line> lines) {
     double longestMm = request.amount(STROKE);
     List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm(request), longestMm);
-    if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
+    if (strokes.isEmpty() || strokes.size() > Strokes.MAX) {
       throw new BadInput(
           "drawing="
               + BadInput.quote(request.parameter(DRAWING.key()))
-              + ": "
-              + strokes.size()
-              + " strokes: expected 1 to "
-              + MAX_STROKES
+              + ": more than "
+              + Strokes.MAX
+              + " strokes: expected at most "
+              + Strokes.MAX
               + "; change scale or stroke");
     }
     return strokes;

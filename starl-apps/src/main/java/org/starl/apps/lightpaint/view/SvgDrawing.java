@@ -1,149 +1,415 @@
 package org.starl.apps.lightpaint.view;
 
-import com.github.weisj.jsvg.SVGDocument;
-import com.github.weisj.jsvg.parser.LoaderContext;
-import com.github.weisj.jsvg.parser.SVGLoader;
-import com.github.weisj.jsvg.parser.resources.ResourcePolicy;
-import com.github.weisj.jsvg.renderer.NullPlatformSupport;
-import com.github.weisj.jsvg.renderer.output.Output;
-import com.github.weisj.jsvg.renderer.output.impl.Graphics2DOutput;
+import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
 import java.awt.Paint;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.PathIterator;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.logging.Level;
-import java.util.logging.Logger;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.apache.batik.bridge.Bridge;
+import org.apache.batik.bridge.BridgeContext;
+import org.apache.batik.bridge.BridgeException;
+import org.apache.batik.bridge.ErrorConstants;
+import org.apache.batik.bridge.ExternalResourceSecurity;
+import org.apache.batik.bridge.GVTBuilder;
+import org.apache.batik.bridge.Messages;
+import org.apache.batik.bridge.NoLoadExternalResourceSecurity;
+import org.apache.batik.bridge.SVGTextElementBridge;
+import org.apache.batik.bridge.UserAgentAdapter;
+import org.apache.batik.ext.awt.MultipleGradientPaint;
+import org.apache.batik.gvt.CompositeGraphicsNode;
+import org.apache.batik.gvt.CompositeShapePainter;
+import org.apache.batik.gvt.FillShapePainter;
+import org.apache.batik.gvt.GraphicsNode;
+import org.apache.batik.gvt.MarkerShapePainter;
+import org.apache.batik.gvt.ProxyGraphicsNode;
+import org.apache.batik.gvt.ShapeNode;
+import org.apache.batik.gvt.ShapePainter;
+import org.apache.batik.gvt.StrokeShapePainter;
+import org.apache.batik.parser.ParseException;
+import org.apache.batik.parser.PathParser;
+import org.apache.batik.util.ParsedURL;
+import org.apache.batik.util.SVGConstants;
+import org.apache.batik.util.io.StringNormalizingReader;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
+import org.w3c.dom.Element;
+import org.w3c.dom.svg.SVGSVGElement;
 
 /**
- * Reads SVG drawings with JSVG: all that a browser would draw with a stroke becomes lines, in the
- * order of the file, with groups, transforms, styles and view boxes applied. Fills, images,
- * opacity, dashes, clips and masks are ignored: a line is painted whole or not at all.
+ * An SVG drawing, read with Apache Batik: all that a browser would draw with a stroke becomes lines,
+ * in the order of painting. A line is painted whole or not at all.
+ *
+ * @param notes what a browser would draw, and is not painted so: {@code FILE:LINE: text}
  */
-public final class SvgDrawing {
-
-  // JSVG logs what it cannot read; SvgCheck has reported that before, with the line.
-  private static final Logger LIBRARY = Logger.getLogger("com.github.weisj.jsvg");
+public record SvgDrawing(List<Line> lines, List<String> notes) {
 
   private static final double MAX_MM = 1e6;
 
-  private final String file;
-  private final AffineTransform unitsToMm;
-  private final double flatnessMm;
-  private final List<Line> lines = new ArrayList<>();
+  private static final double MM_PER_PX = 25.4 / 96;
 
-  private SvgDrawing(String file, AffineTransform unitsToMm, double flatnessMm) {
-    this.file = file;
-    this.unitsToMm = unitsToMm;
-    this.flatnessMm = flatnessMm;
-  }
+  private static final String NUMBER = "[+-]?(?:\\d*\\.)?\\d+(?:[eE][+-]?\\d+)?";
+  private static final Pattern BOX = Pattern.compile("(?:%s[\\s,]+){3}%<s".formatted(NUMBER));
+  private static final Pattern LENGTH = Pattern.compile("\\s*(" + NUMBER + ")([a-z]*)\\s*");
+  private static final Set<String> REAL = Set.of("mm", "cm", "in", "pt", "pc");
+  private static final Pattern QUOTED = Pattern.compile("\"([^\"]+)\"");
+  private static final Set<String> VIEWPORTS = Set.of("svg", "symbol", "marker");
+
+  /**
+   * How a drawing is read.
+   *
+   * @param mmPerUnit millimetres per unit (pixel)
+   * @param isScaled whether a drawing whose size is in mm, cm, in, pt or pc has {@code mmPerUnit},
+   *     too, instead of its size
+   * @param flatnessMm maximum distance of a curve from the straight lines that replace it
+   * @param hasOutlines whether the outlines of shapes that are only filled are lines
+   */
+  public record Reading(
+      double mmPerUnit, boolean isScaled, double flatnessMm, boolean hasOutlines) {}
 
   /**
    * The lines of a file; its lower left corner is the floor's origin, y upwards.
    *
    * @param file its name, for errors
-   * @param mmPerUnit millimetres per unit (pixel) of the drawing
-   * @param flatnessMm maximum distance of a curve from the straight lines that replace it
    * @throws BadInput if it is no SVG, or part of it cannot be read; the message names the line
    */
-  public static List<Line> read(String file, byte[] bytes, double mmPerUnit, double flatnessMm) {
-    SvgCheck.check(file, bytes);
-    LIBRARY.setLevel(Level.OFF);
-    LoaderContext context =
-        LoaderContext.builder().externalResourcePolicy(ResourcePolicy.DENY_ALL).build();
-    SVGDocument document = new SVGLoader().load(new ByteArrayInputStream(bytes), null, context);
-    if (document == null) {
-      throw new BadInput(file + ": cannot be drawn: expected an SVG drawing");
+  public static SvgDrawing read(String file, byte[] bytes, Reading reading) {
+    SvgFile svg = new SvgFile(file, bytes);
+    Messages.setLocale(Locale.ROOT);
+    Context context = new Context(svg);
+    SVGSVGElement root = svg.drawing().getRootElement();
+    try {
+      svg.checkStyles();
+      if (root.hasAttribute("transform")) {
+        throw svg.bad(svg.line(root), "<svg> with a transform", "it in a <g>");
+      }
+      boolean isReal = size(svg, root);
+      double mmPerUnit = isReal && !reading.isScaled() ? MM_PER_PX : reading.mmPerUnit();
+      GraphicsNode all = new GVTBuilder().build(context, svg.drawing());
+      AffineTransform toMm = AffineTransform.getScaleInstance(mmPerUnit, -mmPerUnit);
+      toMm.translate(0, -context.getDocumentSize().getHeight());
+      Walk walk = new Walk(svg, context, reading, mmPerUnit);
+      walk.node(all, root, toMm);
+      return new SvgDrawing(List.copyOf(walk.lines), svg.notes());
+    } catch (BridgeException e) {
+      throw bad(svg, e);
+    } finally {
+      context.dispose();
     }
-    AffineTransform unitsToMm = AffineTransform.getScaleInstance(mmPerUnit, -mmPerUnit);
-    unitsToMm.translate(0, -document.size().getHeight());
-    SvgDrawing drawing = new SvgDrawing(file, unitsToMm, flatnessMm);
-    Graphics2D unused = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
-    document.renderWithPlatform(NullPlatformSupport.INSTANCE, drawing.new Recorder(unused), null);
-    unused.dispose();
-    return List.copyOf(drawing.lines);
   }
 
-  /** Records outlines, with the transforms, strokes and colours that JSVG sets; ignores clips. */
-  private final class Recorder extends Graphics2DOutput {
+  private static BadInput bad(SvgFile svg, BridgeException error) {
+    Element element =
+        Objects.requireNonNullElse(error.getElement(), svg.drawing().getRootElement());
+    Matcher quoted = QUOTED.matcher(String.valueOf(error.getMessage()));
+    String name = quoted.find() ? quoted.group(1) : "";
+    String value = element.getAttribute(name);
+    String tag = "<" + element.getLocalName() + "> ";
+    if (value.isEmpty()) {
+      String link = element.getAttributeNS(SVGConstants.XLINK_NAMESPACE_URI, "href");
+      String target = link.isEmpty() ? name.replaceFirst("^file:/+", "") : link;
+      return svg.bad(
+          svg.line(element),
+          tag + "refers to " + BadInput.quote(target),
+          "an element of the drawing, such as #a");
+    }
+    String problem = tag + "with " + name + "=" + BadInput.quote(value);
+    if (name.equals("d")) {
+      int at = new PathCheck().firstWrong(value);
+      problem = "path, character " + (at + 1) + ", at " + BadInput.quote(value.substring(at));
+    }
+    String least = error.getCode().equals(ErrorConstants.ERR_LENGTH_NEGATIVE) ? ", at least 0" : "";
+    return svg.bad(svg.line(element), problem, SvgFile.expected(name) + least);
+  }
 
-    Recorder(Graphics2D graphics) {
-      super(graphics);
+  /**
+   * Gives the drawing the size that it has where a browser shows it whole.
+   *
+   * @return whether it has one in mm, cm, in, pt or pc
+   */
+  private static boolean size(SvgFile svg, SVGSVGElement root) {
+    String viewBox = root.getAttribute("viewBox").trim();
+    double[] page = {300, 150};
+    if (!viewBox.isEmpty()) {
+      String[] box = BOX.matcher(viewBox).matches() ? viewBox.split("[\\s,]+", -1) : new String[4];
+      for (int i = 0; i < 2; i++) {
+        page[i] = box[i + 2] == null ? 0 : Double.parseDouble(box[i + 2]);
+        if (!(page[i] > 0)) {
+          String problem = "viewBox=" + BadInput.quote(viewBox);
+          throw svg.bad(svg.line(root), problem, SvgFile.expected("viewBox"));
+        }
+      }
+    }
+    boolean isReal = false;
+    double perUnit = 1;
+    String unit = "";
+    List<String> missing = new ArrayList<>();
+    for (String side : List.of("width", "height")) {
+      Matcher length = LENGTH.matcher(root.getAttribute(side));
+      if (root.getAttribute(side).isEmpty() || root.getAttribute(side).endsWith("%")) {
+        missing.add(side);
+      } else if (length.matches()) {
+        unit = length.group(2);
+        isReal |= REAL.contains(unit);
+        perUnit = Double.parseDouble(length.group(1)) / page[side.equals("width") ? 0 : 1];
+      }
+    }
+    for (String side : missing) {
+      double size = page[side.equals("width") ? 0 : 1];
+      root.setAttribute(side, viewBox.isEmpty() ? size + "" : size * perUnit + unit);
+    }
+    return isReal;
+  }
+
+  /** Batik's view of a file: it loads nothing, runs nothing, and asks for no font. */
+  private static final class Context extends BridgeContext {
+
+    private final SvgFile svg;
+
+    Context(SvgFile svg) {
+      super(
+          new UserAgentAdapter() {
+            @Override
+            public String getMedia() {
+              return "screen";
+            }
+
+            @Override
+            public void displayError(Exception error) {
+              if (!svg.isChecked() && error instanceof RuntimeException wrong) {
+                throw wrong;
+              }
+              svg.note(1, "a style, or a style sheet outside of the file, is not applied");
+            }
+
+            @Override
+            public ExternalResourceSecurity getExternalResourceSecurity(
+                ParsedURL resource, ParsedURL document) {
+              return new NoLoadExternalResourceSecurity();
+            }
+          });
+      this.svg = svg;
+      setDynamicState(INTERACTIVE);
+      setDocument(svg.drawing());
+      initializeDocument(svg.drawing());
     }
 
     @Override
-    public void drawShape(Shape shape) {
-      if (stroke() instanceof BasicStroke stroke) {
-        drawn(shape, transform(), stroke, graphics().getPaint());
+    public void registerSVGBridges() {
+      super.registerSVGBridges();
+      putBridge(
+          new SVGTextElementBridge() {
+            @Override
+            public GraphicsNode createGraphicsNode(BridgeContext context, Element text) {
+              String words = text.getTextContent().strip();
+              throw svg.bad(
+                  svg.line(text),
+                  "<text> " + BadInput.quote(words),
+                  "its outlines as paths: fonts differ");
+            }
+          });
+    }
+
+    @Override
+    public Bridge getBridge(Element element) {
+      if (element.getLocalName().equals("use")) {
+        svg.countCopy(element);
+      }
+      return super.getBridge(element);
+    }
+  }
+
+  /** Walks Batik's tree in the order of painting. */
+  private static final class Walk {
+
+    private final SvgFile svg;
+    private final Context context;
+    private final Reading reading;
+    private final double mmPerUnit;
+    private final List<Line> lines = new ArrayList<>();
+
+    Walk(SvgFile svg, Context context, Reading reading, double mmPerUnit) {
+      this.svg = svg;
+      this.context = context;
+      this.reading = reading;
+      this.mmPerUnit = mmPerUnit;
+    }
+
+    void node(GraphicsNode node, Element parent, AffineTransform parentToMm) {
+      Element own = context.getElement(node);
+      Element element = Objects.requireNonNullElse(own, parent);
+      if (node.getComposite() instanceof AlphaComposite mix && mix.getAlpha() == 0) {
+        return;
+      }
+      noteIf(
+          own != null && node.getClip() != null && !VIEWPORTS.contains(element.getLocalName()),
+          element,
+          "a clip is not applied: lines are painted whole");
+      noteIf(node.getMask() != null, element, "a mask is not applied: lines are painted whole");
+      noteIf(node.getFilter() != null, element, "a filter is not applied");
+      AffineTransform toMm = new AffineTransform(parentToMm);
+      if (node.getTransform() != null) {
+        toMm.concatenate(node.getTransform());
+      }
+      if (node instanceof CompositeGraphicsNode group) {
+        for (Object child : group.getChildren()) {
+          node((GraphicsNode) child, element, toMm);
+        }
+      } else if (node instanceof ProxyGraphicsNode proxy) {
+        node(proxy.getSource(), element, toMm);
+      } else if (node instanceof ShapeNode shape && shape.isVisible()) {
+        shape(shape, element, toMm);
       }
     }
 
-    @Override
-    public Output createChild() {
-      return new Recorder((Graphics2D) graphics().create());
-    }
-
-    @Override
-    public boolean supportsFilters() {
-      return false;
-    }
-
-    @Override
-    public void applyClip(Shape clip) {}
-
-    @Override
-    public void setClip(Shape clip) {}
-  }
-
-  private void drawn(Shape shape, AffineTransform toUnits, BasicStroke stroke, Paint paint) {
-    AffineTransform toMm = new AffineTransform(unitsToMm);
-    toMm.concatenate(toUnits);
-    double scale = Math.sqrt(Math.abs(toMm.getDeterminant()));
-    int rgb = paint instanceof Color colour ? colour.getRGB() & Ink.MAX_RGB : 0;
-    Ink ink = new Ink(rgb, Math.max(1, Math.rint(stroke.getLineWidth() * scale)));
-    List<Point> points = new ArrayList<>();
-    double[] at = new double[6];
-    PathIterator path = shape.getPathIterator(toMm, flatnessMm / 2);
-    for (; !path.isDone(); path.next()) {
-      int kind = path.currentSegment(at);
-      if (kind == PathIterator.SEG_MOVETO) {
-        finish(points, ink, stroke);
-        points.clear();
-      }
-      if (kind == PathIterator.SEG_CLOSE) {
-        points.add(points.get(0));
-      } else if (Math.abs(at[0]) <= MAX_MM && Math.abs(at[1]) <= MAX_MM) {
-        points.add(new Point(at[0], at[1]));
-      } else {
-        throw new BadInput(
-            file + ": a line goes to " + at[0] + ", " + at[1] + " mm: expected within 1 km");
+    private void noteIf(boolean isTrue, Element element, String text) {
+      if (isTrue) {
+        svg.note(svg.line(element), text);
       }
     }
-    finish(points, ink, stroke);
+
+    private static List<ShapePainter> parts(@Nullable ShapePainter painter) {
+      if (painter instanceof CompositeShapePainter all) {
+        return IntStream.range(0, all.getShapePainterCount())
+            .mapToObj(all::getShapePainter)
+            .flatMap(part -> parts(part).stream())
+            .toList();
+      }
+      return painter == null ? List.of() : List.of(painter);
+    }
+
+    private void shape(ShapeNode node, Element element, AffineTransform toMm) {
+      List<ShapePainter> parts = parts(node.getShapePainter());
+      boolean isStroked =
+          parts.stream().anyMatch(part -> part instanceof StrokeShapePainter && seen(part) != null);
+      boolean isSeen = parts.stream().anyMatch(part -> seen(part) != null);
+      noteIf(!isSeen, element, "a shape without a visible stroke or fill is not painted");
+      for (ShapePainter part : parts) {
+        Paint paint = seen(part);
+        if (part instanceof MarkerShapePainter markers) {
+          new Markers(node.getShape(), markers).nodes.forEach(at -> node(at, element, toMm));
+        } else if (part instanceof StrokeShapePainter stroke && paint != null) {
+          drawn(node.getShape(), element, toMm, paint, (BasicStroke) stroke.getStroke());
+        } else if (paint != null && reading.hasOutlines() && !isStroked) {
+          drawn(node.getShape(), element, toMm, paint, new BasicStroke());
+        } else if (paint != null) {
+          noteIf(!node.getShape().getBounds2D().isEmpty(), element, "a fill is not painted");
+        }
+      }
+    }
+
+    private static @Nullable Paint seen(ShapePainter part) {
+      Paint paint =
+          part instanceof StrokeShapePainter stroke
+              ? stroke.getPaint()
+              : part instanceof FillShapePainter fill ? fill.getPaint() : null;
+      return paint instanceof Color colour && colour.getAlpha() == 0 ? null : paint;
+    }
+
+    private void drawn(
+        Shape shape, Element element, AffineTransform toMm, Paint paint, BasicStroke stroke) {
+      double scale = Math.sqrt(Math.abs(toMm.getDeterminant()));
+      if (scale == 0) {
+        return;
+      }
+      noteIf(stroke.getDashArray() != null, element, "dashes are painted without gaps");
+      noteIf(!(paint instanceof Color), element, "a gradient or pattern is painted in one colour");
+      Color colour =
+          paint instanceof MultipleGradientPaint gradient
+              ? gradient.getColors()[0]
+              : paint instanceof Color one ? one : Color.BLACK;
+      boolean isFixed = element.getAttribute("vector-effect").equals("non-scaling-stroke");
+      double widthMm = stroke.getLineWidth() * (isFixed ? mmPerUnit : scale);
+      Ink ink = new Ink(colour.getRGB() & Ink.MAX_RGB, Math.max(1, Math.rint(widthMm)));
+      List<Point> points = new ArrayList<>();
+      double[] at = new double[6];
+      PathIterator path = shape.getPathIterator(toMm, reading.flatnessMm() / 2);
+      for (; !path.isDone(); path.next()) {
+        int kind = path.currentSegment(at);
+        if (kind == PathIterator.SEG_MOVETO) {
+          finish(points, ink, stroke);
+          points.clear();
+        }
+        if (kind == PathIterator.SEG_CLOSE) {
+          points.add(points.get(0));
+        } else if (Math.abs(at[0]) <= MAX_MM && Math.abs(at[1]) <= MAX_MM) {
+          points.add(new Point(at[0], at[1]));
+        } else {
+          throw svg.bad(
+              svg.line(element), "a line goes to " + at[0] + ", " + at[1] + " mm", "within 1 km");
+        }
+      }
+      finish(points, ink, stroke);
+    }
+
+    private void finish(List<Point> points, Ink ink, BasicStroke stroke) {
+      boolean isSeen =
+          stroke.getEndCap() == BasicStroke.CAP_BUTT
+              ? Polyline.lengthMm(points) > 0
+              : points.size() > 1;
+      if (isSeen) {
+        double flatMm = reading.flatnessMm() / 2;
+        List<Point> simple = Polyline.simplified(points, flatMm);
+        List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
+        // A dot: a line of 1 mm.
+        Point dot = whole.get(0).plus(new Point(1, 0));
+        lines.add(
+            new Line(new Polyline(whole.size() > 1 ? whole : List.of(whole.get(0), dot)), ink));
+      }
+    }
   }
 
-  private void finish(List<Point> points, Ink ink, BasicStroke stroke) {
-    boolean isSeen =
-        stroke.getEndCap() == BasicStroke.CAP_BUTT
-            ? Polyline.lengthMm(points) > 0
-            : points.size() > 1;
-    if (isSeen) {
-      List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
-      List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
-      // A dot: a line of 1 mm.
-      Point dot = whole.get(0).plus(new Point(1, 0));
-      lines.add(new Line(new Polyline(whole.size() > 1 ? whole : List.of(whole.get(0), dot)), ink));
+  /** Counts the characters of a path that Batik's parser reads. */
+  private static final class PathCheck extends PathParser {
+
+    private int read;
+
+    int firstWrong(String path) {
+      reader =
+          new StringNormalizingReader(path) {
+            @Override
+            public int read() throws IOException {
+              read++;
+              return super.read();
+            }
+          };
+      try {
+        doParse();
+        return 0;
+      } catch (ParseException | IOException e) {
+        return Math.clamp(read - 1, 0, path.length());
+      }
+    }
+  }
+
+  /** The markers of a line, at their places. */
+  private static final class Markers extends MarkerShapePainter {
+
+    private final List<GraphicsNode> nodes = new ArrayList<>();
+
+    Markers(Shape line, MarkerShapePainter of) {
+      super(line);
+      startMarker = of.getStartMarker();
+      middleMarker = of.getMiddleMarker();
+      endMarker = of.getEndMarker();
+      nodes.add(startMarker == null ? null : buildStartMarkerProxy());
+      nodes.addAll(middleMarker == null ? List.of() : List.of(buildMiddleMarkerProxies()));
+      nodes.add(endMarker == null ? null : buildEndMarkerProxy());
+      nodes.removeIf(Objects::isNull);
     }
   }
 }

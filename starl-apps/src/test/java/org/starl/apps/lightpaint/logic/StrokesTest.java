@@ -150,4 +150,16 @@ class StrokesTest {
       }
     }
   }
+
+  /** 300 strokes of 1 m are 300 m; with a line more there are none, and no time is spent on it. */
+  @Test
+  void aDrawingThatIsTooLongIsNotCut() {
+    List<Line> lines = new ArrayList<>();
+    for (int i = 0; i < Strokes.MAX; i++) {
+      lines.add(line(i % 2 == 0 ? RED : BLUE, 0, 100 * i, 1000, 100 * i));
+    }
+    assertThat(Strokes.of(lines, 10, 1000)).hasSize(Strokes.MAX);
+    lines.add(line(RED, 0, -100, 1000, -100));
+    assertThat(Strokes.of(lines, 10, 1000)).isEmpty();
+  }
 }

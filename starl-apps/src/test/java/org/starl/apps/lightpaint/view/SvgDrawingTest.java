@@ -26,7 +26,12 @@ class SvgDrawingTest {
   }
 
   private static List<Line> readFile(String svg) {
-    return SvgDrawing.read("a.svg", svg.getBytes(StandardCharsets.UTF_8), 10, 4);
+    return drawing(svg, false, false).lines();
+  }
+
+  private static SvgDrawing drawing(String svg, boolean isScaled, boolean hasOutlines) {
+    byte[] bytes = svg.getBytes(StandardCharsets.UTF_8);
+    return SvgDrawing.read("a.svg", bytes, new SvgDrawing.Reading(10, isScaled, 4, hasOutlines));
   }
 
   private static List<Point> points(String d) {
@@ -131,19 +136,128 @@ class SvgDrawingTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "<path stroke='red' d='M 0 0 L 5'/> | a.svg:2: path, character 10, at '': expected a number",
-        "<path d='M 0 0 X 5 5'/> | a.svg:2: path, character 7, at 'X 5 5': expected a command",
-        "<path d='L 0 0'/> | a.svg:2: path, character 1, at 'L 0 0': expected M first",
-        "<path d='M 0 0 A 1 1 0 2 0 5 5'/> | a.svg:2: path, character 14, at ' 2 0 5 5': expected a flag of an arc",
-        "<line x1='one' y1='2'/> | a.svg:2: x1='one': expected a length",
-        "<polyline points='1,2 34'/> | a.svg:2: points, character 7, at '': expected numbers in pairs",
-        "<polyline points='1,2 3'/> | a.svg:2: points, character 6, at '': expected numbers in pairs",
-        "<g> | a.svg:3: is not XML"
+        "<path stroke='red' d='M 0 0 L 5'/> | path, character 10, at '': expected a path",
+        "<path d='M 0 0 X 5 5'/> | path, character 7, at 'X 5 5': expected a path",
+        "<path d='M 0 0 A 1 1 0 2 0 5 5'/> | path, character 15, at '2 0 5 5': expected a path",
+        "<line x1='one' y1='2'/> | <line> with x1='one': expected a value of SVG 1.1",
+        "<rect width='-3' height='5'/> | <rect> with width='-3': expected a value",
+        "<polyline points='1,2 3'/> | <polyline> with points='1,2 3': expected numbers in pairs",
+        "<g transform='scale(1'/> | <g> with transform='scale(1': expected transforms",
+        "<line x2='5' stroke='redd'/> | stroke='redd': expected a colour",
+        "<line x2='5' stroke-width='x'/> | stroke-width='x': expected a value",
+        "<line x2='5' style='stroke=red'/> | style 'stroke=red': expected style rules",
+        "<style>line:nth-child(2){stroke:red}</style> | style 'line:nth-child(2){stroke:red}':",
+        "<style>line{stroke:var(--x)}</style> | style 'line{stroke:var(--x)}': expected style rules",
+        "<style>line{transform:none}</style> | transform in a style sheet: expected it as an attribute",
+        "<use href='#none'/> | <use> refers to '#none': expected an element of the drawing",
+        "<use href='https://example.org/a.svg#a'/> | <use> refers to 'https://example.org/a.svg#a':",
+        "<text x='1'>Hi</text> | <text> 'Hi': expected its outlines as paths",
+        "<g id='a'><use href='#a'/></g> | 48 elements, 91 deep: expected at most 20000, 90 deep",
+        "<line x1='1' x1='2'/> | attribute x1 is there twice: expected it once",
+        "<a b=c/> | is not XML at character 6, after '<a b=': expected an SVG drawing"
       })
   void anErrorNamesFileAndLine(String inside, String expected) {
     assertThatThrownBy(() -> read(inside.strip()))
         .isInstanceOf(BadInput.class)
-        .hasMessageStartingWith(expected.strip());
+        .hasMessageStartingWith("a.svg:2: " + expected.strip())
+        .hasMessageNotContaining("\n");
+  }
+
+  /** Each is a line from (0, 1000) to (50, 1000), in lime. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "<style>line{stroke:lime!important} .a{stroke:red}</style><line class='a' x2='5'/>",
+        "<style>g>line.a{stroke:lime} line{stroke:red}</style><g><line class='a' x2='5'/></g>",
+        "<style>@media print{line{stroke:red}} *{stroke:lime}</style><line x2='5'/>",
+        "<line x2='5' stroke='#0f0f'/>",
+        "<line x2='5' style='stroke: #00ff0080'/>",
+        "<line x2='5' style='-inkscape-stroke:none;stroke:rgba(0, 255, 0, 0.5)'/>",
+        "<line x2='5' stroke='rgb(0 255 0)' stroke-linecap='null'/>",
+        "<line x2='5' stroke='red' style='stroke:light-dark(#00ff00, rgb(1, 2, 3))'/>",
+        "<line x1='-5' style='transform:translate(5px, 0);stroke:lime'/>",
+        "<line x2='2.5%' stroke='lime'/>",
+        "<switch><g systemLanguage='xx'><text>x</text></g><line x2='5' stroke='lime'/></switch>",
+        "<g visibility='hidden'><line x2='5' stroke='lime' visibility='visible'/></g>",
+        "<line id='a' x2='5' stroke='lime' stroke-width='1' visibility='hidden'/>"
+            + "<use href='#a' visibility='visible'/><line x2='5' stroke='#0f0'/>"
+      })
+  void stylesAreThoseOfABrowser(String inside) {
+    List<Line> lines = read(inside);
+    assertThat(lines).hasSize(1);
+    assertThat(lines.get(0).ink()).isEqualTo(new Ink(0x00ff00, 10));
+    assertThat(lines.get(0).path().points())
+        .containsExactly(new Point(0, 1000), new Point(50, 1000));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "width='100%' height='100%' viewBox='0 0 30 20'| 300 200",
+        "viewBox='0 0 30 20'| 300 200",
+        "width='60' viewBox='0 0 30 20'| 600 400",
+        "height='10mm' viewBox='0 0 30 20'| 15 10",
+        "width='30mm' height='2cm' viewBox='0,0,30,20'| 30 20",
+        "style='width:60px;height:40px' viewBox='0 0 30 20'| 600 400"
+      })
+  void aSizeIsThatOfTheWholeDrawing(String attributes, String size) {
+    String svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' stroke='red' %s><line y1='20' x2='30'/></svg>"
+            .formatted(attributes);
+    Point end = drawing(svg, false, false).lines().get(0).path().end();
+    assertThat((int) end.xMm() + " " + (int) end.yMm()).isEqualTo(size);
+    assertThat(drawing(svg, true, false).lines().get(0).path().end().xMm())
+        .isGreaterThanOrEqualTo(300);
+  }
+
+  @Test
+  void whatIsNotPaintedIsNamed() {
+    String svg =
+        """
+        <!DOCTYPE svg [<!ENTITY red "#ff0000">]>
+        <svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">
+        <style>@import url("https://example.org/a.css");</style>
+        <image href="a.png"/>
+        <clipPath id="c"><path d="M0 0h5v5"/></clipPath>
+        <rect width="5" height="5" fill="&red;"/> <circle r="5"/>
+        <g clip-path="url(#c)"><line x2="5" stroke="red" stroke-dasharray="1 1"/></g>
+        <line x2="5" stroke="red" stroke-width="0"/>
+        </svg>\
+        """;
+    SvgDrawing drawing = drawing(svg, false, false);
+    assertThat(drawing.lines()).hasSize(1);
+    assertThat(drawing.notes())
+        .containsExactly(
+            "a.svg:4: <image> is not painted",
+            "a.svg:7: a clip is not applied: lines are painted whole",
+            "a.svg:6: a fill is not painted, 2 times",
+            "a.svg:8: a shape without a visible stroke or fill is not painted",
+            "a.svg:1: a style, or a style sheet outside of the file, is not applied",
+            "a.svg:7: dashes are painted without gaps");
+    assertThat(drawing(svg, false, true).lines())
+        .extracting(line -> line.ink().rgb())
+        .containsExactly(0xff0000, 0, 0xff0000);
+  }
+
+  @Test
+  void aStrokeThatDoesNotScaleHasItsWidth() {
+    String line = "<g transform='scale(5)'><line x2='5' stroke='red' stroke-width='2' %s/></g>";
+    assertThat(read(line.formatted("vector-effect='non-scaling-stroke'")).get(0).ink().widthMm())
+        .isEqualTo(20);
+    assertThat(read(line.formatted("")).get(0).ink().widthMm()).isEqualTo(100);
+  }
+
+  @Test
+  void markersAreLinesAtTheirPlaces() {
+    List<Line> lines =
+        read(
+            "<marker id='m' markerUnits='userSpaceOnUse' markerWidth='4' markerHeight='4'>"
+                + "<line y2='4' stroke='lime'/></marker>"
+                + "<path d='M 0 0 h 10 h 10' stroke='red' marker-mid='url(#m)' marker-end='url(#m)'/>");
+    assertThat(lines)
+        .extracting(line -> line.path().start())
+        .containsExactly(new Point(0, 1000), new Point(100, 1000), new Point(200, 1000));
   }
 
   @Test
@@ -153,7 +267,7 @@ class SvgDrawingTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "hello", "<html></html>", "\0\1\2"})
+  @ValueSource(strings = {"", "hello", "<html></html>", "<svg></svg>", "\0\1\2"})
   void aFileThatIsNoSvgIsRefused(String text) {
     assertThatThrownBy(() -> readFile(text))
         .isInstanceOf(BadInput.class)
