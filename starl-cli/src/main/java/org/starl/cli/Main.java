@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -125,12 +126,30 @@ public final class Main implements Runnable {
   private static int run(UntilStopped stop, PrintWriter out, PrintWriter err, String... args) {
     Demos demos;
     try {
+      checkNames(args);
       demos = installed();
     } catch (BadInput error) {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }
     return run(demos, stop, out, err, args);
+  }
+
+  /**
+   * Refuses names that Java cannot read in this locale: it would write into another folder.
+   *
+   * @throws BadInput at the first
+   */
+  private static void checkNames(String... args) {
+    String locale = System.getProperty("sun.jnu.encoding", "UTF-8");
+    List<String> names = new ArrayList<>(List.of(args));
+    names.add(System.getProperty("user.dir", ""));
+    for (String name : names) {
+      if (name.indexOf('\uFFFD') >= 0 && !locale.equals("UTF-8")) {
+        String problem = ": this locale's characters, " + locale + ", cannot name it; expected ";
+        throw new BadInput(BadInput.quote(name) + problem + "LC_ALL=C.UTF-8");
+      }
+    }
   }
 
   /**

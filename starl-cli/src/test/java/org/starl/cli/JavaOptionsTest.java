@@ -19,11 +19,13 @@ import org.junit.jupiter.api.io.TempDir;
 class JavaOptionsTest {
 
   private static final String OPTIONS = "starl-cli/src/main/resources/org/starl/cli/jvm/";
-  private static final String PRINT_WORDS = "#!/bin/sh\nprintf '%s\\n' \"$@\"\n";
+  private static final String PRINT_WORDS = "#!/bin/sh\nprintf '%s\\n' \"LC_ALL=$LC_ALL\" \"$@\"\n";
 
   @TempDir private Path folder;
 
   private int seconds;
+
+  private String locale = "C";
 
   /** Each file is newer than those before it. */
   private void file(String name, String text) throws IOException {
@@ -53,6 +55,7 @@ class JavaOptionsTest {
     ProcessBuilder builder = new ProcessBuilder(folder.resolve("starl").toString());
     builder.command().addAll(List.of(line));
     builder.environment().remove("STARL_JAVA");
+    builder.environment().put("LC_ALL", locale);
     builder.environment().put("JAVA_HOME", folder.resolve("jdk").toString());
     builder.environment().put("STARL_JAVA_OPTS", userOptions);
     builder.environment().merge("PATH", folder + "/bin", (old, mine) -> mine + ":" + old);
@@ -126,5 +129,14 @@ class JavaOptionsTest {
           .contains("-XX:+UseSerialGC", "-Xms16m", "-XX:TieredStopAtLevel=1", "-Xmx1g")
           .doesNotContain("-XX:+UseTransparentHugePages");
     }
+  }
+
+  @Test
+  void javaCanNameFilesOfAllAlphabets() throws Exception {
+    assertThat(words("", "run", "hello")).contains("LC_ALL=C.UTF-8");
+    locale = "POSIX";
+    assertThat(words("", "run", "hello")).contains("LC_ALL=C.UTF-8");
+    locale = "C.utf8";
+    assertThat(words("", "run", "hello")).contains("LC_ALL=C.utf8");
   }
 }
