@@ -51,13 +51,13 @@ final class BarrierClient extends Client {
   private BarrierClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     reg = registration(XID, setup.registration());
-    // Also after its rounds: a robot that registers again waits for votes at the barrier of its view.
-    reg.onChange(
-        () -> {
-          if (reg.mayRequest()) {
-            open();
-          }
-        });
+    // Also after its rounds: a robot that registers again waits for votes at the barrier of its
+    // view.
+    reg.onChange(() -> {
+      if (reg.mayRequest()) {
+        open();
+      }
+    });
   }
 
   static void setUp(Setup setup) {
