@@ -28,7 +28,7 @@ final class MutexProgress {
     /** Whether a crash, a ghost or a fault may delay the request. */
     boolean isImpeded(Request request);
 
-    /** Whether its participant is dead or removed, and nobody waits for it. It is owed nothing. */
+    /** Whether it need not be granted: its participant is dead or removed, and nobody waits for it. */
     boolean isOwedNothing(Request request);
 
     /** Whether its participant is dead: it is owed nothing, even if it keeps others waiting. */

@@ -19,16 +19,16 @@ final class Places {
 
   private static final int MOST_MUTEXES = 8;
 
-  private final Roads roads;
+  private final List<Integer> shared;
   private final int home;
   private final List<Registration> lists = new ArrayList<>();
   private final List<M_Mutex> mutexes = new ArrayList<>();
 
   /** @param home the robot's own place, which no other robot uses */
   Places(GlobalVarHolder gvh, Roads roads, int home, Participants voters, MutexTimes times) {
-    this.roads = roads;
+    shared = roads.shared();
     this.home = home;
-    for (int i = 0; i < Math.min(MOST_MUTEXES, roads.shared().size()); i++) {
+    for (int i = 0; i < Math.min(MOST_MUTEXES, shared.size()); i++) {
       lists.add(new Registration(gvh, "places" + i, voters));
       mutexes.add(new M_Mutex(gvh, "places" + i, lists.get(i), times));
     }
@@ -36,7 +36,7 @@ final class Places {
 
   /** The number of the mutex that a vertex belongs to; -1 for a vertex that is not shared, or on a way. */
   private int mutexOf(int vertex) {
-    int place = vertex == home ? -1 : roads.shared().indexOf(vertex);
+    int place = vertex == home ? -1 : shared.indexOf(vertex);
     return place < 0 ? -1 : place % mutexes.size();
   }
 
