@@ -29,7 +29,7 @@ import org.starl.shape.Shapes;
  *
  * @param from this incarnation of the robot
  * @param number grows with each report of an incarnation
- * @param at where the robot is, if it knows
+ * @param at where the robot is, in whole mm, if it knows
  * @param room the room that it searches or drives to, or {@link #NO_ROOM}
  * @param seen which cells of that room it knows to have been seen, as {@link RunLengths}
  * @param swept rooms that were searched in full, by any robot
@@ -60,6 +60,8 @@ record Report(
   private static final int MAX_LIST = 255;
 
   Report {
+    // As its bytes have it: a report is the same here and where it arrives.
+    at = at.map(place -> new Point(Math.round(place.xMm()), Math.round(place.yMm())));
     tries = List.copyOf(tries);
     seen = List.copyOf(seen);
     swept = Collections.unmodifiableSortedSet(new TreeSet<>(swept));
@@ -131,8 +133,8 @@ record Report(
   private static Shape<Point> place() {
     return Geometry.POINT.bytes(
         (at, out) -> {
-          out.i32((int) Math.round(at.xMm()));
-          out.i32((int) Math.round(at.yMm()));
+          out.i32((int) at.xMm());
+          out.i32((int) at.yMm());
         },
         in -> new Point(in.i32(), in.i32()));
   }

@@ -66,6 +66,23 @@ class ReportTest {
     }
   }
 
+  @Test
+  void aPlaceBetweenMillimetresIsTheSameHereAndWhereItArrives() {
+    Report report =
+        new Report(
+            new ProcessId(BOT, 5),
+            1,
+            Optional.of(new Point(11.6, -7.4)),
+            Report.NO_ROOM,
+            List.of(),
+            new TreeSet<>(),
+            List.of(0, 0),
+            Optional.empty(),
+            Optional.empty());
+    assertThat(report.at()).hasValue(new Point(12, -7));
+    assertThat(Report.shape(ROOMS).read(new WireReader(bytes(report)))).isEqualTo(report);
+  }
+
   /** Robots of several versions must understand each other. */
   @Test
   void theBytesOfAReportStayTheSame() {
