@@ -10,7 +10,6 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
@@ -30,6 +29,7 @@ public final class Authentic extends LemmaMonitor {
   private final Map<RobotId, Map<RobotId, Set<Long>>> handled = new TreeMap<>();
 
   private final Map<RobotId, Long> startedNs = new TreeMap<>();
+  private boolean hasSent;
 
   public Authentic() {
     lemma(AUTHENTIC, "Every message that is handled was sent to this robot, and arrives once.");
@@ -38,17 +38,29 @@ public final class Authentic extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     switch (event) {
-      case Sent datagram ->
-          sent.computeIfAbsent(datagram.robot(), robot -> new TreeMap<>())
-              .put(datagram.seq(), datagram);
+      case Sent datagram -> {
+        hasSent = true;
+        // A body that leaves the floor says nothing of its program; numbers begin with a program.
+        if (datagram.seq() == 1 && sent.containsKey(datagram.robot())) {
+          started(datagram);
+        }
+        sent.computeIfAbsent(datagram.robot(), robot -> new TreeMap<>())
+            .put(datagram.seq(), datagram);
+      }
       case Delivered datagram -> check(datagram, report);
-      case Left left -> ended(left);
-      case Fault fault when fault.name().equals(Fault.RESTART) -> ended(fault);
+      case Fault fault when fault.name().equals(Fault.RESTART) -> started(fault);
       default -> {}
     }
   }
 
-  private void ended(TraceEvent event) {
+  @Override
+  public void finish(long endNs, Report report) {
+    if (!hasSent) {
+      never(AUTHENTIC, "no robot sends messages");
+    }
+  }
+
+  private void started(TraceEvent event) {
     RobotId robot = event.robot();
     startedNs.put(robot, event.timeNs());
     sent.remove(robot);

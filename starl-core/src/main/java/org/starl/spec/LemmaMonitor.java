@@ -24,7 +24,10 @@ public abstract class LemmaMonitor implements Monitor {
     progress.add(name);
   }
 
-  /** Declares that runs like this one never check a lemma, with the reason. For constructors. */
+  /**
+   * Declares that runs like this one never check a lemma, with the reason. For constructors, and for
+   * {@link #finish}.
+   */
   protected final void never(String name, String reason) {
     inapplicable.put(name, reason);
   }

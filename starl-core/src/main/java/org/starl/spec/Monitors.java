@@ -106,6 +106,7 @@ public final class Monitors {
     for (Monitor monitor : monitors) {
       try {
         monitor.finish(endNs, report);
+        monitor.inapplicable().forEach(report::exempt);
       } catch (RuntimeException e) {
         throw failed(monitor, "the end", e);
       }
