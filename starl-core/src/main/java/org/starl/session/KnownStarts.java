@@ -19,6 +19,7 @@ public final class KnownStarts implements Sessions {
   private final int start;
   private final ToIntFunction<RobotId> startOf;
   private final Supplier<? extends Iterable<RobotId>> robots;
+  private final Session.@Nullable Watch watch;
   private final Map<RobotId, Known> known = new TreeMap<>();
 
   private record Known(int start, Session session) {}
@@ -28,18 +29,21 @@ public final class KnownStarts implements Sessions {
    * @param start number of this robot's start: above those of its earlier starts
    * @param startOf number of another robot's latest start; 0 if there is none
    * @param robots all robots now, in order
+   * @param watch of all sessions; null for none
    */
   public KnownStarts(
       Function<RobotId, PairKey> keys,
       RobotId self,
       int start,
       ToIntFunction<RobotId> startOf,
-      Supplier<? extends Iterable<RobotId>> robots) {
+      Supplier<? extends Iterable<RobotId>> robots,
+      Session.@Nullable Watch watch) {
     this.keys = keys;
     this.self = self;
     this.start = start;
     this.startOf = startOf;
     this.robots = robots;
+    this.watch = watch;
   }
 
   @Override
@@ -50,7 +54,9 @@ public final class KnownStarts implements Sessions {
     }
     Known last = known.get(peer);
     if (last == null || last.start != now) {
-      last = new Known(now, new Session(keys.apply(peer), self, number(start), peer, number(now)));
+      Session session =
+          new Session(keys.apply(peer), self, number(start), peer, number(now), watch);
+      last = new Known(now, session);
       known.put(peer, last);
     }
     return last.session;

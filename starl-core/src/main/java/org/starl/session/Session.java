@@ -7,6 +7,7 @@ import javax.crypto.AEADBadTagException;
 import javax.crypto.Cipher;
 import javax.crypto.spec.GCMParameterSpec;
 import javax.crypto.spec.SecretKeySpec;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
 /**
@@ -30,7 +31,21 @@ public final class Session {
   private final SecretKeySpec receiveKey;
   private final Cipher cipher;
   private final byte[] iv = new byte[IV_BYTES];
+  private final @Nullable Watch watch;
   private long transmissions;
+
+  /** Is told of each datagram that a session seals, with its text in clear; for checks. */
+  @FunctionalInterface
+  public interface Watch {
+
+    /**
+     * Called on the session's strand. The buffers are valid during this call only.
+     *
+     * @param datagram in clear: a header of {@code bodyAt} bytes, a body up to {@code length}
+     * @param sealed the same, sealed: {@code length + BYTES} bytes
+     */
+    void sealed(Session session, byte[] datagram, int bodyAt, int length, byte[] sealed);
+  }
 
   /**
    * Opens this robot's end.
@@ -38,6 +53,12 @@ public final class Session {
    * @param key the secret of the two robots
    */
   public Session(PairKey key, RobotId self, Start mine, RobotId peer, Start theirs) {
+    this(key, self, mine, peer, theirs, null);
+  }
+
+  Session(
+      PairKey key, RobotId self, Start mine, RobotId peer, Start theirs, @Nullable Watch watch) {
+    this.watch = watch;
     byte[] here = end(self, mine);
     byte[] there = end(peer, theirs);
     sendKey = new SecretKeySpec(key.derive("seal", here, there), "AES");
@@ -80,6 +101,9 @@ public final class Session {
       cipher.doFinal(datagram, bodyAt, length - bodyAt, out, bodyAt);
     } catch (GeneralSecurityException e) {
       throw new IllegalStateException("a datagram of " + length + " bytes", e);
+    }
+    if (watch != null) {
+      watch.sealed(this, datagram, bodyAt, length, out);
     }
   }
 

@@ -89,7 +89,12 @@ public final class FakePlatform {
     return key == null
         ? null
         : new KnownStarts(
-            peer -> key.pairKey(id, peer), id, world.starts(id), world::starts, () -> deployment);
+            peer -> key.pairKey(id, peer),
+            id,
+            world.starts(id),
+            world::starts,
+            () -> deployment,
+            null);
   }
 
   /** The bundle of ports. */

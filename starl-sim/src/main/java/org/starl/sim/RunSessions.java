@@ -13,6 +13,7 @@ final class RunSessions {
 
   private final @Nullable DeploymentKey key;
   private final Map<RobotId, Integer> starts = new TreeMap<>();
+  private final SealWatch watch = new SealWatch();
 
   /**
    * @param key null: datagrams are not sealed
@@ -33,6 +34,7 @@ final class RunSessions {
         robot,
         start,
         peer -> starts.getOrDefault(peer, 0),
-        starts::keySet);
+        starts::keySet,
+        watch);
   }
 }

@@ -92,7 +92,7 @@ public class DatagramFuzzTest {
       return;
     }
     Session end =
-        new KnownStarts(peer -> KEY.pairKey(OTHER, SELF), OTHER, 1, peer -> 1, () -> BOTH)
+        new KnownStarts(peer -> KEY.pairKey(OTHER, SELF), OTHER, 1, peer -> 1, () -> BOTH, null)
             .with(SELF);
     byte[] sealed = new byte[input.length + Session.BYTES];
     Objects.requireNonNull(end).seal(input, bodyAt, input.length, sealed);

@@ -77,7 +77,8 @@ final class LoneRobot {
       RobotId self, Participants deployment, @Nullable DeploymentKey key) {
     return key == null
         ? null
-        : new KnownStarts(peer -> key.pairKey(self, peer), self, 1, peer -> 1, () -> deployment);
+        : new KnownStarts(
+            peer -> key.pairKey(self, peer), self, 1, peer -> 1, () -> deployment, null);
   }
 
   /** The same with these sessions. */
