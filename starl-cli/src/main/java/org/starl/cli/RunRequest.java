@@ -21,6 +21,7 @@ import org.starl.apps.Request;
 import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 import org.starl.sim.Redraws;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
@@ -43,6 +44,9 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
 
   /** The option of each setting that has one, in the order to show them. */
   static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
+
+  /** So many of the runs with chaos have seals, and an attacker without the key. */
+  private static final double SEALED = 0.25;
 
   /** The words of a request without settings: the app and its seed. */
   private static final int PLAIN_WORDS = 3;
@@ -144,9 +148,14 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     return new RunRequest(demo, given, given(request));
   }
 
-  /** The settings with the number of robots that chaos drew, if it did. */
+  /** The settings with what chaos drew: the number of robots; in a quarter of the seeds, seals. */
   private SimSettings given(Request request) {
     SimSettings.Builder more = settings.toBuilder();
+    if (settings.get(Setting.CHAOS) != Envelope.NONE
+        && !settings.has(Setting.SEALED)
+        && new Rng(request.seed()).fork("chaos/sealed").nextBoolean(SEALED)) {
+      more.sealed(true);
+    }
     request.robots().ifPresent(more::robots);
     return more.build();
   }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,6 +45,23 @@ final class RunRequestTest {
     assertThat(again).isEqualTo(request);
     assertThat(again.settings().given()).isEqualTo(request.settings().given());
     assertThat(again.words(7)).isEqualTo(request.words(7));
+  }
+
+  /** How many of the first hundred seeds seal their datagrams. */
+  private static long sealed(String words) {
+    RunRequest request = request(List.of(words.split(" ")));
+    return LongStream.rangeClosed(1, 100)
+        .filter(seed -> request.plan(seed).simulation().settings().get(Setting.SEALED))
+        .count();
+  }
+
+  @Test
+  void chaosSealsTheDatagramsOfAQuarterOfTheSeedsUnlessTheUserSaysSo() {
+    assertThat(sealed("agreement --chaos")).isBetween(15L, 35L);
+    assertThat(sealed("race --set chaos=network")).isBetween(15L, 35L);
+    assertThat(sealed("agreement --chaos --set sealed=false")).isZero();
+    assertThat(sealed("agreement --chaos --set sealed=true")).isEqualTo(100);
+    assertThat(sealed("agreement")).isZero();
   }
 
   @Test

@@ -379,7 +379,12 @@ public final class Simulation {
     private FaultPlan chaos(int count) {
       Rng rng = new Rng(behaviourSeedOrDerived()).fork("chaos");
       return FaultPlan.chaos(
-          settings.get(Setting.CHAOS), count, timeout.toNanos(), settings.chaosEndNs(), rng);
+          settings.get(Setting.CHAOS),
+          key() != null,
+          count,
+          timeout.toNanos(),
+          settings.chaosEndNs(),
+          rng);
     }
 
     /** With the one of sealed datagrams, if they are sealed. */

@@ -43,9 +43,10 @@ final class Chaos {
     this.untilMs = untilMs;
   }
 
-  static FaultPlan draw(Envelope envelope, int robots, long timeoutNs, long untilNs, Rng rng) {
+  static FaultPlan draw(
+      Envelope envelope, boolean isSealed, int robots, long timeoutNs, long untilNs, Rng rng) {
     Chaos chaos = new Chaos(rng, timeoutNs / Time.NS_PER_MS, untilNs / Time.NS_PER_MS);
-    List<Supplier<String>> kinds = chaos.kinds(envelope);
+    List<Supplier<String>> kinds = chaos.kinds(envelope, isSealed);
     if (kinds.isEmpty() || chaos.untilMs <= LEAST_LASTING_MS) {
       return FaultPlan.NONE;
     }
@@ -56,7 +57,7 @@ final class Chaos {
     if (chaos.mayHaveOutages() && rng.nextBoolean(OUTAGES)) {
       chaos.addOutages(envelope.hasCrashes());
     }
-    if (envelope == Envelope.HOSTILE && rng.nextBoolean(0.5)) {
+    if (isSealed && rng.nextBoolean(0.5)) {
       chaos.add(chaos.attacks().get(rng.nextInt(2)).get(), 0, chaos.untilMs);
     }
     if (drives(envelope) && rng.nextBoolean(0.3)) {
@@ -162,7 +163,7 @@ final class Chaos {
   }
 
   /** Each kind draws a fault as text. */
-  private List<Supplier<String>> kinds(Envelope envelope) {
+  private List<Supplier<String>> kinds(Envelope envelope, boolean isSealed) {
     List<Supplier<String>> kinds = new ArrayList<>();
     if (envelope == Envelope.NONE) {
       return kinds;
@@ -175,7 +176,7 @@ final class Chaos {
       kinds.add(() -> fault("forget", anyOr("half"), ms(1, 300), ms(1, 3000)));
       kinds.add(() -> fault("disk", anyOr("all"), isDrawn(0.7) ? ms(1, 100) : ms(100, 2000)));
     }
-    if (envelope == Envelope.HOSTILE) {
+    if (isSealed) {
       kinds.addAll(attacks());
     }
     if (envelope == Envelope.LOGICAL

@@ -46,13 +46,15 @@ public record FaultPlan(List<Fault> faults) {
    * {@code untilNs}, except permanent crashes of {@link Envelope#MORTAL}. After that time
    * primitives must make progress.
    *
+   * @param isSealed whether datagrams are sealed: then an attacker without the key is among the
+   *     faults
    * @param robots the deployment, of which a majority stays up
    * @param timeoutNs the longest timeout of the protocols: most plans with enough time have outages
    *     that last longer; 0 for no outages
    */
   public static FaultPlan chaos(
-      Envelope envelope, int robots, long timeoutNs, long untilNs, Rng rng) {
-    return Chaos.draw(envelope, robots, timeoutNs, untilNs, rng);
+      Envelope envelope, boolean isSealed, int robots, long timeoutNs, long untilNs, Rng rng) {
+    return Chaos.draw(envelope, isSealed, robots, timeoutNs, untilNs, rng);
   }
 
   /** These faults, then those of {@code other}. */

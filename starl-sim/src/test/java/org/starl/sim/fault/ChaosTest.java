@@ -32,9 +32,13 @@ class ChaosTest {
 
   @Property(tries = 300)
   void aPlanEndsInTimeAndCanBeWritten(
-      @ForAll Envelope envelope, @ForAll long seed, @ForAll @IntRange(max = 100) int seconds) {
-    FaultPlan plan = FaultPlan.chaos(envelope, 5, 10 * S, seconds * S, new Rng(seed));
-    assertThat(plan).isEqualTo(FaultPlan.chaos(envelope, 5, 10 * S, seconds * S, new Rng(seed)));
+      @ForAll Envelope envelope,
+      @ForAll boolean isSealed,
+      @ForAll long seed,
+      @ForAll @IntRange(max = 100) int seconds) {
+    FaultPlan plan = FaultPlan.chaos(envelope, isSealed, 5, 10 * S, seconds * S, new Rng(seed));
+    assertThat(plan)
+        .isEqualTo(FaultPlan.chaos(envelope, isSealed, 5, 10 * S, seconds * S, new Rng(seed)));
     assertThat(FaultPlan.parse(plan.toString())).isEqualTo(plan);
     assertThat(plan.isEmpty()).isEqualTo(envelope == Envelope.NONE || plan.faults().isEmpty());
     int deaths = 0;
@@ -82,8 +86,8 @@ class ChaosTest {
     long quiet = 0;
     Set<String> kinds = new TreeSet<>();
     for (long seed = 1; seed <= 200; seed++) {
-      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, 5, 3 * S, 60 * S, new Rng(seed));
-      FaultPlan without = FaultPlan.chaos(Envelope.LOGICAL, 5, 0, 60 * S, new Rng(seed));
+      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, false, 5, 3 * S, 60 * S, new Rng(seed));
+      FaultPlan without = FaultPlan.chaos(Envelope.LOGICAL, false, 5, 0, 60 * S, new Rng(seed));
       boolean isQuiet = !plan.faults().containsAll(without.faults());
       quiet += isQuiet ? 1 : 0;
       int before = isQuiet ? 0 : without.faults().size();
@@ -108,7 +112,7 @@ class ChaosTest {
     Set<Integer> sizes = new TreeSet<>();
     for (long seed = 1; seed <= 200; seed++) {
       Set<String> kinds = new TreeSet<>();
-      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, 5, 0, 60 * S, new Rng(seed));
+      FaultPlan plan = FaultPlan.chaos(Envelope.LOGICAL, false, 5, 0, 60 * S, new Rng(seed));
       plan.faults().forEach(fault -> kinds.add(fault.effect().name()));
       subsets.add(kinds);
       sizes.add(plan.faults().size());
@@ -117,10 +121,28 @@ class ChaosTest {
     assertThat(sizes).anyMatch(size -> size < 15).anyMatch(size -> size > 80);
   }
 
+  @Test
+  void anAttackerIsDrawnWhereDatagramsAreSealed() {
+    Set<String> attacks = Set.of("forge", "replay", "flood");
+    for (Envelope envelope : Envelope.values()) {
+      Set<String> sealed = kinds(envelope, true);
+      if (envelope == Envelope.NONE) {
+        assertThat(sealed).isEmpty();
+      } else {
+        assertThat(sealed).as("%s", envelope).containsAll(attacks);
+      }
+      assertThat(kinds(envelope)).as("%s", envelope).doesNotContainAnyElementsOf(attacks);
+    }
+  }
+
   private static Set<String> kinds(Envelope envelope) {
+    return kinds(envelope, false);
+  }
+
+  private static Set<String> kinds(Envelope envelope, boolean isSealed) {
     Set<String> kinds = new TreeSet<>();
     for (long seed = 1; seed <= 100; seed++) {
-      FaultPlan plan = FaultPlan.chaos(envelope, 4, 10 * S, 30 * S, new Rng(seed));
+      FaultPlan plan = FaultPlan.chaos(envelope, isSealed, 4, 10 * S, 30 * S, new Rng(seed));
       plan.faults().forEach(fault -> kinds.add(fault.effect().name()));
     }
     return kinds;
