@@ -1,8 +1,8 @@
 package org.starl.sim;
 
 import java.nio.ByteBuffer;
-import java.util.HashSet;
 import java.util.Set;
+import java.util.TreeSet;
 import org.starl.session.Session;
 
 /**
@@ -16,7 +16,7 @@ import org.starl.session.Session;
  */
 final class SealWatch implements Session.Watch {
 
-  private final Set<Long> streams = new HashSet<>();
+  private final Set<Long> streams = new TreeSet<>();
   private byte[] opened = new byte[256];
 
   /**
