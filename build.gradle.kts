@@ -67,6 +67,10 @@ subprojects {
         maxParallelForks = 2
         // The simulator's carriers need java.lang; libraries under test may load agents.
         jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
+        // Most tests end before the second compiler pays; not those of modules with long runs.
+        if (project.path !in setOf(":starl-apps", ":starl-cli:bench")) {
+            jvmArgs("-XX:TieredStopAtLevel=1")
+        }
         systemProperty("java.awt.headless", "true")
         systemProperty("slf4j.internal.verbosity", "ERROR")
         systemProperty("jqwik.database", layout.buildDirectory.file("jqwik-database").get().asFile.path)
