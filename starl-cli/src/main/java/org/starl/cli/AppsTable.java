@@ -160,7 +160,7 @@ final class AppsTable {
     RunRequest built = request.build();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        new Campaign(seeds.first(), seeds.last()).run(seed -> run(built, seed), progress::show);
+        new Campaign(seeds.first(), seeds.last()).run(seed -> run(built, seed), progress);
     progress.end();
     CampaignResult.Run bad = result.firstBad();
     if (bad != null) {

@@ -168,7 +168,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           }
           return collected.test(row);
         };
-    ShardWork.How how = new ShardWork.How(carriers, threads.count(), progress::show);
+    ShardWork.How how = new ShardWork.How(carriers, threads.count(), progress);
     boolean isWhole =
         engine.isOn()
             ? engine.run(this, work, threads.count(), parquet, isLast, progress)
@@ -348,7 +348,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     output
         .command()
         .stop()
-        .completes(() -> steered.run(tally, output.carriers(), output.workers(), progress::show));
+        .completes(() -> steered.run(tally, output.carriers(), output.workers(), progress));
     progress.end();
     return steered;
   }

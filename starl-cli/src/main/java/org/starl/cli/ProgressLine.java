@@ -1,8 +1,14 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
 import java.util.function.LongSupplier;
+import org.starl.sim.check.Campaign;
 import org.starl.time.Time;
 import picocli.CommandLine.Help.Ansi;
 
@@ -10,7 +16,10 @@ import picocli.CommandLine.Help.Ansi;
  * Shows the progress, speed and remaining time of long work: on a terminal as a bar that is
  * redrawn, elsewhere as plain lines: ten, and one after each {@link #QUIET_NS} without one.
  */
-final class ProgressLine {
+final class ProgressLine implements Campaign.Progress {
+
+  /** A seed that runs longer is named: its run may never end. */
+  private static final long SLOW_NS = 5 * Time.NS_PER_S;
 
   private static final int BAR_WIDTH = 30;
   private static final int USUAL_COLUMNS = 80;
@@ -30,6 +39,8 @@ final class ProgressLine {
   private final int columns;
   private final LongSupplier wallNs;
   private final long startNs;
+  private final Map<Long, Long> begunNs = new HashMap<>();
+  private final Set<Long> slow = new HashSet<>();
   private long drawnNs;
   private long shownTenths;
   private long shownNs;
@@ -69,8 +80,21 @@ final class ProgressLine {
     show(finished, planned, "");
   }
 
-  void show(long finished, long planned, long bad) {
+  @Override
+  public void advanced(long finished, long planned, long bad) {
     show(finished, planned, ", " + bad + " bad");
+  }
+
+  @Override
+  public void running(SortedSet<Long> seeds) {
+    long nowNs = wallNs.getAsLong();
+    begunNs.keySet().retainAll(seeds);
+    for (long seed : seeds) {
+      Long since = begunNs.putIfAbsent(seed, nowNs);
+      if (since != null && nowNs - since >= SLOW_NS && slow.add(seed) && !isStopped) {
+        note("seed " + seed + " still runs after 5 s");
+      }
+    }
   }
 
   private void show(long finished, long planned, String rest) {

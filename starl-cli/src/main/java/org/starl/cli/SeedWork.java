@@ -1,5 +1,7 @@
 package org.starl.cli;
 
+import static java.util.stream.Collectors.toCollection;
+
 import java.util.List;
 import java.util.Map;
 import java.util.SortedSet;
@@ -197,6 +199,20 @@ record SeedWork(
   void runSeeds(Seeds.Range part, How how, boolean countsMessages, Predicate<SeedRow> isLast)
       throws InterruptedException {
     Campaign campaign = new Campaign(part.first(), part.last(), how.workers(), ending.stops());
-    new SeedRuns(this::one, how.carriers(), countsMessages).run(campaign, how.progress(), isLast);
+    Campaign.Progress progress =
+        new Campaign.Progress() {
+          @Override
+          public void advanced(long finished, long planned, long bad) {
+            how.progress().advanced(finished, planned, bad);
+          }
+
+          @Override
+          public void running(SortedSet<Long> numbers) {
+            how.progress()
+                .running(
+                    numbers.stream().map(SeedWork.this::seed).collect(toCollection(TreeSet::new)));
+          }
+        };
+    new SeedRuns(this::one, how.carriers(), countsMessages).run(campaign, progress, isLast);
   }
 }

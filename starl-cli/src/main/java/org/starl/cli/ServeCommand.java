@@ -316,7 +316,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
       ProgressLine progress = new ProgressLine(err(), "runs");
       work.runSeeds(
           range,
-          new ShardWork.How(carriers, workers, progress::show),
+          new ShardWork.How(carriers, workers, progress),
           false,
           row -> {
             site.add(row);

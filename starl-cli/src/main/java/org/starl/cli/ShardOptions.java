@@ -108,7 +108,7 @@ final class ShardOptions {
     try (ShardFile file =
         resume ? ShardFile.resume(name, header, work, kept) : ShardFile.create(name, header)) {
       ShardWork.How how =
-          new ShardWork.How(Carriers.select(null, command.err()), workers, progress::show);
+          new ShardWork.How(Carriers.select(null, command.err()), workers, progress);
       isWhole =
           command
               .stop()

@@ -65,7 +65,7 @@ final class SplitRuns {
                   ? RunOutcome.good(new TreeMap<>())
                   : tree.first().outcome();
             },
-            progress::show);
+            progress);
     progress.end();
     return print(command.out(), command.err(), isJson);
   }

@@ -80,7 +80,7 @@ final class SweepCommand extends BaseCommand implements Callable<Integer> {
                       work.runSeeds(
                           work.numbers(),
                           new ShardWork.How(
-                              Carriers.select(null, err()), threads.count(), progress::show),
+                              Carriers.select(null, err()), threads.count(), progress),
                           false,
                           rows));
       progress.end();

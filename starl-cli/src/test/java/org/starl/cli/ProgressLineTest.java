@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.util.List;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 
 class ProgressLineTest {
@@ -18,7 +20,7 @@ class ProgressLineTest {
     ProgressLine line = line(false);
     for (int finished = 1; finished <= 200; finished++) {
       nowNs += S / 4;
-      line.show(finished, 200, finished / 100);
+      line.advanced(finished, 200, finished / 100);
     }
     line.end();
     assertThat(out.toString().lines())
@@ -33,7 +35,7 @@ class ProgressLineTest {
     ProgressLine line = line(false);
     for (int second = 1; second <= 60; second++) {
       nowNs += S;
-      line.show(second / 20, 1_000_000, 0);
+      line.advanced(second / 20, 1_000_000, 0);
       assertThat(out.toString().lines().count()).isGreaterThanOrEqualTo(second / 10);
     }
     assertThat(out.toString().lines())
@@ -43,12 +45,26 @@ class ProgressLineTest {
   }
 
   @Test
+  void aSeedThatStillRunsAfterFiveSecondsIsNamedOnce() {
+    ProgressLine line = line(false);
+    for (int second = 0; second < 30; second++) {
+      // Seed 7 does not end; each other one takes 2 s.
+      line.running(new TreeSet<>(List.of(7L, 8L + second / 2)));
+      if (second < 5) {
+        assertThat(out.toString()).isEmpty();
+      }
+      nowNs += S;
+    }
+    assertThat(out.toString().lines()).containsExactly("seed 7 still runs after 5 s");
+  }
+
+  @Test
   void slowWorkHasARatePerHour() {
     ProgressLine line = line(false);
     nowNs += 90 * S;
-    line.show(1, 10, 0);
+    line.advanced(1, 10, 0);
     nowNs += 10_000 * S;
-    line.show(2, 10, 0);
+    line.advanced(2, 10, 0);
     assertThat(out.toString().lines())
         .containsExactly(
             "1 of 10 runs, 0 bad; 40 per hour, 13 min 30 s left",
@@ -60,7 +76,7 @@ class ProgressLineTest {
     ProgressLine line = line(true);
     for (int finished = 1; finished <= 1000; finished++) {
       nowNs += S / 100;
-      line.show(finished, 1000, 0);
+      line.advanced(finished, 1000, 0);
     }
     line.end();
     assertThat(out.toString().lines()).hasSize(101 + 1);
@@ -78,7 +94,7 @@ class ProgressLineTest {
           new ProgressLine(new PrintWriter(out, true), "runs", true, columns, () -> nowNs);
       for (int finished = 1; finished <= 1000; finished += 10) {
         nowNs += S;
-        line.show(finished, 1000, 0);
+        line.advanced(finished, 1000, 0);
       }
       line.end();
       assertThat(out.toString().split("[\r\n]+"))
@@ -90,7 +106,7 @@ class ProgressLineTest {
   @Test
   void aNoteTakesTheBarsPlace() {
     ProgressLine line = line(true);
-    line.show(500, 1000, 1);
+    line.advanced(500, 1000, 1);
     line.note("seed 7: violated");
     assertThat(out.toString()).endsWith("\rseed 7: violated" + System.lineSeparator());
   }

@@ -3,8 +3,12 @@ package org.starl.sim.check;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -36,6 +40,9 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
      * @param bad number of bad runs so far
      */
     void advanced(long finished, long planned, long bad);
+
+    /** Called before each {@link #advanced} with the seeds whose runs have begun and not ended. */
+    default void running(SortedSet<Long> seeds) {}
   }
 
   public Campaign {
@@ -64,6 +71,7 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     private final AtomicLong nextIndex = new AtomicLong();
     private final AtomicLong endIndex = new AtomicLong(planned());
     private final BlockingQueue<Finished> finished = new LinkedBlockingQueue<>();
+    private final Set<Long> running = ConcurrentHashMap.newKeySet();
 
     Shared(LongFunction<RunOutcome> runner) {
       this.runner = runner;
@@ -85,12 +93,15 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     }
 
     private Finished runOne(long seed) {
+      running.add(seed);
       try {
         return new Finished(seed, runner.apply(seed), null);
       } catch (RuntimeException e) {
         return new Finished(seed, RunOutcome.failed(e), null);
       } catch (Error e) {
         return new Finished(seed, null, e);
+      } finally {
+        running.remove(seed);
       }
     }
   }
@@ -141,6 +152,7 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     int left = running;
     while (left > 0) {
       Finished run = shared.finished.poll(1, TimeUnit.SECONDS);
+      progress.running(new TreeSet<>(shared.running));
       if (run == null) {
         progress.advanced(count, planned(), bad);
         continue;

@@ -9,7 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.LongStream;
@@ -167,6 +169,37 @@ class CampaignTest {
                     },
                     SILENT))
         .isSameAs(error);
+  }
+
+  @Test
+  void aRunThatDoesNotEndIsToldWhileItRuns() throws InterruptedException {
+    CountDownLatch told = new CountDownLatch(1);
+    SortedSet<Long> seen = new TreeSet<>();
+    Campaign.Progress progress =
+        new Campaign.Progress() {
+          @Override
+          public void advanced(long finished, long planned, long bad) {}
+
+          @Override
+          public void running(SortedSet<Long> seeds) {
+            seen.addAll(seeds);
+            if (seeds.contains(3L)) {
+              told.countDown();
+            }
+          }
+        };
+    CampaignResult result =
+        new Campaign(1, 4, 2, false)
+            .run(
+                seed -> {
+                  if (seed == 3) {
+                    awaitQuietly(told);
+                  }
+                  return RunOutcome.good(new TreeMap<>());
+                },
+                progress);
+    assertThat(result.runs()).hasSize(4);
+    assertThat(seen).contains(3L).isSubsetOf(1L, 2L, 3L, 4L);
   }
 
   @Test
