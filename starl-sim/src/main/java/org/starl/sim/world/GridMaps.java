@@ -20,13 +20,15 @@ import org.starl.input.TextFile;
  * </pre>
  *
  * A cell {@code .} or {@code G} is free; {@code @ O T S W} (out of bounds, trees, swamp, water) are
- * blocked. LF and CRLF line ends and trailing blank lines are accepted. Any other text causes a
- * {@link BadInput} with file, line and the expected text.
+ * blocked. The type may be missing, and the width may come before the height; blank lines, and comments
+ * after {@code #}, {@code //}, {@code %} or {@code ;}, are skipped before the rows. LF and CRLF line ends, white
+ * space at ends of lines, and trailing blank lines are accepted. Any other text causes a {@link BadInput} with file, line
+ * and the expected text.
  */
 public final class GridMaps {
 
   private static final int MAX_SIDE = 2_048;
-  private static final int HEADER_LINES = 4;
+  private static final Pattern SKIPPED = Pattern.compile("|(#|//|%|;).*");
   private static final Pattern SIZE = Pattern.compile("(height|width)\\s+([0-9]{1,6})");
   private static final String FREE = ".G";
   private static final String BLOCKED = "@OTSW";
@@ -58,24 +60,46 @@ public final class GridMaps {
   }
 
   private GridMap map() {
-    require(1, "type octile");
-    int height = size(2, "height");
-    int width = size(3, "width");
-    require(HEADER_LINES, "map");
-    BitSet blocked = new BitSet(width * height);
-    for (int i = 0; i < height; i++) {
-      row(HEADER_LINES + 1 + i, width, height - 1 - i, blocked);
+    int heightLine = 0;
+    int widthLine = 0;
+    int number = after(0);
+    if (line(number).startsWith("type")) {
+      require(number, "type octile");
+      number = after(number);
     }
-    for (int number = HEADER_LINES + 1 + height; number <= lines.length; number++) {
-      if (!line(number).isEmpty()) {
-        throw broken(number, "only the " + height + " rows of line 2");
+    for (int i = 0; i < 2; i++) {
+      boolean isWidth = widthLine == 0 && (heightLine > 0 || line(number).startsWith("width"));
+      size(number, isWidth ? "width" : "height");
+      widthLine = isWidth ? number : widthLine;
+      heightLine = isWidth ? heightLine : number;
+      number = after(number);
+    }
+    require(number, "map");
+    int height = size(heightLine, "height");
+    int width = size(widthLine, "width");
+    BitSet blocked = new BitSet(width * height);
+    for (int i = 1; i <= height; i++) {
+      row(number + i, width, widthLine, height - i, blocked);
+    }
+    for (int next = number + height + 1; next <= lines.length; next++) {
+      if (!line(next).isEmpty()) {
+        throw broken(next, "only the " + height + " rows of line " + heightLine);
       }
     }
     return new GridMap(width, height, blocked);
   }
 
+  /** The header's next line, or that after the last. */
+  private int after(int number) {
+    int next = number + 1;
+    while (next <= lines.length && SKIPPED.matcher(line(next)).matches()) {
+      next++;
+    }
+    return next;
+  }
+
   private void require(int number, String expected) {
-    if (!line(number).equals(expected)) {
+    if (!line(number).replaceAll("\\s+", " ").equals(expected)) {
       throw broken(number, "'" + expected + "'");
     }
   }
@@ -90,10 +114,13 @@ public final class GridMaps {
     return size;
   }
 
-  private void row(int number, int width, int row, BitSet blocked) {
-    String cells = line(number);
+  private void row(int number, int width, int widthLine, int row, BitSet blocked) {
+    String cells = number <= lines.length ? lines[number - 1] : "";
+    if (cells.length() > width) {
+      cells = cells.stripTrailing();
+    }
     if (cells.length() != width) {
-      throw broken(number, width + " cells as in line 3, not " + cells.length());
+      throw broken(number, width + " cells as in line " + widthLine + ", not " + cells.length());
     }
     for (int column = 0; column < width; column++) {
       char cell = cells.charAt(column);

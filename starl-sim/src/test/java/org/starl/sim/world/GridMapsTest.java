@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -51,6 +52,25 @@ class GridMapsTest {
     assertThat(GridMaps.parse("a", SMALL.replace("\n", "\r\n") + "\n\n").freeCells()).isEqualTo(6);
   }
 
+  @Test
+  void headersMayHaveTabsCommentsAndTheWidthFirst() {
+    String other = "# from a benchmark\n\n// sizes\nwidth\t4 \nheight 3\t\n; rows\nmap \n";
+    String rows = SMALL.substring(SMALL.indexOf("@@@")).replace("\n", " \n");
+    for (String type : List.of("", "type\toctile\n")) {
+      GridMap map = GridMaps.parse("a", type + other + rows);
+      assertThat(List.of(map.columns(), map.rows(), map.freeCells())).containsExactly(4, 3, 6);
+      assertThat(map.isFree(3, 2)).isTrue();
+    }
+    assertThatThrownBy(() -> GridMaps.parse("a", other + rows.replace(".TG.", ".TG")))
+        .hasMessage(
+            "a:9: '.TG': expected cells . G (free) or @ O T S W (blocked), not ' ' in column 4");
+    assertThatThrownBy(() -> GridMaps.parse("a", other + rows.replace(".TG.", "   .")))
+        .hasMessage(
+            "a:9: '.': expected cells . G (free) or @ O T S W (blocked), not ' ' in column 1");
+    assertThatThrownBy(() -> GridMaps.parse("a", other + rows + "..."))
+        .hasMessage("a:11: '...': expected only the 3 rows of line 5");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -81,7 +101,7 @@ class GridMapsTest {
     Files.write(missing, new byte[] {(byte) 0xFF, (byte) 0xFE, 0, 0});
     assertThatThrownBy(() -> GridMaps.read(missing)).hasMessageContaining("is not text");
     assertThatThrownBy(() -> GridMaps.parse("empty.map", ""))
-        .hasMessage("empty.map:1: '': expected 'type octile'");
+        .hasMessage("empty.map:2: the file ends: expected 'height N' with N from 1 to 2048");
   }
 
   @Property(tries = 200)
