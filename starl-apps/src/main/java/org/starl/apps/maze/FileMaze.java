@@ -106,7 +106,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
       }
     }
     if (starts.size() < robots) {
-      throw Places.noRoom(robots, starts.size());
+      throw Places.noRoom(robots, starts.size(), 0);
     }
     return starts;
   }

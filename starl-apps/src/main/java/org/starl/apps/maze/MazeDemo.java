@@ -4,6 +4,7 @@ import static org.starl.apps.maze.robot.MazeFactory.CELL;
 import static org.starl.apps.maze.robot.MazeFactory.DRAWN;
 import static org.starl.apps.maze.robot.MazeFactory.FILES;
 import static org.starl.apps.maze.robot.MazeFactory.MAP;
+import static org.starl.apps.maze.robot.MazeFactory.SCEN;
 import static org.starl.apps.maze.robot.MazeFactory.SCENARIO;
 
 import java.nio.file.Files;
@@ -175,6 +176,9 @@ public final class MazeDemo implements FactoryDemo {
     if (hasFiles && hasMap) {
       throw new BadInput("files and map are both set: expected only one of them");
     }
+    if (!hasMap && !request.parameter(SCEN.key()).isEmpty()) {
+      throw new BadInput("scen is set without map: expected map=FILE, the map of its places");
+    }
     String implied = hasFiles ? "files" : hasMap ? "map" : SCENARIO.defaultValue();
     if (!scenario.equals(implied) && !scenario.equals(SCENARIO.defaultValue())) {
       String hint = NearMatches.hint(scenario, List.of(DRAWN, "files", "map"));
@@ -198,7 +202,9 @@ public final class MazeDemo implements FactoryDemo {
         int boxes =
             MazeFactory.hidden(
                 request, robots, text -> (int) Quantities.whole(text, 0, MOST_BOXES));
-        yield MapMaze.of(map, cellMm(request, bodyMm), robots, boxes, rng);
+        String scen = request.parameter(SCEN.key());
+        Path list = scen.isEmpty() ? null : Path.of(scen);
+        yield MapMaze.of(map, list, cellMm(request, bodyMm), robots, boxes, rng);
       }
       default -> MazeFactory.drawn(request, robots);
     };

@@ -19,10 +19,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.maze.robot.Layout;
+import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
+import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridMaps;
 
 class MazeTest {
 
@@ -204,13 +209,15 @@ class MazeTest {
       delimiter = '|',
       textBlock =
           """
-          robots=9 | expected 1 to 8 in a maze
+          robots=33 | expected 1 to 32 in a maze
+          robots=32 | in this maze; expected fewer robots or a larger maze: each robot has a goal
           collision=bounce | collision: 'bounce': expected one of stop, back, discover
           hidden=2 | hidden: '2': expected a probability from 0 to 1
           scenario=files | expected drawn, files with files=FOLDER, or map with map=FILE
           scenario=labyrinth | expected drawn, files with files=FOLDER, or map with map=FILE
           files=nowhere | nowhere/dest.wpt: no such file
           map=nowhere.map | nowhere.map: no such file
+          scen=a.scen | scen is set without map: expected map=FILE
           """)
   void badParametersAreReported(String setting, String message) {
     String key = setting.substring(0, setting.indexOf('='));
@@ -240,6 +247,59 @@ class MazeTest {
     folder(folder, "Wall;0,0", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");
     assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
         .hasMessageContaining("obstacles.wpt:1: 'Wall;0,0': expected");
+  }
+
+  private static final String MAP = "height 4\nwidth 6\nmap\n......\n.@@@..\n......\n......\n";
+
+  private static Map<String, String> list(Path folder, String lines) throws IOException {
+    Path map = Files.writeString(folder.resolve("a.map"), MAP);
+    Path list = Files.writeString(folder.resolve("a.scen"), lines);
+    return Map.of("map", map.toString(), "scen", list.toString(), "hidden", "0");
+  }
+
+  @Test
+  void robotsDriveFromTheStartsToTheGoalsOfAList(@TempDir Path folder) throws IOException {
+    String lines =
+        "version 1\n0\ta map.map\t6\t4\t0\t0\t5\t3\t9\n"
+            + "0\ta.map\t6\t4\t5\t0\t0\t3\t9\n0\ta.map\t6\t4\t9\t9\t9\t9\t9\n";
+    Plan plan = plan(1, 2, list(folder, lines), Map.of());
+    SimResult result = plan.simulation().build().run();
+    assertThat(result.spec().violations()).isEmpty();
+    assertThat(answers(result, 0)).containsExactly("G0 REACHED");
+    assertThat(answers(result, 1)).containsExactly("G1 REACHED");
+    GridMap map = GridMaps.read(folder.resolve("a.map"));
+    Layout layout = MapMaze.of(map, folder.resolve("a.scen"), 500, 1, 0, new Rng(1));
+    assertThat(layout.robots().get(0).start().at()).isEqualTo(new Point(250, 1750));
+    assertThat(layout.robots().get(0).goals().get(0).at()).isEqualTo(new Point(2750, 250));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          0 a.map 6 4 0 0 5 3 9 | a.scen:1: '0 a.map 6 4 0 0 5 3 9': expected 'version 1'
+          version 1/0 a.map 6 4 0 0 | a.scen:2: '0 a.map 6 4 0 0': expected BUCKET MAP WIDTH HEIGHT STARTX STARTY
+          version 1/0 a.map 5 4 0 0 5 3 9 | a.scen:2: '5': expected a whole number from 6 to 6
+          version 1//0 a.map 6 4 1 1 5 3 9 | a.scen:3: '1 1': expected a free cell of the map
+          version 1/0 a.map 6 4 0 x 5 3 9 | a.scen:2: 'x': expected a whole number from 0 to 3
+          version 1/0 a.map 6 4 0 0 5 3 9/0 a.map 6 4 5 3 1 3 9 | a.scen:3: '0 a.map 6 4 5 3 1 3 9': expected a start and a goal off
+          version 1.0/0 a.map 6 4 0 0 5 3 9 | a.scen: 1 starts: expected 2, one per robot
+          """)
+  void badListsAreReported(String lines, String message, @TempDir Path folder) throws IOException {
+    Map<String, String> list = list(folder, lines.replace("/", "\n"));
+    assertThatThrownBy(() -> plan(1, 2, list, Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining(message);
+  }
+
+  @Test
+  void mapsOfTooManyWallsAreRefused(@TempDir Path folder) throws IOException {
+    String rows = ("@.".repeat(200) + "\n" + ".@".repeat(200) + "\n").repeat(201);
+    Path map = folder.resolve("a.map");
+    Files.writeString(map, "height 402\nwidth 400\nmap\n" + rows);
+    assertThatThrownBy(() -> plan(1, 1, Map.of("map", map.toString()), Map.of()))
+        .hasMessage("map: 80400 rectangles of blocked cells: expected at most 80000");
   }
 
   @Test

@@ -1,6 +1,5 @@
 package org.starl.apps.maze.robot;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -18,16 +17,16 @@ import org.starl.geometry.Rectangle;
  * by row from the lower left.
  *
  * @param free the cells without an obstacle
- * @param links of each cell, in any order
+ * @param right the cells that are linked with that to their right
+ * @param up the cells that are linked with that above
  */
-public record Board(int columns, int rows, double cellMm, BitSet free, List<List<Integer>> links) {
+public record Board(int columns, int rows, double cellMm, BitSet free, BitSet right, BitSet up) {
 
   /** A board without links. */
   Board(int columns, int rows, double cellMm, IntPredicate isFree) {
-    this(columns, rows, cellMm, new BitSet(), new ArrayList<>());
+    this(columns, rows, cellMm, new BitSet(), new BitSet(), new BitSet());
     for (int cell = 0; cell < cells(); cell++) {
       free.set(cell, isFree.test(cell));
-      links.add(new ArrayList<>());
     }
   }
 
@@ -37,8 +36,8 @@ public record Board(int columns, int rows, double cellMm, BitSet free, List<List
     board.free.stream()
         .forEach(cell ->
             board.neighbours(cell).stream()
-                .filter(board.free::get)
-                .forEach(board.links.get(cell)::add));
+                .filter(next -> next > cell && board.free.get(next))
+                .forEach(next -> board.setLinked(cell, next, true)));
     return board;
   }
 
@@ -65,34 +64,42 @@ public record Board(int columns, int rows, double cellMm, BitSet free, List<List
   }
 
   boolean isLinked(int cell, int neighbour) {
-    return links.get(cell).contains(neighbour);
+    return links(cell, neighbour).get(Math.min(cell, neighbour));
   }
 
   void setLinked(int cell, int neighbour, boolean isLinked) {
-    links.get(cell).remove((Integer) neighbour);
-    links.get(neighbour).remove((Integer) cell);
-    if (isLinked) {
-      links.get(cell).add(neighbour);
-      links.get(neighbour).add(cell);
-    }
+    links(cell, neighbour).set(Math.min(cell, neighbour), isLinked);
+  }
+
+  private BitSet links(int cell, int neighbour) {
+    return Math.abs(cell - neighbour) == 1 ? right : up;
   }
 
   /**
    * Number of steps from a cell to each cell, or -1 if there is no way.
    *
    * @param avoided cells that the way may not enter
+   * @param to cells that are not nearer than this one may be left out; -1 for all cells
    */
-  int[] steps(int from, BitSet avoided) {
+  int[] steps(int from, BitSet avoided, int to) {
     int[] steps = new int[cells()];
     Arrays.fill(steps, -1);
-    ArrayDeque<Integer> open = new ArrayDeque<>(List.of(from));
+    int[] reached = new int[cells()];
+    int count = 1;
+    reached[0] = from;
     steps[from] = 0;
-    while (!open.isEmpty()) {
-      int cell = open.remove();
-      for (int next : links.get(cell)) {
-        if (steps[next] < 0 && !avoided.get(next)) {
+    for (int i = 0; i < count && reached[i] != to; i++) {
+      int cell = reached[i];
+      for (int beside = 0; beside < 4; beside++) {
+        int step = beside < 2 ? 1 : columns;
+        int next = cell + (beside % 2 == 0 ? -step : step);
+        if (next >= 0
+            && next < steps.length
+            && steps[next] < 0
+            && isLinked(cell, next)
+            && !avoided.get(next)) {
           steps[next] = steps[cell] + 1;
-          open.add(next);
+          reached[count++] = next;
         }
       }
     }
@@ -101,7 +108,7 @@ public record Board(int columns, int rows, double cellMm, BitSet free, List<List
 
   /** The cells on a shortest way between two cells, both included; empty if there is none. */
   List<Integer> way(int from, int to, BitSet avoided) {
-    int[] steps = steps(to, avoided);
+    int[] steps = steps(to, avoided, from);
     List<Integer> way = new ArrayList<>();
     int cell = from;
     for (int left = steps[from]; left >= 0; left--) {

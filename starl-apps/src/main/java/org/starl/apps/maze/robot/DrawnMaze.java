@@ -51,7 +51,7 @@ public final class DrawnMaze {
       }
       most = Math.max(most, found);
     }
-    throw Places.noRoom(robots, most);
+    throw Places.noRoom(robots, most, FEWEST_STEPS);
   }
 
   private static Board board(int columns, Rng rng) {

@@ -34,6 +34,11 @@ public final class MazeFactory implements AppFactory {
           "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies scenario=files");
   public static final Parameter MAP =
       new Parameter("map", "", "a grid map (.map); implies scenario=map");
+  public static final Parameter SCEN =
+      new Parameter(
+          "scen",
+          "",
+          "starts and goals on the map, one line for each robot (.scen); default: drawn");
   public static final Parameter CELL =
       new Parameter(
           "cell",
@@ -56,7 +61,7 @@ public final class MazeFactory implements AppFactory {
                   .map(mode -> mode.name().toLowerCase(Locale.ROOT))
                   .collect(Collectors.toList())));
 
-  private static final int MOST_ROBOTS = 8;
+  private static final int MOST_ROBOTS = 32;
   private static final double HIDDEN_PART = 0.4;
 
   @Override
@@ -66,7 +71,7 @@ public final class MazeFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, FILES, MAP, CELL, HIDDEN, COLLISION);
+    return List.of(SCENARIO, FILES, MAP, SCEN, CELL, HIDDEN, COLLISION);
   }
 
   @Override
@@ -76,7 +81,7 @@ public final class MazeFactory implements AppFactory {
 
   @Override
   public RobotProgram program(Request request) {
-    for (Parameter parameter : Arrays.asList(SCENARIO, FILES, MAP, CELL)) {
+    for (Parameter parameter : Arrays.asList(SCENARIO, FILES, MAP, SCEN, CELL)) {
       request.refuseOnRobots(parameter);
     }
     int robots = request.robots().orElse(1);

@@ -58,8 +58,20 @@ public final class Places {
     return pairs.size();
   }
 
-  public static BadInput noRoom(int robots, int found) {
-    return new BadInput("robots: " + robots + ": expected at most " + found + " in this maze");
+  /** Adds a robot; false if its cells are another's, or if it and another block each other's way. */
+  public boolean add(int start, int goal) {
+    BitSet occupied = occupied(null);
+    pairs.add(new Pair(start, goal));
+    return !occupied.get(start) && !occupied.get(goal) && isFreeOfBlocking();
+  }
+
+  /** @param fewestSteps to a robot's goal; 0 if there is none */
+  public static BadInput noRoom(int robots, int found, int fewestSteps) {
+    String room = "room for " + found + " in this maze";
+    String away = fewestSteps + " to " + MOST_STEPS + " cells away";
+    return new BadInput(
+        ("robots: " + robots + ": found " + room + "; expected fewer robots or a larger maze")
+            + (fewestSteps == 0 ? "" : ": each robot has a goal " + away));
   }
 
   private boolean drawOne() {
@@ -88,7 +100,7 @@ public final class Places {
     if (!open.get(start)) {
       return List.of();
     }
-    int[] steps = board.steps(start, boxes);
+    int[] steps = board.steps(start, boxes, -1);
     double nearMm = MOST_STEPS * board.cellMm() / 2;
     return open.stream()
         .filter(cell ->
@@ -113,10 +125,11 @@ public final class Places {
 
   /** Whether every goal that can be reached can be reached past the other robots' places. */
   private boolean isFreeOfBlocking() {
-    return pairs.stream()
-        .allMatch(pair ->
-            board.steps(pair.start(), occupied(pair))[pair.goal()] >= 0
-                || board.steps(pair.start(), boxes)[pair.goal()] < 0);
+    return pairs.stream().allMatch(pair -> hasWay(pair, occupied(pair)) || !hasWay(pair, boxes));
+  }
+
+  private boolean hasWay(Pair pair, BitSet avoided) {
+    return board.steps(pair.start(), avoided, pair.goal())[pair.goal()] >= 0;
   }
 
   /**
@@ -128,7 +141,11 @@ public final class Places {
    */
   public List<Integer> hideBoxes(int count) {
     if (count > 0) {
-      toClose.forEach(goal -> tryToHide(board.links().get(goal)));
+      toClose.forEach(goal ->
+          tryToHide(
+              board.neighbours(goal).stream()
+                  .filter(cell -> board.isLinked(goal, cell))
+                  .collect(Collectors.toList())));
     }
     for (int i = 0; i < count; i++) {
       hideBox(pairs.get(i % pairs.size()));

@@ -66,7 +66,7 @@ class PlacesTest {
       board.setLinked(cell, board.neighbours(cell).get(0), false);
     }
     List<Integer> way = board.way(from, to, new BitSet());
-    int steps = board.steps(from, new BitSet())[to];
+    int steps = board.steps(from, new BitSet(), -1)[to];
     assertThat(way).hasSize(steps + 1);
     for (int i = 1; i < way.size(); i++) {
       assertThat(board.neighbours(way.get(i))).contains(way.get(i - 1));
