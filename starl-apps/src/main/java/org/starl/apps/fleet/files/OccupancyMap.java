@@ -18,8 +18,8 @@ import org.starl.input.Field;
  * and each pixel of a lane have the clearance to the nearest cell that is occupied, unknown or outside. Of some grids,
  * shifted by parts of the spacing, the one with the largest connected part is taken.
  *
- * <p>A cell is free as Nav2 has it, in the modes trinary and scale: by {@code free_thresh}; scale also
- * needs an opaque pixel. The image's lower left corner is at {@code origin} in m, turned by its yaw.
+ * <p>A cell is free as Nav2 has it: by {@code free_thresh}; the mode scale also
+ * needs an opaque pixel; a pixel of the mode raw is the cell's occupancy in percent. The image's lower left corner is at {@code origin} in m, turned by its yaw.
  *
  * <p>Stations, and the chargers where robots also park, are by turns the places beside walls that
  * robots need not pass: without all of them the others stay connected. A charger keeps the lanes of one neighbour.
@@ -34,7 +34,7 @@ final class OccupancyMap {
   private static final Field<Double> RADIANS = Field.decimal("", -100, 100, "");
   private static final Field<Double> SHARE = Field.decimal("", 0, 1, "");
   private static final Field<String> NEGATE = Field.choice("", "", "0", "1", "false", "true");
-  private static final Field<String> MODE = Field.choice("", "", "trinary", "scale");
+  private static final Field<String> MODE = Field.choice("", "", "trinary", "scale", "raw");
 
   private final int width;
   private final int height;
@@ -47,7 +47,7 @@ final class OccupancyMap {
     width = image.width();
     height = image.height();
     this.clearancePixels = clearancePixels;
-    boolean isScale = map.has("mode") && map.at("mode", "").as(MODE).equals("scale");
+    String mode = map.has("mode") ? map.at("mode", "").as(MODE) : "trinary";
     boolean isNegated = List.of("1", "true").contains(map.at("negate", "0 or 1").as(NEGATE));
     double freeBelow = map.at("free_thresh", "a number from 0 to 1").as(SHARE);
     Part occupied = map.at("occupied_thresh", "a number from 0 to 1");
@@ -58,11 +58,13 @@ final class OccupancyMap {
       for (int x = 0; x < width; x++) {
         double shade = image.brightness(x, y);
         double opacity = image.opacity(x, y);
-        if (!isScale && image.hasAlpha()) {
+        if (mode.equals("trinary") && image.hasAlpha()) {
           shade = (3 * shade + opacity) / 4;
         }
-        boolean isSeen = !isScale || opacity == 1;
-        free.set(bit(x, y), isSeen && (isNegated ? shade : 1 - shade) < freeBelow);
+        boolean isSeen = !mode.equals("scale") || opacity == 1;
+        double occupancy =
+            mode.equals("raw") ? Math.round(shade * 255) / 100.0 : isNegated ? shade : 1 - shade;
+        free.set(bit(x, y), isSeen && occupancy < freeBelow);
       }
     }
   }

@@ -153,6 +153,12 @@ class OccupancyMapTest {
   }
 
   @Test
+  void pixelsOfRawMapsAreOccupanciesInPercent() throws IOException {
+    write(plain(new int[][] {{0, 10, 19, 100, 0, 255, 101}}));
+    assertThat(read(MAP + "mode: raw\n", EACH_PIXEL).vertices()).hasSize(3);
+  }
+
+  @Test
   void negatedMapsAreFreeWhereTheyAreBlack() throws IOException {
     int[][] negative = {{255 - FREE, 255 - FREE, 255, 255 - FREE}};
     write(plain(negative));
@@ -267,7 +273,7 @@ class OccupancyMapTest {
           0.65 | 0.1 | :5: occupied_thresh: '0.1': expected at least free_thresh, 0.196
           0.196 | 19.6 | :6: free_thresh: '19.6': expected a number from 0.0 to 1.0
           free_thresh: | free_tresh: | :1: has no 'free_thresh:'; expected a number from 0 to 1
-          negate: 0 | mode: raw | :4: mode: 'raw': expected one of trinary, scale
+          negate: 0 | mode: grey | :4: mode: 'grey': expected one of trinary, scale, raw
           """)
   void badLinesAreTold(String good, String bad, String line) throws IOException {
     write(plain(RING));
