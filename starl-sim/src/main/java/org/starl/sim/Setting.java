@@ -50,7 +50,7 @@ public final class Setting<T> {
   public static final Setting<Double> FLOOR_HEIGHT =
       size("floorHeight", 3000.0, "size of the floor along y");
   public static final Setting<String> OBSTACLE_FILE =
-      text("obstacleFile", "file of obstacles (Obstacle and Hidden lines); empty for none");
+      text("obstacleFile", "file of obstacles (Obstacle and Hidden lines, or DXF); empty for none");
   public static final Setting<String> START_FILE =
       text("startFile", "file of start poses (WAY lines with robots' names); empty: drawn by seed");
   public static final Setting<Double> START_SPACING =

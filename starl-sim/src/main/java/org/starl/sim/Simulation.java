@@ -364,7 +364,7 @@ public final class Simulation {
       Obstacles floor = obstacles;
       String file = settings.get(Setting.OBSTACLE_FILE);
       if (!file.isEmpty()) {
-        for (Obstacle obstacle : WaypointFiles.read(Path.of(file)).obstacles().all()) {
+        for (Obstacle obstacle : WaypointFiles.obstacles(Path.of(file)).all()) {
           floor = floor.plus(obstacle);
         }
       }

@@ -3,6 +3,7 @@ package org.starl.sim.world;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import org.starl.geometry.Obstacle;
@@ -52,6 +53,16 @@ public final class WaypointFiles {
   public static WaypointFile read(Path path) {
     String expected = "expected a waypoint file with lines such as " + WAY;
     return parse(path.toString(), TextFile.read(path, expected));
+  }
+
+  /**
+   * The obstacles of a file: of a waypoint file, or of a drawing in DXF, whose name ends with {@code .dxf}.
+   *
+   * @throws BadInput if the file is missing, not text, or has anything that is refused
+   */
+  public static Obstacles obstacles(Path path) {
+    boolean isDrawing = path.toString().toLowerCase(Locale.ROOT).endsWith(".dxf");
+    return isDrawing ? DxfFile.read(path) : read(path).obstacles();
   }
 
   /**
