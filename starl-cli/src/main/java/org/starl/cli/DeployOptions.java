@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.launch.DeploymentFile;
 import org.starl.launch.RobotRun;
 import org.starl.robot.create.Wheelbase;
@@ -90,7 +91,7 @@ final class DeployOptions {
     try {
       return Files.createDirectories(Path.of(folder));
     } catch (IOException e) {
-      throw new BadInput("--folder: " + folder + ": " + e.getMessage() + "; expected a folder");
+      throw new BadInput("--folder: " + folder + ": " + FailureText.of(e) + "; expected a folder");
     }
   }
 }

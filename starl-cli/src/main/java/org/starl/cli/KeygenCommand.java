@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.udp.KeyFile;
 import org.starl.robot.udp.RobotKey;
 import picocli.CommandLine.Command;
@@ -54,9 +55,7 @@ final class KeygenCommand extends BaseCommand implements Runnable {
                     + robot);
       }
     } catch (IOException e) {
-      String message = String.valueOf(e.getMessage());
-      throw new BadInput(
-          message.startsWith(file) ? message : file + ": cannot be created: " + message);
+      throw new BadInput(FailureText.of(file, e));
     }
   }
 }

@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -17,6 +18,7 @@ import org.starl.apps.maze.MazeDemo;
 import org.starl.apps.race.RaceDemo;
 import org.starl.apps.search.SearchDemo;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.launch.StackTraces;
 import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
@@ -272,7 +274,11 @@ public final class Main implements Runnable {
     }
     if (error instanceof IOException && error.getMessage() != null) {
       // A file that cannot be written: nothing was violated.
-      err.println("starl: " + error.getMessage());
+      err.println(
+          "starl: "
+              + (error instanceof FileSystemException file && file.getFile() != null
+                  ? FailureText.of(file.getFile(), error)
+                  : error.getMessage()));
       return ExitStatus.BAD_INPUT;
     }
     if (error instanceof MissingDependencyException) {

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 
 /**
  * A file that is written completely or not at all: the output goes to a temporary file beside it,
@@ -101,7 +102,9 @@ final class OutputFile implements Closeable {
     return bad(
         option,
         name,
-        "cannot be written (" + cause + "); expected the name of a file in a writable folder");
+        "cannot be written ("
+            + FailureText.of(cause)
+            + "); expected the name of a file in a writable folder");
   }
 
   private static OutputStream create(String option, String name, Path part) throws IOException {
@@ -178,7 +181,8 @@ final class OutputFile implements Closeable {
       unlessFailed(out::close);
       if (failure != null) {
         // Another object each time: the stream is closed by its writer and by the file.
-        throw new IOException(name + ": cannot be written (" + failure.getMessage() + ")", failure);
+        throw new IOException(
+            name + ": cannot be written (" + FailureText.of(failure) + ")", failure);
       }
     }
 

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Predicate;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 
 /**
  * The file of a shard: a header, then a row for each run in order. Each row is appended as soon
@@ -115,7 +116,8 @@ final class ShardFile implements Closeable {
       }
     } catch (IOException e) {
       throw new IOException(
-          OPTION + ": " + BadInput.quote(name) + ": cannot be written (" + e.getMessage() + ")", e);
+          OPTION + ": " + BadInput.quote(name) + ": cannot be written (" + FailureText.of(e) + ")",
+          e);
     }
   }
 

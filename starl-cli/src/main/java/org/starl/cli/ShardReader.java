@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.input.TextFile;
 
 /**
@@ -55,7 +56,7 @@ final class ShardReader implements Closeable {
     try {
       in = TextFile.open(Path.of(name), EXPECTED);
     } catch (InvalidPathException e) {
-      throw new BadInput(name + ": cannot be read (" + e + "); " + EXPECTED);
+      throw new BadInput(name + ": cannot be read (" + FailureText.of(e) + "); " + EXPECTED);
     }
   }
 

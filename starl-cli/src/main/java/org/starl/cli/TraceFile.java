@@ -12,6 +12,7 @@ import org.starl.Version;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.DeployedRobot;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
@@ -241,7 +242,6 @@ final class TraceFile {
   }
 
   private static BadInput unreadable(String name, IOException error) {
-    String message = String.valueOf(error.getMessage());
-    return new BadInput(message.startsWith(name) ? message : name + ": " + message);
+    return new BadInput(FailureText.of(name, error));
   }
 }

@@ -92,6 +92,7 @@ class BadInputTest {
       run hello --fault forge(all,1ns) | 'forge(all,1ns)' | the mean interval | at least 100us
       run race --csv /dev/full --png /dev/null | --csv: '/dev/full': cannot be written (No space left on device)
       run race --csv-messages /dev/full --png /dev/null | --csv-messages: '/dev/full': cannot be written
+      run hello --trace /dev/null/b | --trace: '/dev/null/b': cannot be written ('/dev/null' is a file already); expected the name of a file
       run hello --png /dev/full | --png: '/dev/full': cannot be written (No space left on device)
       run hello --trace /dev/full --png /dev/null | --trace: '/dev/full': cannot be written | No space left
       record hello --png --out /dev/full | --out: '/dev/full': cannot be written | No space left

@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
+import org.starl.input.FailureText;
 import org.starl.launch.LaunchResult.Death;
 import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
@@ -286,7 +287,7 @@ public final class Launcher implements AutoCloseable {
         Files.deleteIfExists(file);
       }
     } catch (IOException e) {
-      console.accept(folder + " was not deleted: " + e);
+      console.accept(folder + " was not deleted: " + FailureText.of(e));
     }
   }
 

@@ -18,6 +18,7 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.MachineClock;
@@ -111,7 +112,7 @@ public final class LiveTraces implements AutoCloseable {
         }
       }
     } catch (IOException | DirectoryIteratorException e) {
-      throw new BadInput(folder + ": cannot be read: " + e.getMessage());
+      throw new BadInput(folder + ": cannot be read: " + FailureText.of(e));
     }
     return files;
   }

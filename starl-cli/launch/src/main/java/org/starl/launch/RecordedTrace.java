@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.ProcessFact;
 import org.starl.shape.JsonFormatException;
@@ -67,8 +68,7 @@ record RecordedTrace(
         TraceReader reader = new TraceReader(file, in, vocabularyOf)) {
       return read(file, reader);
     } catch (IOException e) {
-      String message = String.valueOf(e.getMessage());
-      throw new BadInput(message.startsWith(file) ? message : file + ": " + message);
+      throw new BadInput(FailureText.of(file, e));
     }
   }
 

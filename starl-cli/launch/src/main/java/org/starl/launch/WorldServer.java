@@ -20,6 +20,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.ItemPosition;
 import org.starl.id.RobotId;
+import org.starl.input.FailureText;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.robot.CreateWheelbase;
@@ -180,13 +181,13 @@ public final class WorldServer implements AutoCloseable {
       try {
         part.close();
       } catch (Exception e) {
-        console.accept(part + ": " + e); // the end of the process closes it too
+        console.accept(part + ": " + FailureText.of(e)); // the end of the process closes it too
       }
     }
     try {
       trace.end(clock.nowNs() - startNs);
     } catch (IOException e) {
-      console.accept("the trace is cut off: " + e);
+      console.accept("the trace is cut off: " + FailureText.of(e));
     }
   }
 

@@ -26,6 +26,7 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.starl.cli.PageServer;
 import org.starl.cli.Site;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.realtime.RealClock;
 import org.starl.sim.export.FoxgloveLayout;
 import org.starl.sim.view.page.LivePage;
@@ -270,7 +271,7 @@ public final class WebServer implements PageServer {
       try {
         request = mapper.readValue(context.body(), new TypeReference<Map<String, Object>>() {});
       } catch (JsonProcessingException e) {
-        throw new BadInput("the request: expected JSON: " + e.getOriginalMessage());
+        throw FailureText.syntax("the request", context.body(), e, "JSON", "expected an object");
       }
       json(context, Map.of("number", site.start(request)));
     }

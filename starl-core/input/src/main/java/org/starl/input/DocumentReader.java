@@ -1,6 +1,5 @@
 package org.starl.input;
 
-import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
@@ -51,8 +50,7 @@ public final class DocumentReader {
     try (YAMLParser parser = YAML.createParser(text)) {
       return new DocumentReader(file, expected, parser).document();
     } catch (JsonProcessingException e) {
-      JsonLocation place = e.getLocation();
-      throw BadInput.at(file, place == null ? 1 : place.getLineNr(), "is not YAML; " + expected);
+      throw FailureText.syntax(file, text, e, "YAML", expected);
     } catch (IOException e) {
       throw new IllegalStateException("reading a text from memory", e);
     }

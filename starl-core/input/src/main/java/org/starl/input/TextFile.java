@@ -48,7 +48,7 @@ public final class TextFile {
     try {
       return Files.newInputStream(file);
     } catch (IOException e) {
-      throw new BadInput(file + ": cannot be read (" + e + "); " + expected);
+      throw new BadInput(file + ": cannot be read (" + FailureText.of(e) + "); " + expected);
     }
   }
 
@@ -69,7 +69,7 @@ public final class TextFile {
       }
       return all.toByteArray();
     } catch (IOException e) {
-      throw new BadInput(file + ": cannot be read (" + e + "); " + expected);
+      throw new BadInput(file + ": cannot be read (" + FailureText.of(e) + "); " + expected);
     }
   }
 

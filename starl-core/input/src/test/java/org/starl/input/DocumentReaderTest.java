@@ -79,8 +79,13 @@ class DocumentReaderTest {
 
   @Test
   void textThatIsNotYamlIsRefusedWithItsLine() {
+    String expected = "; expected lines such as 'app: intersection'";
     assertRefused(
-        "app: hello\n  robots: x: y", "2: is not YAML; expected lines such as 'app: intersection'");
+        "app: hello\n  robots: x: y", "2: is not YAML at character 9, ': x: y'" + expected);
+    assertRefused(
+        "app: hello\nset:\n\trobots: 2",
+        "3: begins with a tab: expected blanks to indent, as YAML has no tabs" + expected);
+    assertRefused("app: hello\nset: \"x", "2: is not YAML at the end of this line" + expected);
   }
 
   @Test

@@ -11,6 +11,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.Version;
 import org.starl.body.MotionParameters;
 import org.starl.gvh.GvhVariable;
+import org.starl.input.FailureText;
 import org.starl.motion.Location;
 import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
@@ -182,7 +183,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     try {
       trace.end(clock.nowNs() - startNs);
     } catch (IOException e) {
-      log.log(clock.nowNs(), LogSink.Level.ERROR, "trace", "is cut off: " + e);
+      log.log(clock.nowNs(), LogSink.Level.ERROR, "trace", "is cut off: " + FailureText.of(e));
     }
   }
 

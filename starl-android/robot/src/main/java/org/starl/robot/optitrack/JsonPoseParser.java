@@ -7,6 +7,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,8 @@ final class JsonPoseParser {
   static final int MAX_BYTES = 1024;
 
   private static final int MAX_NUMBER_CHARS = 40;
+  private static final String EXPECTED =
+      "expected a JSON object, each key once, numbers of at most 40 digits";
   private static final double LARGEST_MM = 1e7;
   private static final double LARGEST_RAD = 1e3;
   private static final long LARGEST_NS = 4_000_000_000_000_000_000L;
@@ -33,6 +36,7 @@ final class JsonPoseParser {
       JsonFactory.builder()
           .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS) // refused here, by their bounds
           .streamReadConstraints(
               StreamReadConstraints.builder()
                   .maxNumberLength(MAX_NUMBER_CHARS)
@@ -67,8 +71,9 @@ final class JsonPoseParser {
       return new Result(new JsonPoseParser(in).object(), "");
     } catch (JsonProcessingException e) {
       int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
-      return new Result(
-          null, NatNetProtocol.printable("column " + column + ": " + e.getOriginalMessage()));
+      String problem = e.getOriginalMessage();
+      boolean isOwn = problem.startsWith("expected "); // of wrong() below
+      return new Result(null, "column " + column + ": " + (isOwn ? problem : EXPECTED));
     } catch (IOException e) {
       throw new IllegalStateException("reading a text from memory", e);
     }

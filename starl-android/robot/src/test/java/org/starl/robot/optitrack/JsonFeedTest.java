@@ -136,6 +136,15 @@ class JsonFeedTest {
   }
 
   @Test
+  void noTextOfTheParserIsShown() {
+    assertThat(parse(LINE.replace("1200", "NaN")).problem())
+        .matches("column \\d+: expected a number from -1.0E7 to 1.0E7");
+    assertThat(parse(LINE.replace("1200", "1_200")).problem())
+        .matches(
+            "column \\d+: expected a JSON object, each key once, numbers of at most 40 digits");
+  }
+
+  @Test
   void aRefusalIsLoggedOnceWithItsColumnAndThenCounted() {
     String line = LINE.replace("1200", "12o0");
     byte[] bytes = line.getBytes(StandardCharsets.UTF_8);

@@ -16,6 +16,7 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.trace.TraceCodec;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
@@ -188,7 +189,7 @@ final class EventStore {
         }
       }
     } catch (IOException e) {
-      throw new BadInput("the temporary file of events cannot be read (" + e + ")");
+      throw new BadInput("the temporary file of events cannot be read (" + FailureText.of(e) + ")");
     }
     return events;
   }

@@ -101,7 +101,6 @@ public final class GreyImage {
         throw tooLarge;
       }
       // ImageIO has exceptions of both kinds for broken files.
-      throw new BadInput(file + ": is a broken PNG image (" + e.getMessage() + "); " + EXPECTED);
     }
     throw new BadInput(file + ": is a broken PNG image; " + EXPECTED);
   }

@@ -1,0 +1,68 @@
+package org.starl.input;
+
+import com.fasterxml.jackson.core.JsonLocation;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import org.yaml.snakeyaml.error.MarkedYAMLException;
+
+/** The failures of libraries and of the system in StarL's words: no class name and no hint for programmers. */
+public final class FailureText {
+
+  private FailureText() {}
+
+  /** Why a file or a connection failed, as a part of a message: {@code No space left on device}. */
+  public static String of(Exception failure) {
+    if (failure instanceof NoSuchFileException) {
+      return "no such file or folder";
+    }
+    if (failure instanceof AccessDeniedException) {
+      return "no permission";
+    }
+    if (failure instanceof FileAlreadyExistsException there) {
+      return BadInput.quote(there.getFile()) + " is a file already";
+    }
+    boolean hasReason = failure instanceof FileSystemException named && named.getReason() != null;
+    String text = hasReason ? ((FileSystemException) failure).getReason() : failure.getMessage();
+    return text == null ? "it failed" : text;
+  }
+
+  /** The same with the file's name before it, unless it is there. */
+  public static String of(String file, Exception failure) {
+    String text = of(failure);
+    return text.startsWith(file) ? text : file + ": " + text;
+  }
+
+  /**
+   * The error of a parser of YAML or JSON.
+   *
+   * @param text which it read
+   * @param language what the text is not
+   * @param expected the end of the message
+   */
+  public static BadInput syntax(
+      String file, String text, JsonProcessingException failure, String language, String expected) {
+    JsonLocation place = failure.getLocation();
+    int number = place == null ? 1 : Math.max(1, place.getLineNr());
+    int column = place == null ? 1 : Math.max(1, place.getColumnNr());
+    // Jackson's own place in YAML is the end of what it read before.
+    if (failure.getCause() instanceof MarkedYAMLException yaml && yaml.getProblemMark() != null) {
+      number = yaml.getProblemMark().getLine() + 1;
+      column = yaml.getProblemMark().getColumn() + 1;
+    }
+    String[] lines = text.split("\r\n|\r|\n", -1);
+    String line = number <= lines.length ? lines[number - 1] : "";
+    int at = Math.min(line.length(), column - 1);
+    String rest = line.substring(at).trim();
+    boolean isTab = line.matches("\\s*\t.*") && language.equals("YAML");
+    String found =
+        isTab
+            ? "begins with a tab: expected blanks to indent, as YAML has no tabs"
+            : rest.isEmpty()
+                ? "is not " + language + " at the end of this line"
+                : "is not " + language + " at character " + (at + 1) + ", " + BadInput.quote(rest);
+    return BadInput.at(file, number, found + "; " + expected);
+  }
+}
