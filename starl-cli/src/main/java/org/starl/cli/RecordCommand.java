@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
@@ -16,6 +17,7 @@ import org.starl.sim.check.RunOutcome;
 import org.starl.sim.export.CsvTable;
 import org.starl.sim.export.FoxgloveLayout;
 import org.starl.sim.export.McapRecorder;
+import org.starl.sim.export.TakeTable;
 import org.starl.sim.record.AnimationRecorder;
 import org.starl.sim.record.PictureTime;
 import org.starl.sim.replay.Recording;
@@ -38,12 +40,14 @@ import picocli.CommandLine.Option;
       "         starl record intersection --seed 7 --gif --every 500ms",
       "         starl record intersection --seed 7 --html crossing.html",
       "         starl record intersection --seed 7 --mcap",
+      "         starl record intersection --seed 7 --rosbag --out crossing",
       "         starl record out/crossing.trace --gif --when violation"
     })
 final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String VIOLATION = "violation";
   private static final int MAX_WIDTH_PX = 4000;
+  private static final String BAG = "run.mcap";
   private static final String LAYOUT = ".foxglove-layout.json";
 
   /** The kind of output. */
@@ -76,11 +80,19 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     private boolean mcap;
 
     @Option(
+        names = "--rosbag",
+        description =
+            "The same with messages of ROS 2: a folder that 'ros2 bag play' and PlotJuggler read.")
+    private boolean rosbag;
+
+    @Option(
         names = "--csv",
         arity = "0..1",
         fallbackValue = "",
         paramLabel = "TABLE",
-        description = "A table: positions, messages or variables (default: positions).")
+        description =
+            "A table: positions, messages, variables, or take, true poses as OptiTrack's Motive"
+                + " exports them (default: positions).")
     private @Nullable String csv;
   }
 
@@ -120,7 +132,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       names = "--out",
       paramLabel = "FILE",
       description =
-          "The file to write (default: out/APP-SEED.png, .gif, .mp4, .html, .mcap or .csv; with settings,"
+          "The file to write (default: out/APP-SEED.png, .gif, .mp4, .html, .mcap, .rosbag or .csv; with settings,"
               + " a number that depends on them follows SEED).")
   private @Nullable String file;
 
@@ -131,7 +143,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     PictureTime moment =
         OptionValues.read(when == null ? "--png" : "--when", wanted, RecordCommand::moment);
     String named = fileName();
-    if (named != null) {
+    if (named != null && !suffix.equals("rosbag")) {
       OutputFile.requireEnding(file == null ? "--html" : "--out", named, suffix);
     }
     Source source = source();
@@ -140,23 +152,24 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         switch (suffix) {
           case "gif", "mp4" -> animation(source.plan(), wanted, target, suffix);
           case "html" -> html(source.plan(), target);
-          case "mcap" ->
-              streamed(
-                  target,
-                  out ->
-                      new McapRecorder(
-                          out, source.plan().obstacles(), source.plan().layer().copy()));
+          case "mcap" -> mcap(source.plan(), target, false);
+          case "rosbag" -> mcap(source.plan(), target + "/" + BAG, true);
           case "csv" -> csv(target);
           default -> ObserverFile.picture("--out", target, source.plan(), moment);
         };
     String layout = suffix.equals("mcap") ? target.replaceFirst("(\\.mcap)?$", LAYOUT) : "";
+    String second = suffix.equals("rosbag") ? target + "/metadata.yaml" : layout;
     SimResult result;
     try (written;
-        OutputFile beside = layout.isEmpty() ? null : new OutputFile("--out", layout)) {
-      if (beside != null) {
-        beside.stream().write(FoxgloveLayout.json());
-      }
+        OutputFile beside = second.isEmpty() ? null : new OutputFile("--out", second)) {
       result = show(source, written.observer());
+      if (beside != null) {
+        beside.stream()
+            .write(
+                written.observer() instanceof McapRecorder bag && layout.isEmpty()
+                    ? bag.metadata(BAG).getBytes(StandardCharsets.UTF_8)
+                    : FoxgloveLayout.json());
+      }
     }
     String name = source.request().demo().name() + ", seed " + source.seed() + ": ";
     out().println(name + (written.isWritten() ? target : "no specification was violated"));
@@ -280,15 +293,23 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         });
   }
 
+  private static ObserverFile mcap(Plan plan, String target, boolean isRos) {
+    return streamed(
+        target, out -> new McapRecorder(out, plan.obstacles(), plan.layer().copy(), isRos));
+  }
+
   private ObserverFile csv(String target) {
     String wanted = output == null || output.csv == null ? "" : output.csv;
     return switch (wanted) {
       case "", "positions" -> streamed(target, CsvTable::positions);
       case "messages" -> streamed(target, CsvTable::messages);
       case "variables" -> streamed(target, CsvTable::variables);
+      case "take" -> streamed(target, TakeTable::new);
       default ->
           throw new BadInput(
-              "--csv: " + BadInput.quote(wanted) + ": expected positions, messages or variables");
+              "--csv: "
+                  + BadInput.quote(wanted)
+                  + ": expected positions, messages, variables or take");
     };
   }
 
@@ -306,7 +327,9 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     }
     return output.gif
         ? "gif"
-        : output.mp4 ? "mp4" : output.csv != null ? "csv" : output.mcap ? "mcap" : "png";
+        : output.mp4
+            ? "mp4"
+            : output.csv != null ? "csv" : output.mcap ? "mcap" : output.rosbag ? "rosbag" : "png";
   }
 
   /** {@code --html FILE} is short for {@code --html --out FILE}. */

@@ -102,6 +102,23 @@ class RecordTest {
   }
 
   @Test
+  void aBagOfRosIsAFolderWithItsMetadata() throws IOException {
+    Path bag = folder.resolve("bag");
+    Cli cli = Cli.run("record", "hello", "--seed", "1", "--rosbag", "--out", bag.toString());
+    assertThat(cli.status()).isZero();
+    assertThat(Files.readString(bag.resolve("metadata.yaml")))
+        .contains(
+            "name: /pose/bot0, type: geometry_msgs/msg/PoseStamped, serialization_format: cdr");
+    assertThat(new String(Files.readAllBytes(bag.resolve("run.mcap")), StandardCharsets.UTF_8))
+        .contains("ros2", "ros2msg", "MSG: geometry_msgs/TransformStamped");
+    Path file = Files.writeString(folder.resolve("taken"), "");
+    assertThat(Cli.run("record", "hello", "--seed", "1", "--rosbag", "--out", "" + file).messages())
+        .singleElement()
+        .asString()
+        .contains("'" + file + "/run.mcap': cannot be written ('" + file + "' is a file already)");
+  }
+
+  @Test
   void withoutAViolationNoPictureIsWritten() {
     for (String kind : new String[] {"--png", "--gif"}) {
       Path file = folder.resolve("none" + kind);

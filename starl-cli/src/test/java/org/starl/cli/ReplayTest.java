@@ -204,7 +204,7 @@ class ReplayTest {
     assertThat(cli("record", file, "--csv=pictures").err())
         .singleElement()
         .asString()
-        .contains("expected positions, messages or variables");
+        .contains("expected positions, messages, variables or take");
   }
 
   @Test

@@ -19,23 +19,27 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as an MCAP file, with the messages of {@link FoxgloveRecorder}. Its metadata {@code
- * starl} has the app, the seeds and every setting.
+ * Writes a run as an MCAP file, with the messages of {@link FoxgloveRecorder}, or with those of ROS 2
+ * ({@link RosBag}). Its metadata {@code starl} has the app, the seeds and every setting.
  */
 public final class McapRecorder implements SimObserver, Closeable {
 
   private final OutputStream out;
   private final Obstacles obstacles;
   private final Layer layer;
+  private final boolean isRos;
   private @Nullable McapWriter writer;
+  private @Nullable RosBag bag;
   private @Nullable FoxgloveRecorder recorder;
 
   /**
    * @param out closed by {@link #close}
    * @param obstacles of the world, hidden ones included
    * @param layer of the app; has observed no event, and is used by nothing else
+   * @param isRos whether the messages are ROS 2's
    */
-  public McapRecorder(OutputStream out, Obstacles obstacles, Layer layer) {
+  public McapRecorder(OutputStream out, Obstacles obstacles, Layer layer, boolean isRos) {
+    this.isRos = isRos;
     this.out = out;
     this.obstacles = obstacles;
     this.layer = layer;
@@ -43,7 +47,7 @@ public final class McapRecorder implements SimObserver, Closeable {
 
   @Override
   public void started(TraceHeader header) {
-    McapWriter begun = new McapWriter(out, "StarL " + header.starl());
+    McapWriter begun = new McapWriter(out, "StarL " + header.starl(), isRos);
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("app", header.scenario());
     facts.put("seed", Long.toString(header.scenarioSeed()));
@@ -51,7 +55,8 @@ public final class McapRecorder implements SimObserver, Closeable {
     facts.putAll(header.settings());
     begun.metadata("starl", facts);
     writer = begun;
-    recorder = new FoxgloveRecorder(obstacles, layer, begun);
+    bag = isRos ? new RosBag(begun) : null;
+    recorder = new FoxgloveRecorder(obstacles, layer, bag == null ? begun : bag);
     recorder.started(header);
   }
 
@@ -82,6 +87,11 @@ public final class McapRecorder implements SimObserver, Closeable {
   @Override
   public void finished(SimResult result) {
     recorder().finished(result);
+  }
+
+  /** The file {@code metadata.yaml} of a bag with {@code dataFile}; call it after the run. */
+  public String metadata(String dataFile) {
+    return Objects.requireNonNull(bag, "no bag of ROS 2").metadata(dataFile);
   }
 
   /**

@@ -42,6 +42,7 @@ final class McapWriter implements MessageSink, Closeable {
   private record Place(long timeNs, long offset) {}
 
   private final OutputStream out;
+  private final boolean isRos;
   private long position;
 
   private final McapBytes record = new McapBytes();
@@ -64,11 +65,13 @@ final class McapWriter implements MessageSink, Closeable {
 
   /**
    * @param library name of the writing program
+   * @param isRos messages are in CDR with ROS 2's definitions; else in JSON with JSON schemas
    */
-  McapWriter(OutputStream out, String library) {
+  McapWriter(OutputStream out, String library, boolean isRos) {
     this.out = out;
+    this.isRos = isRos;
     write(MAGIC, MAGIC.length);
-    record.text("");
+    record.text(isRos ? "ros2" : "");
     record.text(library);
     write(HEADER, record);
   }
@@ -95,30 +98,30 @@ final class McapWriter implements MessageSink, Closeable {
     metadataCount++;
   }
 
-  private int schema(String name, String jsonSchema) {
+  private int schema(String name, String definition) {
     int schemaCount = schemaNumbers.size() + 1;
     record.reset();
     record.u16(schemaCount);
     record.text(name);
-    record.text("jsonschema");
-    record.text(jsonSchema);
+    record.text(isRos ? "ros2msg" : "jsonschema");
+    record.text(definition);
     schemas.record(SCHEMA, record);
     chunk.record(SCHEMA, record);
     return schemaCount;
   }
 
   @Override
-  public int channel(String topic, String schemaName, String jsonSchema) {
+  public int channel(String topic, String schemaName, String definition) {
     int schema =
         schemaNumbers.computeIfAbsent(
-            schemaName + " " + jsonSchema, any -> schema(schemaName, jsonSchema));
+            schemaName + " " + definition, any -> schema(schemaName, definition));
     int channel = messagesOfChannel.size() + 1;
     messagesOfChannel.put(channel, 0L);
     record.reset();
     record.u16(channel);
     record.u16(schema);
     record.text(topic);
-    record.text("json");
+    record.text(isRos ? "cdr" : "json");
     record.u32(0); // no metadata
     channels.record(CHANNEL, record);
     chunk.record(CHANNEL, record);
@@ -127,7 +130,7 @@ final class McapWriter implements MessageSink, Closeable {
 
   /** Adds a message, not earlier than the previous one. */
   @Override
-  public void message(int channel, long timeNs, byte[] json) {
+  public void message(int channel, long timeNs, byte[] message) {
     if (timeNs < endNs) {
       throw new IllegalArgumentException("a message at " + timeNs + " ns after one at " + endNs);
     }
@@ -149,7 +152,7 @@ final class McapWriter implements MessageSink, Closeable {
     record.u32(sequence);
     record.u64(timeNs);
     record.u64(timeNs);
-    record.writeBytes(json);
+    record.writeBytes(message);
     chunk.record(MESSAGE, record);
     if (chunk.size() >= CHUNK_BYTES) {
       endChunk();
