@@ -3,6 +3,7 @@ package org.starl.serve;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Comparator;
@@ -142,8 +143,8 @@ final class FoxgloveFeed implements MessageSink {
   }
 
   @Override
-  public void message(int channel, long timeNs, byte[] json) {
-    Latest last = new Latest(timeNs, ByteBuffer.wrap(json));
+  public void message(int channel, long timeNs, ObjectNode message) {
+    Latest last = new Latest(timeNs, ByteBuffer.wrap(MessageSink.bytes(mapper, message)));
     latest.put(channel, last);
     offer(channel, last);
   }

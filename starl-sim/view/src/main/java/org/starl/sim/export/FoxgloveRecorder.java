@@ -1,6 +1,5 @@
 package org.starl.sim.export;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
@@ -302,10 +301,6 @@ public final class FoxgloveRecorder implements SimObserver {
     if (!hasBegun) {
       throw new IllegalStateException("an event before the start");
     }
-    try {
-      sink.message(channel, timeNs, json.writeValueAsBytes(message));
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a message that is not JSON", e);
-    }
+    sink.message(channel, timeNs, message);
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.sim.export;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -18,7 +20,7 @@ import java.util.zip.CRC32;
  * search by time: uncompressed chunks, an index of each chunk, and statistics at the end. Written
  * by hand: no Java library writes MCAP. Times are in ns and do not decrease.
  */
-final class McapWriter implements MessageSink, Closeable {
+final class McapWriter implements MessageSink, RosBag.Encoded, Closeable {
 
   private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
   private static final int CHUNK_BYTES = 1 << 20;
@@ -41,6 +43,7 @@ final class McapWriter implements MessageSink, Closeable {
   /** A message in the index of its chunk. */
   private record Place(long timeNs, long offset) {}
 
+  private final ObjectMapper json = new ObjectMapper();
   private final OutputStream out;
   private final boolean isRos;
   private long position;
@@ -126,6 +129,11 @@ final class McapWriter implements MessageSink, Closeable {
     channels.record(CHANNEL, record);
     chunk.record(CHANNEL, record);
     return channel;
+  }
+
+  @Override
+  public void message(int channel, long timeNs, ObjectNode message) {
+    message(channel, timeNs, MessageSink.bytes(json, message));
   }
 
   /** Adds a message, not earlier than the previous one. */

@@ -1,5 +1,9 @@
 package org.starl.sim.export;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+
 /** Takes messages on topics, each topic with a JSON schema: a file, or a connection. */
 public interface MessageSink {
 
@@ -10,7 +14,15 @@ public interface MessageSink {
    * Takes a message.
    *
    * @param timeNs from the start of the run; does not decrease
-   * @param json in UTF-8
    */
-  void message(int channel, long timeNs, byte[] json);
+  void message(int channel, long timeNs, ObjectNode message);
+
+  /** A message as JSON in UTF-8. */
+  static byte[] bytes(ObjectMapper json, ObjectNode message) {
+    try {
+      return json.writeValueAsBytes(message);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("a message that is not JSON", e);
+    }
+  }
 }

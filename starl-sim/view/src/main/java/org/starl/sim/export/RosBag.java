@@ -5,8 +5,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -95,7 +93,16 @@ final class RosBag implements MessageSink {
 
   private record Topic(String name, String type) {}
 
-  private final MessageSink file;
+  /** Takes encoded messages: a file. */
+  interface Encoded {
+
+    /** As {@link MessageSink#channel}, with a definition of ROS 2. */
+    int channel(String topic, String type, String definition);
+
+    void message(int channel, long timeNs, byte[] message);
+  }
+
+  private final Encoded file;
   private final ObjectMapper json = new ObjectMapper();
   private final List<Topic> topics = new ArrayList<>();
   private final Map<Topic, Long> counts = new LinkedHashMap<>();
@@ -104,7 +111,7 @@ final class RosBag implements MessageSink {
   private long firstNs;
   private long lastNs;
 
-  RosBag(MessageSink file) {
+  RosBag(Encoded file) {
     this.file = file;
   }
 
@@ -158,16 +165,10 @@ final class RosBag implements MessageSink {
   }
 
   @Override
-  public void message(int channel, long timeNs, byte[] bytes) {
+  public void message(int channel, long timeNs, ObjectNode message) {
     Topic topic = topics.get(channel - 1);
-    JsonNode node;
-    try {
-      node = json.readTree(bytes);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
     Cdr cdr = new Cdr();
-    cdr.put(topic.type(), converted(topic, node));
+    cdr.put(topic.type(), converted(topic, message));
     file.message(channel, timeNs, cdr.toByteArray());
     firstNs = count == 0 ? timeNs : firstNs;
     lastNs = timeNs;
@@ -175,10 +176,10 @@ final class RosBag implements MessageSink {
     counts.merge(topic, 1L, Long::sum);
   }
 
-  private JsonNode converted(Topic topic, JsonNode node) {
+  private JsonNode converted(Topic topic, ObjectNode node) {
     return switch (topic.type()) {
       case "visualization_msgs/MarkerArray" -> markers(topic, node);
-      case "rcl_interfaces/Log" -> ((ObjectNode) node).put("level", 10 * node.get("level").asInt());
+      case "rcl_interfaces/Log" -> node.put("level", 10 * node.get("level").asInt());
       case "std_msgs/Float64" -> json.createObjectNode().set("data", node.get("value"));
       case "std_msgs/String" -> json.createObjectNode().put("data", node.toString());
       default -> node;

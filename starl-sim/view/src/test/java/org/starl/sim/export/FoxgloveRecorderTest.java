@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -40,8 +40,6 @@ class FoxgloveRecorderTest {
   private static final RobotId BOT = new RobotId("bot0");
   private static final Instance MUTEX = Instance.of("mutex", "m.1");
 
-  private static final ObjectMapper JSON = new ObjectMapper();
-
   /** Keeps all messages, by topic. */
   private static final class Kept implements MessageSink {
     private final List<String> topics = new ArrayList<>();
@@ -56,14 +54,10 @@ class FoxgloveRecorderTest {
     }
 
     @Override
-    public void message(int channel, long timeNs, byte[] json) {
+    public void message(int channel, long timeNs, ObjectNode message) {
       assertThat(timeNs).isGreaterThanOrEqualTo(lastNs);
       lastNs = timeNs;
-      try {
-        messages.get(topics.get(channel)).add(JSON.readTree(json));
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      messages.get(topics.get(channel)).add(message.deepCopy());
     }
 
     private JsonNode last(String topic) {

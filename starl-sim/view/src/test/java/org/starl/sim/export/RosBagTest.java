@@ -2,6 +2,9 @@ package org.starl.sim.export;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -17,7 +20,7 @@ class RosBagTest {
   private final List<ByteBuffer> written = new ArrayList<>();
   private final RosBag bag =
       new RosBag(
-          new MessageSink() {
+          new RosBag.Encoded() {
             @Override
             public int channel(String topic, String schemaName, String definition) {
               topics.add(topic + " " + schemaName);
@@ -33,10 +36,18 @@ class RosBagTest {
 
   private ByteBuffer cdr(String type, String schema, String json) {
     int channel = bag.channel("/a", type, schema);
-    bag.message(channel, 5, json.replace('\'', '"').getBytes(StandardCharsets.UTF_8));
+    bag.message(channel, 5, object(json));
     ByteBuffer message = written.getLast();
     assertThat(message.getInt()).as("little endian, plain CDR").isEqualTo(0x100);
     return message;
+  }
+
+  private static ObjectNode object(String json) {
+    try {
+      return (ObjectNode) new ObjectMapper().readTree(json.replace('\'', '"'));
+    } catch (JsonProcessingException e) {
+      throw new IllegalArgumentException(json, e);
+    }
   }
 
   private static String text(ByteBuffer in) {
@@ -135,7 +146,7 @@ class RosBagTest {
     assertThat(in.getFloat()).as("red").isEqualTo(1);
     in.position(in.position() + 3 * 4 + 8 + 1);
     assertThat(aligned(in, 4).getInt()).as("points of the closed line").isEqualTo(3);
-    bag.message(1, 6, (update + line + "]}]}").replace('\'', '"').getBytes(StandardCharsets.UTF_8));
+    bag.message(1, 6, object(update + line + "]}]}"));
     in = written.getLast().position(4);
     assertThat(in.getInt()).as("one, and a deletion").isEqualTo(2);
   }
@@ -144,8 +155,8 @@ class RosBagTest {
   void namesAreThoseOfRos() {
     bag.channel("/map", "foxglove.SceneUpdate", "");
     bag.channel("/variables/bot-1/m.__x/0", "starl.Variable", "");
-    bag.message(1, 7, "{\"deletions\":[],\"entities\":[]}".getBytes(StandardCharsets.UTF_8));
-    bag.message(1, 9, "{\"deletions\":[],\"entities\":[]}".getBytes(StandardCharsets.UTF_8));
+    bag.message(1, 7, object("{'deletions':[],'entities':[]}"));
+    bag.message(1, 9, object("{'deletions':[],'entities':[]}"));
     assertThat(topics)
         .containsExactly(
             "/obstacles visualization_msgs/msg/MarkerArray",
