@@ -8,6 +8,7 @@ description = "Simulations described in Kotlin, and an app in Kotlin"
 
 dependencies {
     implementation(project(":starl-core"))
+    implementation(project(":starl-core-kotlin"))
     implementation(project(":starl-primitives"))
     implementation(project(":starl-sim"))
     implementation(project(":starl-sim-view"))

@@ -2,9 +2,7 @@ package org.starl;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
-import org.jspecify.annotations.Nullable;
-import org.starl.platform.Clock;
-import org.starl.platform.Strand;
+import java.util.function.Consumer;
 import org.starl.platform.Timer;
 import org.starl.time.Time;
 
@@ -16,22 +14,14 @@ import org.starl.time.Time;
  * code between two waits is one atomic action, and no lock is needed. Wait only with {@link #sleep}
  * or {@link #await}, never with {@code Thread.sleep}, a lock, or input and output.
  */
-public abstract class LogicThread {
+public abstract class LogicThread extends RobotApp {
 
-  protected final GlobalVarHolder gvh;
-
-  // Copies of gvh.plat's, so that a wait reads one object less.
-  private final Strand strand;
-  private final Clock clock;
   private final long stepPeriodMs;
   private final long stepPhaseNs;
-  private String awaited = "";
 
   /** An app that overrides {@link #callStarL}. */
   protected LogicThread(GlobalVarHolder gvh) {
-    this.gvh = gvh;
-    this.strand = gvh.plat.strand;
-    this.clock = gvh.plat.clock;
+    super(gvh);
     this.stepPeriodMs = 0;
     this.stepPhaseNs = 0;
   }
@@ -53,6 +43,7 @@ public abstract class LogicThread {
    *     different phases, robots do not all step at once
    */
   protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs, long stepPhaseNs) {
+    super(gvh);
     if (stepPeriodMs <= 0 || stepPhaseNs < 0) {
       throw new IllegalArgumentException(
           "step period "
@@ -61,9 +52,6 @@ public abstract class LogicThread {
               + stepPhaseNs
               + " ns: expected above 0, and at least 0");
     }
-    this.gvh = gvh;
-    this.strand = gvh.plat.strand;
-    this.clock = gvh.plat.clock;
     this.stepPeriodMs = stepPeriodMs;
     this.stepPhaseNs = stepPhaseNs;
   }
@@ -78,8 +66,17 @@ public abstract class LogicThread {
         getClass().getName() + " overrides neither callStarL() nor, with a period, step()");
   }
 
+  @Override
+  protected final void launch(Consumer<List<Object>> whenFinished) {
+    if (stepPeriodMs > 0) {
+      new Stepper(whenFinished).begin();
+    } else {
+      strand.start(() -> whenFinished.accept(run()));
+    }
+  }
+
   /** Runs {@link #callStarL}. In the stack of an exception its line is that of {@link #inSource()}. */
-  final List<Object> run() {
+  private List<Object> run() {
     try {
       return callStarL();
     } catch (RuntimeException | Error e) {
@@ -88,30 +85,6 @@ public abstract class LogicThread {
       }
       throw e;
     }
-  }
-
-  /** {@code stack}, with the line of {@link #callStarL} that {@link #inSource()} tells. */
-  public final StackTraceElement[] inSource(StackTraceElement[] stack) {
-    StackTraceElement source = inSource();
-    if (source == null) {
-      return stack;
-    }
-    StackTraceElement[] inSource = stack.clone();
-    for (int i = 0; i < stack.length; i++) {
-      boolean isApp = stack[i].getClassName().equals(source.getClassName());
-      if (isApp && stack[i].getMethodName().equals(source.getMethodName())) {
-        inSource[i] = source;
-      }
-    }
-    return inSource;
-  }
-
-  /**
-   * Where {@link #callStarL} is in a source that this class is generated from, for stacks; null if
-   * the class itself is the source.
-   */
-  protected @Nullable StackTraceElement inSource() {
-    return null;
   }
 
   /**
@@ -126,50 +99,6 @@ public abstract class LogicThread {
   /** The results of an app that overrides {@link #step}; empty unless overridden. */
   protected List<Object> returnResults() {
     return List.of();
-  }
-
-  /**
-   * A person shows this robot a point; does nothing unless overridden. Runs on the strand between
-   * two actions, even while {@link #callStarL} waits; never while the robot is down or not started.
-   *
-   * @param xMm in the world frame, as is {@code yMm}
-   */
-  public void receivedPointInput(int xMm, int yMm) {}
-
-  /** The period of {@link #step}, or 0 for an app that overrides {@link #callStarL}. */
-  public final long stepPeriodMs() {
-    return stepPeriodMs;
-  }
-
-  /** Time from the start of the robot to the first {@link #step}, in ns. */
-  public final long stepPhaseNs() {
-    return stepPhaseNs;
-  }
-
-  /**
-   * Runs {@code action} every {@code periodMs}, also while {@link #callStarL} waits: a second flow of
-   * the same program, such as a dispatcher beside the robot's own work. It runs on the strand between
-   * two actions, so it needs no lock, and it must not wait. It ends with the program; periods that
-   * have passed while the strand was busy are left out.
-   *
-   * @param periodMs above 0; the first time is one period from now
-   * @return the timer, to cancel it; also from {@code action}
-   */
-  protected final Timer every(long periodMs, Runnable action) {
-    if (periodMs <= 0) {
-      throw new IllegalArgumentException("period " + periodMs + " ms: expected above 0");
-    }
-    long[] nextNs = {inMs(periodMs)};
-    Timer[] timer = new Timer[1];
-    timer[0] =
-        gvh.plat.timers.timer(() -> {
-          long lateMs = (clock.nowNs() - nextNs[0]) / Time.NS_PER_MS;
-          nextNs[0] = Time.afterMs(nextNs[0], (lateMs / periodMs + 1) * periodMs);
-          timer[0].set(nextNs[0]);
-          action.run();
-        });
-    timer[0].set(nextNs[0]);
-    return timer[0];
   }
 
   /**
@@ -209,11 +138,6 @@ public abstract class LogicThread {
     return held;
   }
 
-  /** The name of the condition that the app waits for; empty if it has none. */
-  public final String awaited() {
-    return awaited;
-  }
-
   /**
    * Waits until {@code condition} holds or {@code timeoutMs} have passed.
    *
@@ -223,7 +147,29 @@ public abstract class LogicThread {
     return strand.awaitUntil(condition, inMs(timeoutMs));
   }
 
-  private long inMs(long ms) {
-    return Time.afterMs(clock.nowNs(), ms);
+  /** Calls {@link #step} at multiples of the period after the start, so that it does not drift. */
+  private final class Stepper implements Runnable {
+    private final Consumer<List<Object>> whenFinished;
+    private final Timer timer = gvh.plat.timers.timer(this);
+    private long dueNs;
+
+    Stepper(Consumer<List<Object>> whenFinished) {
+      this.whenFinished = whenFinished;
+    }
+
+    void begin() {
+      dueNs = clock.nowNs() + stepPhaseNs;
+      timer.set(dueNs);
+    }
+
+    @Override
+    public void run() {
+      if (step()) {
+        dueNs += stepPeriodMs * Time.NS_PER_MS;
+        timer.set(dueNs);
+      } else {
+        whenFinished.accept(returnResults());
+      }
+    }
   }
 }

@@ -1,13 +1,10 @@
 package org.starl;
 
-import static org.starl.time.Time.NS_PER_MS;
-
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Platform;
-import org.starl.platform.Timer;
 
 /**
  * Starts one robot on a platform, simulated or real: counts the start in stable storage, builds the
@@ -21,10 +18,10 @@ public final class RobotRunner {
   private static final String BOOT_KEY = "starl.boot";
 
   private final Platform platform;
-  private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;
+  private final Function<GlobalVarHolder, ? extends RobotApp> appFactory;
   private final Runnable whenFinished;
   private @Nullable GlobalVarHolder gvh;
-  private @Nullable LogicThread app;
+  private @Nullable RobotApp app;
   private @Nullable List<Object> results;
 
   /**
@@ -32,7 +29,7 @@ public final class RobotRunner {
    */
   public RobotRunner(
       Platform platform,
-      Function<GlobalVarHolder, ? extends LogicThread> appFactory,
+      Function<GlobalVarHolder, ? extends RobotApp> appFactory,
       Runnable whenFinished) {
     this.platform = platform;
     this.appFactory = appFactory;
@@ -55,7 +52,7 @@ public final class RobotRunner {
   }
 
   /** The app, or null before the robot has started. */
-  public @Nullable LogicThread app() {
+  public @Nullable RobotApp app() {
     return app;
   }
 
@@ -75,44 +72,14 @@ public final class RobotRunner {
 
   private void run(int boot) {
     GlobalVarHolder holder = new GlobalVarHolder(platform, boot);
-    LogicThread logic = appFactory.apply(holder);
+    RobotApp logic = appFactory.apply(holder);
     gvh = holder;
     app = logic;
-    if (logic.stepPeriodMs() > 0) {
-      new Stepper(logic).begin();
-    } else {
-      platform.strand().start(() -> finish(logic.run()));
-    }
+    logic.launch(this::finish);
   }
 
   private void finish(List<Object> appResults) {
     results = appResults;
     whenFinished.run();
-  }
-
-  /** Calls {@code step()} at multiples of the period after the start, so that it does not drift. */
-  private final class Stepper implements Runnable {
-    private final LogicThread logic;
-    private final Timer timer = platform.timers().timer(this);
-    private long dueNs;
-
-    Stepper(LogicThread logic) {
-      this.logic = logic;
-    }
-
-    void begin() {
-      dueNs = platform.clock().nowNs() + logic.stepPhaseNs();
-      timer.set(dueNs);
-    }
-
-    @Override
-    public void run() {
-      if (logic.step()) {
-        dueNs += logic.stepPeriodMs() * NS_PER_MS;
-        timer.set(dueNs);
-      } else {
-        finish(logic.returnResults());
-      }
-    }
   }
 }

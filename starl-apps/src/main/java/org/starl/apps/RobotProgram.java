@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.geometry.Obstacles;
 import org.starl.spec.Monitor;
 
@@ -18,7 +18,7 @@ import org.starl.spec.Monitor;
  *     can violate alone
  */
 public record RobotProgram(
-    Function<GlobalVarHolder, ? extends LogicThread> app,
+    Function<GlobalVarHolder, ? extends RobotApp> app,
     Obstacles knownObstacles,
     List<Supplier<? extends Monitor>> monitors) {
 
@@ -27,7 +27,7 @@ public record RobotProgram(
   }
 
   /** A program without map and monitors. */
-  public static RobotProgram of(Function<GlobalVarHolder, ? extends LogicThread> app) {
+  public static RobotProgram of(Function<GlobalVarHolder, ? extends RobotApp> app) {
     return new RobotProgram(app, Obstacles.NONE, List.of());
   }
 

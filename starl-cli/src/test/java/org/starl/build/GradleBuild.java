@@ -101,6 +101,7 @@ final class GradleBuild {
         addDependencies(dependencies, module.group(1), own, files);
       }
     }
+    requireKotlin(files.apply("starl-core/kotlin/build.gradle.kts"));
     requireKotlin(files.apply("starl-apps/kotlin/build.gradle.kts"));
     String coordinates = own.get("group") + ":" + own.get("version");
     return new Build(coordinates, release.group(1), modules, versions, dependencies);

@@ -1,6 +1,7 @@
 package org.starl.platform;
 
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Executes all code of a robot (app, message handlers, timers), one piece at a time. Only the app
@@ -9,8 +10,11 @@ import java.util.function.BooleanSupplier;
  */
 public interface Strand {
 
-  /** Starts the robot's app, the only piece of the strand that may wait. Call it once. */
+  /** Starts the robot's app, the only piece of the strand that may wait. Call one of the two once. */
   void start(Runnable app);
+
+  /** Starts the robot's app, which has no thread: it waits by {@link #suspendUntil}. */
+  void start(SuspendedApp app);
 
   /**
    * Runs {@code action} on this strand later, as one atomic piece, after all actions posted before
@@ -39,4 +43,16 @@ public interface Strand {
    * @throws StrandClosed if the run ends meanwhile
    */
   boolean awaitUntil(BooleanSupplier condition, long deadlineNs);
+
+  /**
+   * Begins a wait of a {@link SuspendedApp}: as {@link #awaitUntil}, or as {@link #sleepUntil} without
+   * a condition. Unless the condition holds already, the app returns from {@link SuspendedApp#resume},
+   * and is resumed at the end of the wait, in the same order as another app.
+   *
+   * @param continuation where the app goes on: {@link SuspendedApp#resume} gets it back
+   * @return whether the condition holds already: then there is no wait
+   * @throws StrandClosed if the run has ended
+   * @throws IllegalStateException if the caller is not the app of this strand
+   */
+  boolean suspendUntil(@Nullable BooleanSupplier condition, long deadlineNs, Object continuation);
 }

@@ -22,6 +22,7 @@ import org.starl.platform.Positioning;
 import org.starl.platform.Radio;
 import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.session.KnownStarts;
@@ -148,6 +149,17 @@ public final class FakePlatform {
     @Override
     public void start(Runnable app) {
       FakePlatform.this.post(app);
+    }
+
+    @Override
+    public void start(SuspendedApp app) {
+      throw new UnsupportedOperationException("blocking apps only");
+    }
+
+    @Override
+    public boolean suspendUntil(
+        @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
+      throw new UnsupportedOperationException("blocking apps only");
     }
 
     @Override

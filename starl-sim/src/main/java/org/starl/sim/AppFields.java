@@ -5,7 +5,7 @@ import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 
 /** The objects in an app's own fields: most of its actions use them. */
 final class AppFields {
@@ -21,7 +21,7 @@ final class AppFields {
   private AppFields() {}
 
   /** The present values of the fields that the app's class and its superclasses declare. */
-  static Object[] of(LogicThread app) {
+  static Object[] of(RobotApp app) {
     List<Object> objects = new ArrayList<>();
     for (Field field : FIELDS.get(app.getClass())) {
       Object object = valueOf(field, app);
@@ -32,7 +32,7 @@ final class AppFields {
     return objects.toArray();
   }
 
-  private static @Nullable Object valueOf(Field field, LogicThread app) {
+  private static @Nullable Object valueOf(Field field, RobotApp app) {
     try {
       return field.get(app);
     } catch (IllegalAccessException e) {
@@ -42,7 +42,7 @@ final class AppFields {
 
   private static List<Field> fields(Class<?> app) {
     List<Field> fields = new ArrayList<>();
-    for (Class<?> type = app; type != LogicThread.class; type = type.getSuperclass()) {
+    for (Class<?> type = app; type.getSuperclass() != RobotApp.class; type = type.getSuperclass()) {
       for (Field field : type.getDeclaredFields()) {
         boolean isOwn = !Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive();
         // A module that is not open keeps its fields.

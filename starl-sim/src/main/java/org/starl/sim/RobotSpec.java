@@ -2,7 +2,7 @@ package org.starl.sim;
 
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -20,15 +20,12 @@ public record RobotSpec(
     RobotId id,
     Pose start,
     boolean onFloor,
-    Function<GlobalVarHolder, ? extends LogicThread> app,
+    Function<GlobalVarHolder, ? extends RobotApp> app,
     Point origin) {
 
   /** A robot whose positioning system has the world's origin. */
   public RobotSpec(
-      RobotId id,
-      Pose start,
-      boolean onFloor,
-      Function<GlobalVarHolder, ? extends LogicThread> app) {
+      RobotId id, Pose start, boolean onFloor, Function<GlobalVarHolder, ? extends RobotApp> app) {
     this(id, start, onFloor, app, new Point(0, 0));
   }
 }

@@ -23,7 +23,7 @@ public interface RunController {
   void fault(String fault);
 
   /**
-   * Passes a point to a robot's app: {@link org.starl.LogicThread#receivedPointInput}. A robot that
+   * Passes a point to a robot's app: {@link org.starl.RobotApp#receivedPointInput}. A robot that
    * is down ignores it.
    *
    * @throws org.starl.input.BadInput if there is no such robot; the run is then unchanged

@@ -3,7 +3,7 @@ package org.starl.sim;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.RobotRunner;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -161,8 +161,8 @@ final class SimRobot implements TraceSink {
     }
   }
 
-  private LogicThread makeApp(GlobalVarHolder gvh) {
-    LogicThread app = spec.app().apply(gvh);
+  private RobotApp makeApp(GlobalVarHolder gvh) {
+    RobotApp app = spec.app().apply(gvh);
     strand.prefetch(gvh.comms, gvh.comms.lamportClock(), app);
     if (engine.deployment().size() >= MANY) {
       strand.prefetch(AppFields.of(app));
@@ -309,7 +309,7 @@ final class SimRobot implements TraceSink {
   void point(int xMm, int yMm) {
     Strand own = impaired == null ? strand : impaired;
     own.post(() -> {
-      LogicThread app = runner.app();
+      RobotApp app = runner.app();
       if (app != null) {
         app.receivedPointInput(xMm, yMm);
       }

@@ -14,7 +14,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.Version;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
@@ -119,7 +119,7 @@ public final class Simulation {
     private Specs specs = Specs.ALL;
     private final SortedMap<String, String> parameters = new TreeMap<>();
     private boolean isCountGiven = true;
-    private @Nullable Function<GlobalVarHolder, ? extends LogicThread> placedApp;
+    private @Nullable Function<GlobalVarHolder, ? extends RobotApp> placedApp;
     private int placed;
 
     private Builder() {}
@@ -131,7 +131,7 @@ public final class Simulation {
     }
 
     /** Adds {@code count} robots {@code bot0}, {@code bot1}, ... at free places drawn by seed. */
-    public Builder robots(int count, Function<GlobalVarHolder, ? extends LogicThread> app) {
+    public Builder robots(int count, Function<GlobalVarHolder, ? extends RobotApp> app) {
       if (count < 0) {
         throw new BadInput("robots: " + count + ": expected 0 or more");
       }

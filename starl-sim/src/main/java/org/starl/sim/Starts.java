@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -31,7 +31,7 @@ record Starts(
     SimSettings settings,
     List<RobotSpec> given,
     int placed,
-    @Nullable Function<GlobalVarHolder, ? extends LogicThread> app,
+    @Nullable Function<GlobalVarHolder, ? extends RobotApp> app,
     Obstacles obstacles,
     Rng rng) {
 

@@ -3,7 +3,7 @@ package org.starl.sim;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.RobotRunner;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
@@ -59,7 +59,7 @@ public record UnfinishedRobot(
       long changedNs,
       List<String> touches) {
     GlobalVarHolder gvh = runner.gvh();
-    LogicThread app = runner.app();
+    RobotApp app = runner.app();
     List<String> variables = new ArrayList<>();
     if (gvh != null) {
       for (GvhVariable<?> variable : gvh.variables()) {

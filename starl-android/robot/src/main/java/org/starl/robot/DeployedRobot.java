@@ -15,7 +15,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Fix;
@@ -83,7 +83,7 @@ public final class DeployedRobot implements AutoCloseable {
    * @param motion parameters, except those that follow from the deployment's limits
    */
   public record Program(
-      Function<GlobalVarHolder, ? extends LogicThread> app,
+      Function<GlobalVarHolder, ? extends RobotApp> app,
       Obstacles knownObstacles,
       List<ItemPosition> waypoints,
       MotionParameters motion) {}

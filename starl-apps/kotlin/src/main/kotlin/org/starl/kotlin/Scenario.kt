@@ -1,7 +1,7 @@
 package org.starl.kotlin
 
 import org.starl.GlobalVarHolder
-import org.starl.LogicThread
+import org.starl.RobotApp
 import org.starl.id.RobotId
 import org.starl.geometry.Obstacle
 import org.starl.geometry.Pose
@@ -55,12 +55,12 @@ public class ScenarioScope internal constructor(private val builder: Simulation.
   }
 
   /** [count] robots `bot0`, `bot1`, ... at free places drawn by seed, each with its own [app]. */
-  public fun robots(count: Int, app: (GlobalVarHolder) -> LogicThread) {
+  public fun robots(count: Int, app: (GlobalVarHolder) -> RobotApp) {
     builder.robots(count, app)
   }
 
   /** One robot, on the floor from the start. */
-  public fun robot(name: String, start: Pose, app: (GlobalVarHolder) -> LogicThread) {
+  public fun robot(name: String, start: Pose, app: (GlobalVarHolder) -> RobotApp) {
     builder.robot(RobotSpec(RobotId(name), start, true, app))
   }
 

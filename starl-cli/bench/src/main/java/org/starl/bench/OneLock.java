@@ -7,6 +7,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
+import org.starl.platform.Waits;
 import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.trace.Instance;
@@ -43,6 +44,11 @@ final class OneLock implements MutexPrim {
     MutexFailure failure = inner.acquire(List.of(WHOLE), timeoutMs);
     replace(sections);
     return failure;
+  }
+
+  @Override
+  public Waits<MutexFailure> acquiring(Collection<String> sections, long timeoutMs) {
+    throw new UnsupportedOperationException("the cars of this benchmark do not wait so");
   }
 
   @Override

@@ -12,6 +12,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
+import org.starl.platform.Waits;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
@@ -72,6 +73,11 @@ final class StopSign implements MutexPrim {
   @Override
   public MutexFailure acquire(Collection<String> sections, long timeoutMs) {
     throw new UnsupportedOperationException("the cars of this benchmark do not block");
+  }
+
+  @Override
+  public Waits<MutexFailure> acquiring(Collection<String> sections, long timeoutMs) {
+    throw new UnsupportedOperationException("the cars of this benchmark do not wait so");
   }
 
   @Override

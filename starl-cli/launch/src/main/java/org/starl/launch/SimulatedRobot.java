@@ -13,7 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.RobotRunner;
 import org.starl.geometry.Pose;
 import org.starl.id.Participants;
@@ -170,7 +170,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     alive = strand.timer(this::reportAlive);
   }
 
-  private LogicThread makeApp(GlobalVarHolder gvh) {
+  private RobotApp makeApp(GlobalVarHolder gvh) {
     if (discovery != null) {
       discovery.begin(gvh.id.boot());
     }
@@ -254,7 +254,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
         strand,
         () -> {
           GlobalVarHolder gvh = runner.gvh();
-          LogicThread app = runner.app();
+          RobotApp app = runner.app();
           if (gvh != null && app != null && runner.results() == null) {
             trace.report(clock, new ProcessFact.Waits(app.awaited(), gvh.waits()));
           }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -15,6 +16,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Strand;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -117,12 +119,23 @@ class SimulatedWheelsTest {
     }
 
     @Override
+    public void start(SuspendedApp app) {
+      throw new UnsupportedOperationException("no app");
+    }
+
+    @Override
     public void sleepUntil(long atNs) {
       throw new UnsupportedOperationException("no app");
     }
 
     @Override
     public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
+      throw new UnsupportedOperationException("no app");
+    }
+
+    @Override
+    public boolean suspendUntil(
+        @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
       throw new UnsupportedOperationException("no app");
     }
   }

@@ -1,7 +1,9 @@
 package org.starl.primitives.membership;
 
 import java.util.SortedSet;
+import java.util.function.Consumer;
 import org.starl.id.ProcessId;
+import org.starl.platform.Waits;
 
 /** The participants, as this robot has learned them. Strand only. */
 public interface Membership {
@@ -21,14 +23,14 @@ public interface Membership {
   boolean mayRequest();
 
   /**
-   * Takes part again, if the others have given this robot up, and waits for it. Only from {@code
-   * callStarL}.
+   * Takes part again, if the others have given this robot up, and waits for it, inside a call of the
+   * app.
    *
    * @param timeoutMs how long at most, above 0
-   * @return {@link #mayRequest}
+   * @param then goes on; it gets {@link #mayRequest}
    */
-  default boolean register(long timeoutMs) {
-    return mayRequest();
+  default void register(Waits<?> call, long timeoutMs, Consumer<Boolean> then) {
+    then.accept(mayRequest());
   }
 
   /**

@@ -28,6 +28,7 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.platform.Waits;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
@@ -167,28 +168,59 @@ public final class M_Mutex implements PipelinePrim {
 
   @Override
   public MutexFailure acquire(Collection<String> sections, long timeoutMs) {
-    long untilNs = Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs);
-    MutexFailure why = MutexFailure.WITHDRAWN;
-    while (true) {
-      do_mutex(sections);
-      gvh.plat.strand.awaitUntil(() -> crit.get() || failed.get(), untilNs);
-      if (crit.get()) {
-        return MutexFailure.NONE;
-      }
-      if (failed.get()) {
-        why = failure.get();
-      } else {
-        withdraw();
-      }
-      long leftNs = untilNs - gvh.plat.clock.nowNs();
-      if (leftNs <= RETRY_MS * NS_PER_MS) {
-        return why;
-      }
-      gvh.plat.strand.sleepUntil(Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS));
-      if (!membership.mayRequest() && !membership.register(leftNs / NS_PER_MS - RETRY_MS)) {
-        return MutexFailure.NOT_REGISTERED;
-      }
+    return acquiring(sections, timeoutMs).block(gvh.plat.strand);
+  }
+
+  @Override
+  public Waits<MutexFailure> acquiring(Collection<String> sections, long timeoutMs) {
+    return new Waits<>(call ->
+        acquire(
+            call,
+            sections,
+            Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs),
+            MutexFailure.WITHDRAWN));
+  }
+
+  private void acquire(
+      Waits<MutexFailure> call, Collection<String> sections, long untilNs, MutexFailure soFar) {
+    do_mutex(sections);
+    call.until(
+        () -> crit.get() || failed.get(),
+        untilNs,
+        held -> {
+          if (crit.get()) {
+            call.end(MutexFailure.NONE);
+          } else if (failed.get()) {
+            retry(call, sections, untilNs, failure.get());
+          } else {
+            withdraw();
+            retry(call, sections, untilNs, soFar);
+          }
+        });
+  }
+
+  private void retry(
+      Waits<MutexFailure> call, Collection<String> sections, long untilNs, MutexFailure why) {
+    long nowNs = gvh.plat.clock.nowNs();
+    long leftNs = untilNs - nowNs;
+    if (leftNs <= RETRY_MS * NS_PER_MS) {
+      call.end(why);
+      return;
     }
+    call.until(
+        null,
+        Time.afterMs(nowNs, RETRY_MS),
+        slept ->
+            membership.register(
+                call,
+                leftNs / NS_PER_MS - RETRY_MS,
+                mayRequest -> {
+                  if (mayRequest) {
+                    acquire(call, sections, untilNs, why);
+                  } else {
+                    call.end(MutexFailure.NOT_REGISTERED);
+                  }
+                }));
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.platform.Waits;
 import org.starl.primitives.StarLPrimitive;
 import org.starl.time.Time;
 
@@ -80,6 +81,9 @@ public interface MutexPrim extends StarLPrimitive {
    * @throws IllegalStateException as {@link #do_mutex(Collection)}
    */
   MutexFailure acquire(Collection<String> sections, long timeoutMs);
+
+  /** The same for an app that suspends: {@code await(mux.acquiring(listOf("A"), 60_000))}. */
+  Waits<MutexFailure> acquiring(Collection<String> sections, long timeoutMs);
 
   /**
    * The robots that were given up as crashed and may still be in sections, as far as this robot has

@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import org.jspecify.annotations.Nullable;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
+import org.starl.platform.Waits;
 import org.starl.primitives.StarLPrimitive;
 
 /** The registration interface for apps (paper, section 4.3). Strand only. */
@@ -28,6 +29,9 @@ public interface RegPrim extends StarLPrimitive {
    * @return whether this robot is registered
    */
   boolean register(long timeoutMs);
+
+  /** The same for an app that suspends: {@code await(reg.registering(60_000))}. */
+  Waits<Boolean> registering(long timeoutMs);
 
   /**
    * The agreed list, or null if there is none, as in the paper's Figure 4: {@code if (reg.getList()

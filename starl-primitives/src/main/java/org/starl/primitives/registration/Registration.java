@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -11,6 +12,7 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.platform.Waits;
 import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodMessage;
@@ -84,16 +86,37 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
 
   @Override
   public boolean register(long timeoutMs) {
-    long untilNs = Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs);
-    while (!mayRequest() && gvh.plat.clock.nowNs() < untilNs) {
-      do_register();
-      gvh.plat.strand.awaitUntil(() -> mayRequest() || failed.get(), untilNs);
-      if (!mayRequest()) { // a full list refuses it at once
-        long againNs = Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS);
-        gvh.plat.strand.sleepUntil(Math.min(againNs, untilNs));
-      }
+    return registering(timeoutMs).block(gvh.plat.strand);
+  }
+
+  @Override
+  public Waits<Boolean> registering(long timeoutMs) {
+    return new Waits<>(call -> register(call, timeoutMs, call::end));
+  }
+
+  @Override
+  public void register(Waits<?> call, long timeoutMs, Consumer<Boolean> then) {
+    registerUntil(call, Time.afterMs(gvh.plat.clock.nowNs(), timeoutMs), then);
+  }
+
+  private void registerUntil(Waits<?> call, long untilNs, Consumer<Boolean> then) {
+    if (mayRequest() || gvh.plat.clock.nowNs() >= untilNs) {
+      then.accept(mayRequest());
+      return;
     }
-    return mayRequest();
+    do_register();
+    call.until(
+        () -> mayRequest() || failed.get(),
+        untilNs,
+        held -> {
+          if (mayRequest()) {
+            then.accept(true);
+          } else { // a full list refuses it at once
+            long againNs = Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS);
+            call.until(
+                null, Math.min(againNs, untilNs), slept -> registerUntil(call, untilNs, then));
+          }
+        });
   }
 
   @Override

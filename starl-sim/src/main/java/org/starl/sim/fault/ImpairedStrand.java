@@ -3,10 +3,14 @@ package org.starl.sim.fault;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
+import org.starl.platform.StrandClosed;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
+import org.starl.platform.Waits;
 import org.starl.sim.kernel.SimStrand;
 
 /**
@@ -23,6 +27,8 @@ public final class ImpairedStrand implements Strand, Timers {
   private final Timer nextTurn;
   private long computeNs;
   private long busyUntilNs;
+  // The wait of an app without a thread.
+  private @Nullable Waits<Boolean> suspended;
   // Whether the last event on the strand ran an action; otherwise it only queued one.
   private boolean wasAction;
 
@@ -63,37 +69,91 @@ public final class ImpairedStrand implements Strand, Timers {
   }
 
   @Override
+  public void start(SuspendedApp app) {
+    strand.start(new Suspended(app));
+  }
+
+  @Override
   public void sleepUntil(long atNs) {
-    do {
-      strand.sleepUntil(clock.trueNs(atNs));
-    } while (clock.nowNs() < atNs);
-    takeTurn();
+    wait(null, atNs).block(strand);
   }
 
   @Override
   public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
-    boolean isTimed = deadlineNs != Long.MAX_VALUE;
-    int[] looks = {0};
-    BooleanSupplier afterActions =
-        () -> {
-          looks[0]++;
-          return wasAction && condition.getAsBoolean();
-        };
-    wasAction = true;
-    while (!strand.awaitUntil(afterActions, isTimed ? clock.trueNs(deadlineNs) : deadlineNs)) {
-      takeTurn();
-      if (condition.getAsBoolean()) {
-        return true;
-      }
-      if (clock.nowNs() >= deadlineNs) {
+    return wait(condition, deadlineNs).block(strand);
+  }
+
+  @Override
+  public boolean suspendUntil(
+      @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
+    Waits<Boolean> begun = wait(condition, deadlineNs);
+    boolean isOver = hasEnded(begun, false, continuation);
+    suspended = isOver ? null : begun;
+    return isOver;
+  }
+
+  private boolean hasEnded(Waits<Boolean> waits, boolean held, Object continuation) {
+    boolean last = held;
+    while (!waits.goOn(last)) {
+      if (!strand.suspendUntil(waits.condition(), waits.untilNs(), continuation)) {
         return false;
       }
-    }
-    if (looks[0] > 1) {
-      // The app resumes directly after the action that made the condition true.
-      hold();
+      last = true;
     }
     return true;
+  }
+
+  /** One wait of the app, which may be several of the strand; whether the condition held. */
+  private Waits<Boolean> wait(@Nullable BooleanSupplier condition, long deadlineNs) {
+    return new Waits<>(waits -> {
+      if (condition == null) {
+        sleep(waits, deadlineNs);
+      } else {
+        wasAction = true;
+        await(waits, new AfterActions(condition), deadlineNs);
+      }
+    });
+  }
+
+  private void sleep(Waits<Boolean> waits, long atNs) {
+    waits.until(
+        null,
+        clock.trueNs(atNs),
+        held -> {
+          if (clock.nowNs() < atNs) {
+            sleep(waits, atNs);
+          } else {
+            takeTurn(waits, () -> waits.end(false));
+          }
+        });
+  }
+
+  private void await(Waits<Boolean> waits, AfterActions condition, long deadlineNs) {
+    boolean isTimed = deadlineNs != Long.MAX_VALUE;
+    waits.until(
+        condition,
+        isTimed ? clock.trueNs(deadlineNs) : deadlineNs,
+        held -> {
+          if (!held) {
+            takeTurn(waits, () -> lookAgain(waits, condition, deadlineNs));
+            return;
+          }
+          if (condition.looks > 1) {
+            // The app resumes directly after the action that made the condition true.
+            hold();
+          }
+          waits.end(true);
+        });
+  }
+
+  private void lookAgain(Waits<Boolean> waits, AfterActions condition, long deadlineNs) {
+    if (condition.awaited.getAsBoolean()) {
+      waits.end(true);
+    } else if (clock.nowNs() >= deadlineNs) {
+      waits.end(false);
+    } else {
+      await(waits, condition, deadlineNs);
+    }
   }
 
   /** Queues {@code action}, as the robot's arrival gate. */
@@ -136,13 +196,58 @@ public final class ImpairedStrand implements Strand, Timers {
   }
 
   // The app waits in the queue like every other action.
-  private void takeTurn() {
+  private void takeTurn(Waits<?> waits, Runnable then) {
     if (isFree()) {
       hold();
+      then.run();
     } else {
       boolean[] isTurn = {false};
       queue(() -> isTurn[0] = true);
-      strand.awaitUntil(() -> isTurn[0], Long.MAX_VALUE);
+      waits.until(() -> isTurn[0], Long.MAX_VALUE, held -> then.run());
+    }
+  }
+
+  /** An awaited condition, evaluated after actions only. */
+  private final class AfterActions implements BooleanSupplier {
+    private final BooleanSupplier awaited;
+    private int looks;
+
+    AfterActions(BooleanSupplier awaited) {
+      this.awaited = awaited;
+    }
+
+    @Override
+    public boolean getAsBoolean() {
+      looks++;
+      return wasAction && awaited.getAsBoolean();
+    }
+  }
+
+  /** The app, resumed at the end of a wait of its own; the strand may resume it more often. */
+  private final class Suspended implements SuspendedApp {
+    private final SuspendedApp app;
+
+    Suspended(SuspendedApp app) {
+      this.app = app;
+    }
+
+    @Override
+    public boolean resume(
+        @Nullable Object continuation, boolean held, @Nullable StrandClosed closed) {
+      Waits<Boolean> begun = suspended;
+      if (closed != null) {
+        return app.resume(continuation, false, closed);
+      }
+      if (continuation == null || begun == null) {
+        hold();
+        return app.resume(null, false, null);
+      }
+      return hasEnded(begun, held, continuation) && app.resume(continuation, begun.result(), null);
+    }
+
+    @Override
+    public StackTraceElement[] stack(Object continuation) {
+      return app.stack(continuation);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.starl.sim.kernel;
 
 import org.starl.LogicThread;
+import org.starl.RobotApp;
 
 /** Finds the line of an app's own code in a stack trace, for messages. */
 public final class AppFrame {
@@ -49,9 +50,11 @@ public final class AppFrame {
   private static boolean isFramework(StackTraceElement frame) {
     String type = frame.getClassName();
     return type.startsWith("java.")
+        || type.startsWith("kotlin.")
         || type.startsWith("jdk.")
         || type.startsWith("org.starl.sim.kernel.")
         || type.startsWith("org.starl.sim.fault.")
-        || type.equals(LogicThread.class.getName());
+        || type.equals(RobotApp.class.getName())
+        || type.startsWith(LogicThread.class.getName());
   }
 }

@@ -246,8 +246,13 @@ public final class Kernel implements Clock, AutoCloseable {
     current = strand;
   }
 
-  Carrier carry(SimStrand strand, Runnable app) {
+  /** An app without a carrier starts. */
+  void appBegins(SimStrand strand) {
     strandsWithApps.add(strand);
+  }
+
+  Carrier carry(SimStrand strand, Runnable app) {
+    appBegins(strand);
     if (carrierKind == CarrierKind.PLATFORM) {
       return new PlatformCarrier(strand.name(), app, foreignWaitLimit);
     }

@@ -5,6 +5,7 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Strand;
 import org.starl.platform.StrandClosed;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
@@ -53,22 +54,41 @@ public final class SimStrand implements Strand, Timers {
 
   @Override
   public void start(Runnable newApp) {
+    start(new WaitingApp(kernel, this, newApp));
+  }
+
+  @Override
+  public void start(SuspendedApp newApp) {
+    start(new WaitingApp(kernel, this, newApp));
+  }
+
+  private void start(WaitingApp newApp) {
     if (app != null) {
       throw new IllegalStateException(name + ": an app was started here before");
     }
-    app = new WaitingApp(kernel, this, newApp);
-    app.start();
+    app = newApp;
+    newApp.start();
   }
 
   @Override
   public void sleepUntil(long atNs) {
-    runningApp().sleepUntil(atNs);
+    blockingApp().sleepUntil(atNs);
   }
 
   /** {@inheritDoc} The condition is evaluated once more at the deadline. */
   @Override
   public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
-    return runningApp().awaitUntil(condition, deadlineNs);
+    return blockingApp().awaitUntil(condition, deadlineNs);
+  }
+
+  @Override
+  public boolean suspendUntil(
+      @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
+    WaitingApp mine = runningApp();
+    if (!mine.isSuspended()) {
+      throw new IllegalStateException(name + ": only an app without a thread may suspend");
+    }
+    return mine.suspendUntil(condition, deadlineNs, continuation);
   }
 
   /**
@@ -182,6 +202,14 @@ public final class SimStrand implements Strand, Timers {
   /** The thread of the app while the app itself runs, or null. */
   @Nullable Thread runningAppThread() {
     return app == null ? null : app.runningThread();
+  }
+
+  private WaitingApp blockingApp() {
+    WaitingApp mine = runningApp();
+    if (mine.isSuspended()) {
+      throw SuspendedApp.blockingCall(this);
+    }
+    return mine;
   }
 
   private WaitingApp runningApp() {

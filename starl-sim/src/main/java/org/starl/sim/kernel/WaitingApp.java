@@ -3,10 +3,11 @@ package org.starl.sim.kernel;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.StrandClosed;
+import org.starl.platform.SuspendedApp;
 
 /**
  * The app of a strand. It runs on its carrier from one wait to the next, as one piece of the
- * strand. The object itself is the event that resumes the app: at its start, after a sleep, or at
+ * strand; an app that suspends has no carrier, and runs on the kernel's thread. The object itself is the event that resumes the app: at its start, after a sleep, or at
  * the deadline of an await.
  */
 final class WaitingApp implements Prefetchable {
@@ -19,8 +20,12 @@ final class WaitingApp implements Prefetchable {
 
   private final Kernel kernel;
   private final SimStrand strand;
+  // One of the two, until it has ended.
   private @Nullable Runnable body;
+  private @Nullable SuspendedApp suspended;
+  // From its start to its end.
   private @Nullable Carrier carrier;
+  private @Nullable Object continuation;
   private boolean isRunning;
   private boolean isLost;
   private int refusals;
@@ -38,6 +43,12 @@ final class WaitingApp implements Prefetchable {
     this.body = body;
   }
 
+  WaitingApp(Kernel kernel, SimStrand strand, SuspendedApp suspended) {
+    this.kernel = kernel;
+    this.strand = strand;
+    this.suspended = suspended;
+  }
+
   void start() {
     if (!strand.isClosed()) {
       wakeSlot = kernel.add(kernel.nowNs(), strand, this);
@@ -47,12 +58,19 @@ final class WaitingApp implements Prefetchable {
   @Override
   public int prefetch() {
     Carrier waiting = carrier;
-    return waiting == null ? 0 : waiting.touch();
+    return waiting == null
+        ? Cache.prefetch(continuation) + Cache.prefetch(suspended)
+        : waiting.touch();
   }
 
   /** Whether the app itself runs on the strand now. */
   boolean isRunning() {
     return isRunning;
+  }
+
+  /** Whether it is an app without a thread. */
+  boolean isSuspended() {
+    return suspended != null;
   }
 
   /** The app's thread while the app runs, or null; for a watch on another thread. */
@@ -63,6 +81,11 @@ final class WaitingApp implements Prefetchable {
 
   /** Where the app waits or runs; empty if it has not started or has ended. */
   StackTraceElement[] stack() {
+    SuspendedApp threadless = suspended;
+    Object waiting = continuation;
+    if (threadless != null && waiting != null) {
+      return isRunning ? Thread.currentThread().getStackTrace() : threadless.stack(waiting);
+    }
     Carrier mine = carrier;
     return mine == null ? new StackTraceElement[0] : mine.thread().getStackTrace();
   }
@@ -77,15 +100,37 @@ final class WaitingApp implements Prefetchable {
   }
 
   boolean awaitUntil(BooleanSupplier newCondition, long deadlineNs) {
-    if (!strand.isClosed() && newCondition.getAsBoolean()) {
-      awaits++;
-      if (awaits > MAX_AWAITS) {
-        throw Stalled.awaits(MAX_AWAITS);
-      }
+    if (holdsAtOnce(newCondition)) {
       return true;
     }
     suspend(newCondition, deadlineNs, deadlineNs != Long.MAX_VALUE);
     return conditionHeld;
+  }
+
+  /** Begins a wait, and returns at once; returns whether the condition holds already. */
+  boolean suspendUntil(
+      @Nullable BooleanSupplier newCondition, long deadlineNs, Object newContinuation) {
+    if (newCondition != null && holdsAtOnce(newCondition)) {
+      return true;
+    }
+    continuation = newContinuation;
+    if (strand.isClosed()) {
+      refuse();
+    } else {
+      beginWait(newCondition, deadlineNs, newCondition == null || deadlineNs != Long.MAX_VALUE);
+    }
+    return false;
+  }
+
+  private boolean holdsAtOnce(BooleanSupplier newCondition) {
+    if (strand.isClosed() || !newCondition.getAsBoolean()) {
+      return false;
+    }
+    awaits++;
+    if (awaits > MAX_AWAITS) {
+      throw Stalled.awaits(MAX_AWAITS);
+    }
+    return true;
   }
 
   /**
@@ -119,17 +164,17 @@ final class WaitingApp implements Prefetchable {
    */
   @Nullable Throwable unwind() {
     Carrier waiting = carrier;
-    if (waiting == null) {
+    if (waiting == null && continuation == null) {
       return null;
     }
     try {
-      if (isLost) {
+      if (isLost && waiting != null) {
         runOn(waiting);
       }
-      if (carrier != null) {
+      if (isBegun()) {
         resume();
       }
-      return carrier == null
+      return !isBegun()
           ? failure
           : new IllegalStateException(
               "the app goes on although its run has ended; does it catch StrandClosed?");
@@ -153,14 +198,11 @@ final class WaitingApp implements Prefetchable {
       throw new IllegalStateException(strand + ": the app is over");
     }
     if (strand.isClosed()) {
-      refuse(mine);
+      refuse();
+      mine.suspend();
+      throw new StrandClosed();
     }
-    awaits = 0;
-    suspendedNs = kernel.nowNs();
-    strand.awaited = newCondition;
-    if (isTimed) {
-      wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);
-    }
+    beginWait(newCondition, untilNs, isTimed);
     try {
       mine.suspend();
     } catch (NonKernelWait e) {
@@ -172,21 +214,39 @@ final class WaitingApp implements Prefetchable {
     }
   }
 
-  private void refuse(Carrier mine) {
-    refusals++;
-    if (refusals > MAX_REFUSALS) {
-      mine.suspend();
+  private void beginWait(@Nullable BooleanSupplier newCondition, long untilNs, boolean isTimed) {
+    awaits = 0;
+    suspendedNs = kernel.nowNs();
+    strand.awaited = newCondition;
+    if (isTimed) {
+      wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);
     }
-    throw new StrandClosed();
+  }
+
+  /** Ends the app on its closed strand; returns if that has failed too often. */
+  private void refuse() {
+    refusals++;
+    if (refusals <= MAX_REFUSALS) {
+      throw new StrandClosed();
+    }
   }
 
   private void resume() {
     Carrier mine = carrier;
+    SuspendedApp threadless = suspended;
+    if (threadless != null) {
+      run(threadless);
+      return;
+    }
     if (mine == null) {
       mine = kernel.carry(strand, this::runBody);
       carrier = mine;
     }
     runOn(mine);
+  }
+
+  private boolean isBegun() {
+    return carrier != null || continuation != null;
   }
 
   private void runOn(Carrier mine) {
@@ -209,6 +269,27 @@ final class WaitingApp implements Prefetchable {
     }
   }
 
+  private void run(SuspendedApp app) {
+    if (continuation == null) {
+      kernel.appBegins(strand);
+    }
+    boolean isOver = true;
+    isRunning = true;
+    try {
+      isOver =
+          app.resume(continuation, conditionHeld, strand.isClosed() ? new StrandClosed() : null);
+    } catch (StrandClosed e) {
+      failure = strand.isClosed() ? null : e;
+    } catch (Throwable e) {
+      failure = e;
+    } finally {
+      isRunning = false;
+      if (isOver) {
+        end();
+      }
+    }
+  }
+
   // Runs on the carrier.
   private void runBody() {
     Runnable app = body;
@@ -227,6 +308,8 @@ final class WaitingApp implements Prefetchable {
 
   private void end() {
     carrier = null;
+    suspended = null;
+    continuation = null;
     kernel.appIsOver(strand);
   }
 }

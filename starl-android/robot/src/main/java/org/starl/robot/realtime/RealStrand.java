@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
 import org.starl.platform.StrandClosed;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
@@ -97,7 +98,15 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   @Override
   public void start(Runnable body) {
-    RealApp newApp = new RealApp(this, lock, name + " app", body);
+    start(new RealApp(this, lock, name + " app", body));
+  }
+
+  @Override
+  public void start(SuspendedApp body) {
+    start(new RealApp(this, lock, thread, body));
+  }
+
+  private void start(RealApp newApp) {
     lock.lock();
     try {
       if (app != null) {
@@ -119,13 +128,23 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   @Override
   public void sleepUntil(long atNs) {
-    runningApp().sleepUntil(atNs);
+    blockingApp().sleepUntil(atNs);
   }
 
   /** {@inheritDoc} At the deadline the condition is evaluated once more. */
   @Override
   public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
-    return runningApp().awaitUntil(condition, deadlineNs);
+    return blockingApp().awaitUntil(condition, deadlineNs);
+  }
+
+  @Override
+  public boolean suspendUntil(
+      @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
+    RealApp mine = runningApp();
+    if (!mine.isSuspended()) {
+      throw new IllegalStateException(name + ": only an app without a thread may suspend");
+    }
+    return mine.suspendUntil(condition, deadlineNs, continuation);
   }
 
   /**
@@ -160,7 +179,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   /** The stack of the app's thread; empty if there is none. From any thread. */
   public StackTraceElement[] appStack() {
     RealApp mine = app;
-    return mine == null ? new StackTraceElement[0] : mine.thread().getStackTrace();
+    return mine == null ? new StackTraceElement[0] : mine.stack();
   }
 
   /** The use of the strand's time so far. From any thread. */
@@ -315,6 +334,14 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
             busy.getName() + " has not ended " + CLOSE_LIMIT.getSeconds() + " s after its close");
     late.setStackTrace(busy.getStackTrace());
     return late;
+  }
+
+  private RealApp blockingApp() {
+    RealApp mine = runningApp();
+    if (mine.isSuspended()) {
+      throw SuspendedApp.blockingCall(this);
+    }
+    return mine;
   }
 
   private RealApp runningApp() {

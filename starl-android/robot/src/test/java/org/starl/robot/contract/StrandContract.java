@@ -1,22 +1,30 @@
+// Longer than 500 lines because one contract in one class runs on every strand.
 package org.starl.robot.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.starl.platform.Strand;
 import org.starl.platform.StrandClosed;
+import org.starl.platform.SuspendedApp;
 
 /** What every {@link Strand} does. */
 public abstract class StrandContract {
 
   private static final long MS = 1_000_000;
+
+  /** A suspended app's continuation. */
+  private static final String HERE = "here";
 
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final CountDownLatch done = new CountDownLatch(1);
@@ -325,6 +333,191 @@ public abstract class StrandContract {
     ground.close();
     assertThat(takeError()).isSameAs(bug);
     assertThat(log).containsExactly("finally");
+  }
+
+  @Test
+  void anAppThatSuspendsIsResumedInTheOrderOfOneThatBlocks() {
+    int[] messages = {0};
+    strand.start(
+        new Suspending(
+            held -> {
+              strand.post(() -> log.add("posted"));
+              return strand.suspendUntil(null, now() - MS, HERE);
+            },
+            held -> {
+              log.add("slept " + held);
+              strand.post(() -> {
+                strand.post(() -> log.add("message " + ++messages[0]));
+                strand.post(() -> log.add("message " + ++messages[0]));
+                strand.post(() -> log.add("message " + ++messages[0]));
+                strand.post(done::countDown);
+              });
+              return strand.suspendUntil(() -> messages[0] == 2, Long.MAX_VALUE, HERE);
+            },
+            held -> {
+              log.add("app " + held + " " + strand.isCurrent());
+              return false;
+            }));
+    ground.runUntil(done);
+    assertThat(log)
+        .containsExactly(
+            "posted", "slept false", "message 1", "message 2", "app true true", "message 3");
+  }
+
+  @Test
+  void aSuspendedAppChecksItsConditionAtOnceAndAtItsDeadline() {
+    long[] deadlineNs = {0};
+    strand.start(
+        new Suspending(
+            held -> strand.suspendUntil(() -> true, now() - MS, HERE),
+            held -> {
+              log.add("at once " + held);
+              deadlineNs[0] = now() + 2 * MS;
+              return strand.suspendUntil(() -> false, deadlineNs[0], HERE);
+            },
+            held -> {
+              log.add("held " + held + ", in time " + (now() < deadlineNs[0]));
+              deadlineNs[0] = now() + 2 * MS;
+              return strand.suspendUntil(() -> now() >= deadlineNs[0], deadlineNs[0], HERE);
+            },
+            held -> {
+              log.add("held " + held);
+              done.countDown();
+              return false;
+            }));
+    ground.runUntil(done);
+    assertThat(log).containsExactly("at once true", "held false, in time false", "held true");
+  }
+
+  @Test
+  void aSuspendedAppMayNotBlockAndAnotherMayNotSuspend() {
+    strand.post(() ->
+        assertThatThrownBy(() -> strand.suspendUntil(null, now(), HERE))
+            .hasMessageContaining("only the app may wait"));
+    strand.start(
+        new Suspending(held -> {
+          assertThatThrownBy(() -> strand.sleepUntil(now()))
+              .isInstanceOf(IllegalStateException.class)
+              .hasMessageContaining(": a blocking call in an app that suspends");
+          assertThatThrownBy(() -> strand.awaitUntil(() -> false, now()))
+              .hasMessageContaining("await(mutex.acquiring(");
+          done.countDown();
+          return false;
+        }));
+    assertThatThrownBy(() -> strand.start(() -> {})).isInstanceOf(IllegalStateException.class);
+    ground.runUntil(done);
+  }
+
+  @Test
+  void anAppThatBlocksMayNotSuspend() {
+    strand.start(() -> {
+      assertThatThrownBy(() -> strand.suspendUntil(null, now(), HERE))
+          .hasMessageContaining("only an app without a thread may suspend");
+      done.countDown();
+    });
+    ground.runUntil(done);
+  }
+
+  @Test
+  void closingEndsASuspendedAppInItsWait() {
+    strand.start(
+        new Suspending(
+            held -> {
+              strand.post(done::countDown);
+              return strand.suspendUntil(() -> false, Long.MAX_VALUE, HERE);
+            },
+            held -> {
+              log.add("too late");
+              return false;
+            }));
+    ground.runUntil(done);
+    ground.closeStrand();
+    ground.close();
+    assertThat(log).containsExactly("told");
+  }
+
+  @Test
+  void aSuspendedAppThatDoesNotEndIsReported() {
+    strand.start(
+        new SuspendedApp() {
+          @Override
+          public boolean resume(
+              @Nullable Object continuation, boolean held, @Nullable StrandClosed closed) {
+            if (closed != null) {
+              log.add("told");
+            }
+            while (true) {
+              try {
+                strand.post(done::countDown);
+                return strand.suspendUntil(null, now() + 3_600_000 * MS, HERE);
+              } catch (StrandClosed e) {
+                log.add("told");
+              }
+            }
+          }
+
+          @Override
+          public StackTraceElement[] stack(Object continuation) {
+            return new StackTraceElement[0];
+          }
+        });
+    ground.runUntil(done);
+    ground.closeStrand();
+    assertThat(takeError()).hasMessageContaining("does it catch StrandClosed?");
+    assertThat(log).hasSizeGreaterThan(2);
+  }
+
+  @Test
+  void anExceptionOfASuspendedAppIsReportedAndEndsTheStrand() {
+    IllegalStateException bug = new IllegalStateException("bug");
+    strand.start(
+        new Suspending(
+            held -> strand.suspendUntil(null, now() + MS, HERE),
+            held -> {
+              strand.post(() -> log.add("too late"));
+              done.countDown();
+              throw bug;
+            }));
+    ground.runUntil(done);
+    ground.close();
+    assertThat(takeError()).isSameAs(bug);
+    assertThat(log).isEmpty();
+  }
+
+  private interface Piece {
+    /** Runs the app from a wait to the next; whether it goes on at once. */
+    boolean goesOn(boolean held);
+  }
+
+  /** An app without a thread: code for its start and for the end of each of its waits. */
+  private final class Suspending implements SuspendedApp {
+    private final Deque<Piece> rest;
+    private boolean isStarted;
+
+    Suspending(Piece... pieces) {
+      rest = new ArrayDeque<>(List.of(pieces));
+    }
+
+    @Override
+    public boolean resume(
+        @Nullable Object continuation, boolean held, @Nullable StrandClosed closed) {
+      if (closed != null) {
+        log.add("told");
+        throw closed;
+      }
+      assertThat(continuation).isEqualTo(isStarted ? HERE : null);
+      isStarted = true;
+      boolean last = held;
+      while (rest.remove().goesOn(last)) {
+        last = true;
+      }
+      return rest.isEmpty();
+    }
+
+    @Override
+    public StackTraceElement[] stack(Object continuation) {
+      return new StackTraceElement[0];
+    }
   }
 
   private Throwable takeError() {

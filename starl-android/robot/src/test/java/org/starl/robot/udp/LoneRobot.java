@@ -28,6 +28,7 @@ import org.starl.platform.Platform;
 import org.starl.platform.Radio;
 import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
+import org.starl.platform.SuspendedApp;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.session.KnownStarts;
@@ -170,6 +171,11 @@ final class LoneRobot {
     }
 
     @Override
+    public void start(SuspendedApp app) {
+      throw new UnsupportedOperationException("no app here");
+    }
+
+    @Override
     public void post(Runnable action) {
       posted.add(action);
     }
@@ -186,6 +192,12 @@ final class LoneRobot {
 
     @Override
     public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
+      throw new UnsupportedOperationException("no app here");
+    }
+
+    @Override
+    public boolean suspendUntil(
+        @Nullable BooleanSupplier condition, long deadlineNs, Object continuation) {
       throw new UnsupportedOperationException("no app here");
     }
   }
