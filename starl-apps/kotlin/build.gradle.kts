@@ -13,6 +13,7 @@ dependencies {
     implementation(project(":starl-sim"))
     implementation(project(":starl-sim-view"))
     implementation(project(":starl-apps"))
+    implementation(project(":starl-cli-bench"))
     // Runs the app; nothing here is compiled against it.
     runtimeOnly(project(":starl-cli"))
     implementation(libs.kotlin.stdlib)

@@ -63,7 +63,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--style",
       paramLabel = "STYLE",
-      description = "blocking or step (default: blocking; b3: step).")
+      description = "blocking, step or, with b1, suspended (default: blocking; b3: step).")
   private Workload.@Nullable Style style;
 
   @Option(

@@ -2,9 +2,12 @@ package org.starl.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.RobotApp;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
@@ -25,10 +28,10 @@ import org.starl.time.Time;
  */
 public final class KernelWorkload implements Workload {
 
-  private static final int ROUNDS = 100;
-  private static final long PERIOD_MS = 100;
+  public static final int ROUNDS = 100;
+  public static final long PERIOD_MS = 100;
 
-  private static final Channel<Integer> CHANNEL =
+  public static final Channel<Integer> CHANNEL =
       new Channel<>("bench", "b1", Codec.of((message, out) -> out.u8(message), WireReader::u8));
 
   @Override
@@ -51,20 +54,38 @@ public final class KernelWorkload implements Workload {
       ids.add(new RobotId("bot" + i));
     }
     SimSettings settings = SimSettings.builder().set("messageDelay", "exponential(50ms)").build();
+    Optional<Suspending> suspending = ServiceLoader.load(Suspending.class).findFirst();
+    if (style == Style.SUSPENDED && suspending.isEmpty()) {
+      throw new BadInput("b1: style suspended needs StarL's module for Kotlin on the class path");
+    }
     Simulation.Builder builder = Simulation.builder().name("b1").seed(seed).settings(settings);
     for (int i = 0; i < robots; i++) {
       int me = i;
-      Function<GlobalVarHolder, LogicThread> app =
+      Function<GlobalVarHolder, RobotApp> app =
           gvh -> {
             Rng rng = gvh.plat.entropy.fork("b1");
             long phaseNs = rng.nextLong(0, PERIOD_MS * Time.NS_PER_MS - 1);
-            return style == Style.BLOCKING
-                ? new Blocking(gvh, ids, me, rng, phaseNs)
-                : new Stepping(gvh, ids, me, rng, phaseNs);
+            return switch (style) {
+              case BLOCKING -> new Blocking(gvh, ids, me, rng, phaseNs);
+              case STEP -> new Stepping(gvh, ids, me, rng, phaseNs);
+              case SUSPENDED -> suspending.get().robot(gvh, ids, me, rng, phaseNs);
+            };
           };
       builder.robot(new RobotSpec(ids.get(i), new Pose(0, 0, 0), false, app));
     }
     return builder;
+  }
+
+  /** Makes the robots whose apps suspend: they are in Kotlin, and so in another module. */
+  public interface Suspending {
+
+    /**
+     * The app of one robot.
+     *
+     * @param me its number in {@code ids}
+     * @param phaseNs its first wait is longer by this
+     */
+    RobotApp robot(GlobalVarHolder gvh, List<RobotId> ids, int me, Rng rng, long phaseNs);
   }
 
   private static final class Blocking extends LogicThread {
@@ -124,7 +145,8 @@ public final class KernelWorkload implements Workload {
     }
   }
 
-  private static void sendToRandomRobot(
+  /** Sends one message to a random robot but {@code me}. */
+  public static void sendToRandomRobot(
       Endpoint<Integer> endpoint, List<RobotId> ids, int me, Rng rng) {
     int other = rng.nextInt(ids.size() - 1);
     endpoint.send(ids.get(other >= me ? other + 1 : other), 1);

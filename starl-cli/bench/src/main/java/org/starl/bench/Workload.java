@@ -31,7 +31,8 @@ public interface Workload {
   /** The style of the robots' apps. */
   enum Style {
     BLOCKING,
-    STEP
+    STEP,
+    SUSPENDED
   }
 
   /**
