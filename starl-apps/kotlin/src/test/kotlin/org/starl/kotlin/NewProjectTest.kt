@@ -28,7 +28,7 @@ class NewProjectTest {
 
   private val classes by lazy { temporary.resolve("classes") }
 
-  /** Of its README's tour: as written, with the change, with the planted bug; compiled together. */
+  /** Of its README's tour: as written, with the change, with the planted bug, suspended; compiled together. */
   @Test
   fun itCompilesPassesItsTestAndKeepsTheTour() {
     written(NAME)
@@ -44,9 +44,16 @@ class NewProjectTest {
       edit(app, home, "            $release\n$home")
       mendTheTest()
     }
-    compile(NAME, CHANGED, BROKEN)
+    written(SUSPENDED).apply {
+      edit(app, blocks()[6].trim(), blocks()[5].trim())
+      edit(app, "import org.starl.LogicThread", "import org.starl.SuspendedThread")
+      edit(app, ": LogicThread(", ": SuspendedThread(")
+      mendTheTest()
+    }
+    compile(NAME, CHANGED, BROKEN, SUSPENDED)
     assertThat(failures("myrobots.MyRobotsTest")).isEmpty()
     assertThat(failures("changed.ChangedTest")).isEmpty()
+    assertThat(failures("suspended.SuspendedTest")).isEmpty()
     assertThat(failures("broken.BrokenTest"))
       .hasSize(1)
       .allMatch { it.contains("alone_at_the_dock violated") }
@@ -138,5 +145,6 @@ class NewProjectTest {
     const val NAME = "my-robots"
     const val CHANGED = "changed"
     const val BROKEN = "broken"
+    const val SUSPENDED = "suspended"
   }
 }
