@@ -66,6 +66,13 @@ class RecipesTest {
   }
 
   @Test
+  void messages() {
+    // The chief hears itself, too.
+    assertThat(results(four(MessagesRecipe::new), TubesSpec::new))
+        .containsExactly(List.of(true, 4), List.of(true, 3), List.of(true, 3), List.of(true, 3));
+  }
+
+  @Test
   void mutex() {
     assertThat(results(four(MutexRecipe::new), MutexSpec::new)).containsOnly(List.of("used"));
   }
