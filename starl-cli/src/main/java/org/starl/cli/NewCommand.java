@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -51,7 +52,9 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "NAME",
-      description = "Name of the project, its folder and its app, such as my-robots.")
+      description =
+          "Name of the project, its folder and its app, such as my-robots; or a path that ends with"
+              + " it, such as ~/work/my-robots.")
   private String name = "";
 
   @Option(
@@ -71,6 +74,7 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     PrintWriter out = out();
+    takePath();
     check(demos().names());
     if (isProgram && isKotlin) {
       throw new BadInput("--starl: expected no --kotlin beside it; its builds make Java");
@@ -95,6 +99,17 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
         """,
         Shell.quote(shown), name, name);
     return ExitStatus.GOOD;
+  }
+
+  /** Divides a path into the folder and its last part, the name. */
+  private void takePath() {
+    String path = name.replaceFirst("[/" + Pattern.quote(File.separator) + "]+$", "");
+    int nameAt = Math.max(path.lastIndexOf('/'), path.lastIndexOf(File.separatorChar)) + 1;
+    if (nameAt > 0 && folder != null) {
+      throw new BadInput("--folder " + folder + ": expected none beside the path " + name);
+    }
+    folder = nameAt > 0 ? path : folder;
+    name = path.substring(nameAt);
   }
 
   /** Whether the local Maven repository has the libraries of this version. */

@@ -339,7 +339,6 @@ class NewCommandTest {
         "a--b",
         "a-",
         "a_b",
-        "../a",
         "class",
         "fun",
         "java",
@@ -374,6 +373,21 @@ class NewCommandTest {
   void anEmptyFolderIsUsed(@TempDir Path empty) throws IOException {
     assertThat(Cli.run("new", NAME, "--folder", empty.toString()).status()).isZero();
     assertThat(empty.resolve("pom.xml")).exists();
+  }
+
+  @Test
+  void aPathIsTheFolderAndEndsWithTheName(@TempDir Path there) {
+    assertThat(Cli.run("new", there.resolve("a-b").toString()).status()).isZero();
+    assertThat(Cli.run("new", there.resolve("c-d") + "/").status()).isZero();
+    assertThat(there.resolve("a-b/a-b")).isExecutable();
+    assertThat(there.resolve("c-d/src/main/java/cd")).isDirectory();
+    Cli twice = Cli.run("new", there.resolve("e").toString(), "--folder", "f");
+    assertThat(twice.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(twice.err())
+        .containsExactly("starl: --folder f: expected none beside the path " + there.resolve("e"));
+    Cli unnamed = Cli.run("new", there + "/..");
+    assertThat(unnamed.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(unnamed.err().get(0)).startsWith("starl: '..': expected a name");
   }
 
   @Test
