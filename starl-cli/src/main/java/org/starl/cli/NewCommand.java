@@ -54,7 +54,7 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description =
           "Name of the project, its folder and its app, such as my-robots; or a path that ends with"
-              + " it, such as ~/work/my-robots.")
+              + " it, such as ../my-robots.")
   private String name = "";
 
   @Option(

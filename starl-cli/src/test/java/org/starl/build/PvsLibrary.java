@@ -117,6 +117,12 @@ final class PvsLibrary {
     return sha256(sums.toString());
   }
 
+  /** The hash of what a theory says, as in pvs/STATEMENTS: without comments, proofs, and the amount of white space. */
+  String said(String theory) {
+    String text = bare.getOrDefault(theory, "");
+    return sha256(text.replaceAll("[ \t\n]+", " ")).substring(0, 16);
+  }
+
   private static Set<String> names(Pattern pattern, String text) {
     Set<String> found = new TreeSet<>();
     pattern.matcher(text).results().forEach(match -> found.add(match.group(1)));

@@ -29,6 +29,10 @@ class PvsLibraryTest {
   private static final Pattern THEORY = Pattern.compile("= \"(\\w+)\";");
   private static final Pattern RECORD = Pattern.compile("\\brecord (\\w+)\\(");
 
+  /** A theory, the hash that was agreed first, and the present one, which has a reason. */
+  private static final Pattern AGREED =
+      Pattern.compile("(?m)^(\\w+) ([0-9a-f]{16})(?: -> ([0-9a-f]{16}): .+)?$");
+
   private static final Pattern SUM = Pattern.compile("(?m)^([A-Za-z]\\w*) (\\S+)$");
 
   private final Repository repository = Repository.here();
@@ -46,6 +50,23 @@ class PvsLibraryTest {
           .as("formulas of %s that are proved", theory)
           .isGreaterThanOrEqualTo(library.formulas(theory).size());
     }
+  }
+
+  /** As pvs/check asks, which needs PVS. */
+  @Test
+  void everyTheorySaysWhatWasAgreed() {
+    SortedMap<String, String> agreed = new TreeMap<>();
+    AGREED
+        .matcher(repository.text("pvs/STATEMENTS"))
+        .results()
+        .forEach(line ->
+            agreed.put(line.group(1), line.group(3) == null ? line.group(2) : line.group(3)));
+    SortedMap<String, String> said = new TreeMap<>();
+    library.theories().forEach(theory -> said.put(theory, library.said(theory)));
+    said.put("top", library.said("top"));
+    assertThat(said)
+        .as("pvs/STATEMENTS; who means a change writes ' -> NEW: why' after the first hash")
+        .isEqualTo(agreed);
   }
 
   @Test
