@@ -68,7 +68,7 @@ subprojects {
         // The simulator's carriers need java.lang; libraries under test may load agents.
         jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
         // Most tests end before the second compiler pays; not those of modules with long runs.
-        if (project.path !in setOf(":starl-apps", ":starl-cli:bench")) {
+        if (project.path !in setOf(":starl-lang", ":starl-primitives:states", ":starl-apps", ":starl-cli:bench")) {
             jvmArgs("-XX:TieredStopAtLevel=1")
         }
         systemProperty("java.awt.headless", "true")
