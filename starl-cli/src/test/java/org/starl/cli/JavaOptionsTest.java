@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.stream.Stream;
@@ -31,9 +32,12 @@ class JavaOptionsTest {
   private void file(String name, String text) throws IOException {
     Path file = folder.resolve(name);
     Files.createDirectories(file.getParent());
-    Files.writeString(file, text);
-    assertThat(file.toFile().setExecutable(true)).isTrue();
-    Files.setLastModifiedTime(file, FileTime.fromMillis(1000L * ++seconds));
+    // The launcher makes its cache in the background: a program that runs cannot be written.
+    Path written = folder.resolve("written");
+    Files.writeString(written, text);
+    assertThat(written.toFile().setExecutable(true)).isTrue();
+    Files.setLastModifiedTime(written, FileTime.fromMillis(1000L * ++seconds));
+    Files.move(written, file, StandardCopyOption.REPLACE_EXISTING);
   }
 
   /** The words that Java gets for a command line. */
