@@ -71,9 +71,8 @@ final class JsonPoseParser {
       return new Result(new JsonPoseParser(in).object(), "");
     } catch (JsonProcessingException e) {
       int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
-      String problem = e.getOriginalMessage();
-      boolean isOwn = problem.startsWith("expected "); // of wrong() below
-      return new Result(null, "column " + column + ": " + (isOwn ? problem : EXPECTED));
+      String problem = e instanceof Wrong ? e.getOriginalMessage() : EXPECTED;
+      return new Result(null, "column " + column + ": " + problem);
     } catch (IOException e) {
       throw new IllegalStateException("reading a text from memory", e);
     }
@@ -128,7 +127,17 @@ final class JsonPoseParser {
     }
   }
 
-  private JsonParseException wrong(String expected) {
-    return new JsonParseException(in, "expected " + expected);
+  private Wrong wrong(String expected) {
+    return new Wrong(in, expected);
+  }
+
+  /** An error that is found here, not by the library: its message is for users. */
+  private static final class Wrong extends JsonParseException {
+
+    private static final long serialVersionUID = 1;
+
+    Wrong(JsonParser in, String expected) {
+      super(in, "expected " + expected);
+    }
   }
 }
