@@ -2,7 +2,7 @@ package org.starl.cli;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.nio.ByteBuffer;
+import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -23,7 +23,8 @@ final class ShardFile implements Closeable {
   private static final String OPTION = "--out";
 
   private final String name;
-  private final FileChannel channel;
+  // Not a channel: a signal interrupts the thread, and an interrupt closes a channel.
+  private final OutputStream out;
 
   private ShardFile(String name, long wholeBytes) {
     this.name = name;
@@ -32,9 +33,12 @@ final class ShardFile implements Closeable {
       if (folder != null) {
         Files.createDirectories(folder);
       }
-      channel =
-          FileChannel.open(Path.of(name), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-      channel.truncate(wholeBytes).position(wholeBytes);
+      Path path = Path.of(name);
+      try (FileChannel rows =
+          FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+        rows.truncate(wholeBytes);
+      }
+      out = Files.newOutputStream(path, StandardOpenOption.APPEND);
     } catch (IOException | InvalidPathException e) {
       throw OutputFile.unwritable(OPTION, name, e);
     }
@@ -109,11 +113,8 @@ final class ShardFile implements Closeable {
   }
 
   void append(String line) throws IOException {
-    ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.UTF_8));
     try {
-      while (bytes.hasRemaining()) {
-        channel.write(bytes);
-      }
+      out.write((line + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new IOException(
           OPTION + ": " + BadInput.quote(name) + ": cannot be written (" + FailureText.of(e) + ")",
@@ -123,6 +124,6 @@ final class ShardFile implements Closeable {
 
   @Override
   public void close() throws IOException {
-    channel.close();
+    out.close();
   }
 }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -180,6 +181,19 @@ class ShardTest {
   void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
     String campaign = "campaign mixed --seeds 1..12";
     Cli.assertResumes(MIXED, campaign, part(campaign, 1, 1));
+  }
+
+  @Test
+  void aThreadThatASignalHasInterruptedStillWritesItsRow() throws IOException {
+    Path rows = folder.resolve("rows");
+    ShardHeader header = new ShardHeader(Map.of(), "1/1", "campaign hello");
+    try (ShardFile file = ShardFile.create(rows.toString(), header)) {
+      Thread.currentThread().interrupt();
+      file.append("a row");
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
+    }
+    assertThat(rows).content().isEqualTo(header.line() + "\na row\n");
   }
 
   @Test
