@@ -33,7 +33,7 @@ public sealed interface Answer {
   record Nothing() implements Answer {
     @Override
     public String toString() {
-      return AnswerText.NOTHING;
+      return "nothing there";
     }
   }
 
@@ -45,27 +45,25 @@ public sealed interface Answer {
 
     @Override
     public String toString() {
-      return AnswerText.GAVE_UP + String.join(" ", rooms);
+      return "gave up, could not search " + String.join(" ", rooms);
     }
   }
 
-  /** Its shape. Its bytes are its text in UTF-8, to the end of the message. */
   Shape<Answer> SHAPE =
       Shapes.oneOf(
-              Answer.class,
-              Shapes.of(
-                  Found.class,
-                  part("thing", TEXT, Found::thing),
-                  part("xMm", LONG, Found::xMm),
-                  part("yMm", LONG, Found::yMm),
-                  part("finder", ROBOT, Found::finder),
-                  Found::new),
-              Shapes.of(Nothing.class, Nothing::new),
-              Shapes.of(
-                  GaveUp.class,
-                  part("rooms", Shapes.list(TEXT, Report.MAX_ROOMS), GaveUp::rooms),
-                  GaveUp::new))
-          .bytes((answer, out) -> out.text(answer.toString()), in -> AnswerText.parse(in.text()));
+          Answer.class,
+          Shapes.of(
+              Found.class,
+              part("thing", TEXT, Found::thing),
+              part("xMm", LONG, Found::xMm),
+              part("yMm", LONG, Found::yMm),
+              part("finder", ROBOT, Found::finder),
+              Found::new),
+          Shapes.of(Nothing.class, Nothing::new),
+          Shapes.of(
+              GaveUp.class,
+              part("rooms", Shapes.list(TEXT, Report.MAX_ROOMS), GaveUp::rooms),
+              GaveUp::new));
 
   /** A thing was seen, by the finder's sensor at {@code at}. */
   static Answer found(String thing, Point at, RobotId finder) {

@@ -8,7 +8,6 @@ import static org.starl.shape.Shapes.U16;
 import static org.starl.shape.Shapes.U8;
 import static org.starl.shape.Shapes.part;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -103,7 +102,7 @@ record Report(
    * The shape of reports. Bytes, in the order of the components: an optional one begins with a
    * bool; a list with its length (u8). Numbers: number and term i64; x, y (in whole mm) and a
    * task's number i32; run lengths u16; a room u8, 255 for none; for each room of the house {@code
-   * swept} has a bool and {@code tries} a u8; the answer is bytes in UTF-8.
+   * swept} has a bool and {@code tries} a u8.
    *
    * @param rooms how many the house has
    */
@@ -119,7 +118,7 @@ record Report(
         part("at", Shapes.optional(place()), Report::at),
         part("rooms", rooms(room, rooms), r -> new Rooms(r.room, r.seen, r.swept, r.tries)),
         part("duty", Shapes.optional(duties(room)), Report::duty),
-        part("answer", Shapes.optional(answers()), Report::answer),
+        part("answer", Shapes.optional(Answer.SHAPE), Report::answer),
         (from, number, at, of, duty, answer) ->
             new Report(from, number, at, of.room, of.seen, of.swept, of.tries, duty, answer));
   }
@@ -203,11 +202,5 @@ record Report(
         part("term", LONG, Duty::term),
         part("tasks", Shapes.map(ROBOT, task, MAX_LIST), Duty::tasks),
         Duty::new);
-  }
-
-  private static Shape<Answer> answers() {
-    return Answer.SHAPE.bytes(
-        (answer, out) -> out.bytes(answer.toString().getBytes(StandardCharsets.UTF_8)),
-        in -> AnswerText.parse(new String(in.bytes(), StandardCharsets.UTF_8)));
   }
 }
