@@ -318,8 +318,11 @@ public abstract sealed class Domain {
 
     /** The rows of instances, those of values alone left out. */
     List<Row> others() {
+      if (instanceCount() > MOST) {
+        return List.of();
+      }
       List<Row> rows = List.of(Row.EMPTY);
-      for (Domain part : instanceCount() > MOST ? List.<Domain>of() : parts) {
+      for (Domain part : parts) {
         List<Row> longer = new ArrayList<>();
         for (Row row : rows) {
           for (Object each : part.instances()) {
@@ -330,7 +333,7 @@ public abstract sealed class Domain {
         }
         rows = longer;
       }
-      return rows.stream().filter(row -> !row.equals(Row.EMPTY) && !holds(row)).toList();
+      return rows.stream().filter(row -> !holds(row)).toList();
     }
 
     Row rename(Row row, Renaming renaming) {

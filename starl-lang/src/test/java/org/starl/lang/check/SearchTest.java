@@ -155,6 +155,20 @@ class SearchTest {
   }
 
   @Test
+  void recordsWithNumbersBeyondTheBoundAreAsked() throws SourceErrors {
+    String records =
+        """
+        automaton Votes
+        type Vote = record(r: nat, isFor: bool)
+        state votes: set[Vote]
+        start votes = {}
+        action vote(v: Vote) pre not v in votes eff votes := votes union {v}
+        invariant Known: forall v: Vote :: v in votes => v.r <= 2
+        """;
+    assertThat(result(records, 2, false).states()).isEqualTo(64);
+  }
+
+  @Test
   void actionsThatNeverHappenAndConjunctsThatAreNeverFalseAreTold() throws SourceErrors {
     String more = "action idle pre n > 2\naction on pre n >= 0, n > 1 eff n := 0\n";
     assertThat(lines(CLOCK + more, 2))
