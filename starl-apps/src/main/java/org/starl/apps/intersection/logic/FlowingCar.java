@@ -62,7 +62,7 @@ public final class FlowingCar extends LogicThread {
 
   // The straight run begins at this section; all before it are behind.
   private int from;
-  private boolean isTurning;
+  private @Nullable Point arcEnd;
   private boolean turnsOnTheSpot;
   private boolean isOffTrack;
   private @Nullable Point goal;
@@ -206,6 +206,7 @@ public final class FlowingCar extends LogicThread {
       retryAtNs = nowNs + (hasBumped ? rng.nextLong(RETRY_NS, LATEST_AFTER_BUMP_NS) : RETRY_NS);
       hasBumped = false;
       turnsOnTheSpot = true;
+      arcEnd = null;
       isOffTrack = true;
       goal = null;
     }
@@ -239,33 +240,26 @@ public final class FlowingCar extends LogicThread {
   private void advance(MotionFlag flag) {
     int corner = track.corner(from);
     int reach = held(from);
-    Track.Arc arc = turnsOnTheSpot ? null : track.arc();
     Point at = gvh.gps.pose().at();
-    if (isTurning && arc != null) {
-      if (flag == MotionFlag.DONE || at.distanceMm(arc.to()) < NEAR_MM) {
-        isTurning = false;
+    if (arcEnd != null) {
+      if (flag == MotionFlag.DONE || at.distanceMm(arcEnd) < NEAR_MM) {
+        arcEnd = null;
         from = corner + 1;
         advance(flag);
-      } else {
-        moveTo(arc.to(), arcing);
       }
     } else if (reach < corner || corner == track.sections().size()) {
       moveTo(reach);
-    } else if (arc == null) {
-      if (flag == MotionFlag.DONE && track.stop(corner).equals(goal)) {
-        from = corner + 1;
+    } else if (flag == MotionFlag.DONE && track.stop(corner).equals(goal)) {
+      from = corner + 1;
+      if (reach == corner && trip.route().isPresent()) {
+        gvh.plat.moat.turnTo(station(track.stop(from))); // while it waits
       }
       moveTo(Math.min(reach, track.corner(from)));
-    } else if (reach == corner) {
-      moveTo(corner - 1); // into the turn only if it can be left
-    } else if (at.distanceMm(arc.from()) < NEAR_MM) {
-      isTurning = true;
-      moveTo(arc.to(), arcing);
     } else {
-      moveTo(track.stop(corner), straight);
-      if (flag == MotionFlag.DONE && track.stop(corner).equals(goal)) {
-        turnsOnTheSpot = true;
-      }
+      // Into the zone of the turn also if it cannot leave that yet: it is clear of all others in
+      // the middle.
+      arcEnd = reach == corner || turnsOnTheSpot ? null : track.arcEnd(at);
+      moveTo(arcEnd == null ? track.stop(corner) : arcEnd, arcEnd == null ? straight : arcing);
     }
   }
 
@@ -280,9 +274,12 @@ public final class FlowingCar extends LogicThread {
       goal = target;
       gvh.plat.moat.setParameters(parameters);
       gvh.plat.moat.doMove(
-          new ItemPosition("way", target.xMm(), target.yMm()),
-          trip.route().isPresent() ? Crossing.others(gvh, own()) : new Nowhere());
+          station(target), trip.route().isPresent() ? Crossing.others(gvh, own()) : new Nowhere());
     }
+  }
+
+  private static ItemPosition station(Point at) {
+    return new ItemPosition("way", at.xMm(), at.yMm());
   }
 
   /** Releases the sections behind that the whole body has left: its middle is in a later one. */
@@ -291,7 +288,7 @@ public final class FlowingCar extends LogicThread {
     boolean isBehind = isIn(sections.size());
     for (int i = sections.size() - 1; i >= 0; i--) {
       if (isBehind && Crossing.isClearOf(gvh, sections.get(i))) {
-        from = isTurning ? from : Math.max(from, i + 1);
+        from = arcEnd != null ? from : Math.max(from, i + 1);
         lane.leave(sections.get(i));
         if (claim.leave(sections.get(i))) {
           gvh.trace.action(Way.SHAPE, Way.of(trip, claim.rest()));

@@ -12,8 +12,14 @@ import org.starl.geometry.Point;
  */
 final class Track {
 
-  /** Radius of the arc. It begins and ends at the edges of a zone. */
+  /** Radius of the widest arc. It begins and ends at the edges of a zone. */
   private static final double ARC_MM = Crossing.LANE_MM / 2;
+
+  /** So much before this it begins: a car drives 12.5 mm in its period. */
+  private static final double EARLY_MM = 30;
+
+  /** An arc that begins later is narrower. A body at full speed turns in no narrower one than this. */
+  private static final double LEAST_ARC_MM = 150;
 
   /** Between a body that waits and the section that it waits for: more than its error bound. */
   private static final double GAP_MM = 25;
@@ -22,11 +28,8 @@ final class Track {
   private final List<Point> stops = new ArrayList<>();
   private final List<Boolean> corners = new ArrayList<>();
   private final Point exit;
-  private final @Nullable Arc arc;
+  private final int turn;
   private final Point out;
-
-  /** A turn: where it begins, and where it ends. */
-  record Arc(Point from, Point to) {}
 
   Track(Trip trip, double bodyMm) {
     List<ItemPosition> all = new ArrayList<>(trip.approach());
@@ -34,7 +37,7 @@ final class Track {
     exit = trip.exit().at();
     Route route = trip.route().orElse(null);
     int first = trip.approach().size();
-    int turn = route == null ? -1 : first + turn(route);
+    turn = route == null ? -1 : first + turn(route);
     for (int i = 0; i < all.size(); i++) {
       ItemPosition station = all.get(i);
       sections.add(station.name());
@@ -47,13 +50,6 @@ final class Track {
       }
     }
     out = route == null ? new Point(0, 0) : route.lastZone().outward();
-    if (route == null || turn < first) {
-      arc = null;
-    } else {
-      Point middle = stops.get(turn);
-      Point from = middle.minus(inward(route).times(ARC_MM));
-      arc = new Arc(from, middle.plus(out.times(ARC_MM)));
-    }
   }
 
   private static Point inward(Route route) {
@@ -93,9 +89,12 @@ final class Track {
     return i;
   }
 
-  /** The arc of the turn; null if there is none. */
-  @Nullable Arc arc() {
-    return arc;
+  /** The end of the arc through the turn that begins at {@code at}; null if there is none. */
+  @Nullable Point arcEnd(Point at) {
+    double awayMm = turn < 0 ? 0 : at.distanceMm(stops.get(turn));
+    return awayMm < LEAST_ARC_MM || awayMm > ARC_MM + EARLY_MM
+        ? null
+        : stops.get(turn).plus(out.times(Math.min(awayMm, ARC_MM)));
   }
 
   /** Whether {@code at} is nearer to the exit than the whole body is to the last section. */
