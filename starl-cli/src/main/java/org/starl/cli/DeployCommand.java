@@ -13,6 +13,7 @@ import picocli.CommandLine.ParameterException;
       DeployMergeCommand.class,
       DeployPlanCommand.class,
       DeployRunCommand.class,
+      DeployTakeCommand.class,
       DeployWorldCommand.class
     },
     footer = {"", "Example: starl deploy check scenarios/deployment/crossing.yaml"})

@@ -4,17 +4,13 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -24,20 +20,14 @@ import org.starl.input.FailureText;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.robot.CreateWheelbase;
-import org.starl.robot.PoseFeeds;
 import org.starl.robot.create.CreateHost;
 import org.starl.robot.create.CreateModel;
 import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
-import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
-import org.starl.robot.optitrack.JsonServer;
-import org.starl.robot.optitrack.NatNetServer;
-import org.starl.robot.optitrack.NatNetServerSettings;
-import org.starl.robot.optitrack.NatNetVersion;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
@@ -124,7 +114,8 @@ public final class WorldServer implements AutoCloseable {
         bodies.put(entry.id(), body(entry, plan, world));
       }
       serveRobots();
-      serveCameras();
+      parts.push(
+          Cameras.open(deployment, () -> seen, CAMERA_FRAMES_PER_S, clock, onFailure, console));
       for (RobotEntry entry : deployment.simulated()) {
         if (entry.wheels() instanceof Create create) {
           serveCreate(entry.id(), create);
@@ -211,66 +202,6 @@ public final class WorldServer implements AutoCloseable {
     all.addAll(objects);
     seen = new PoseSource.Snapshot(nowNs, all);
     update.set(nowNs + CAMERA_PERIOD_NS);
-  }
-
-  private void serveCameras() throws IOException {
-    switch (deployment.positions()) {
-      case Positions.NatNet natNet -> serveNatNet(natNet);
-      case Positions.JsonFeed json -> serveLines(json);
-      case Positions.Ros2 ros2 ->
-          throw new IllegalStateException("a reader lets no simulated robot have " + ros2);
-    }
-  }
-
-  private void serveNatNet(Positions.NatNet natNet) throws IOException {
-    String multicast = natNet.multicast();
-    String[] version = natNet.version().split("\\.", -1);
-    NatNetServerSettings settings =
-        new NatNetServerSettings(
-            natNet.server().resolve(),
-            multicast == null
-                ? null
-                : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort()),
-            new NatNetVersion(Integer.parseInt(version[0]), Integer.parseInt(version[1])),
-            PoseFeeds.axes(natNet),
-            CAMERA_FRAMES_PER_S);
-    NatNetServer server = NatNetServer.open(settings, () -> seen, clock, onFailure::accept);
-    parts.push(server);
-    server.onRefusal(console);
-    Set<InetAddress> hosts = new LinkedHashSet<>();
-    for (InetSocketAddress robot : addresses()) {
-      hosts.add(robot.getAddress());
-    }
-    server.reserve(hosts);
-  }
-
-  /** The robots' addresses, of those that have one in the file. */
-  private List<InetSocketAddress> addresses() throws IOException {
-    List<InetSocketAddress> known = new ArrayList<>();
-    for (RobotEntry robot : deployment.robots().values()) {
-      HostPort address = robot.address();
-      if (address != null) {
-        known.add(address.resolve());
-      }
-    }
-    return known;
-  }
-
-  private void serveLines(Positions.JsonFeed json) throws IOException {
-    List<InetSocketAddress> robots = new ArrayList<>();
-    for (InetSocketAddress robot : addresses()) {
-      robots.add(PoseFeeds.linesAt(json, robot.getAddress()));
-    }
-    String sender = json.sender();
-    parts.push(
-        JsonServer.open(
-            new InetSocketAddress(sender == null ? null : InetAddress.getByName(sender), 0),
-            robots,
-            DeploymentFile.linesKey(deployment),
-            () -> seen,
-            clock,
-            CAMERA_FRAMES_PER_S,
-            onFailure::accept));
   }
 
   private void serveCreate(RobotId robot, Create create) throws IOException {

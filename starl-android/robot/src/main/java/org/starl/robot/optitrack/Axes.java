@@ -32,6 +32,15 @@ public record Axes(UpAxis up, BodyAxis forward) {
     }
   }
 
+  /**
+   * The pose of a body at (x, y, z), in metres, with the orientation (qx, qy, qz, qw), a unit quaternion; null if no body on a floor
+   * can have it, or if numbers are not finite.
+   */
+  public @Nullable Pose pose(
+      double x, double y, double z, double qx, double qy, double qz, double qw) {
+    return pose(new RigidBodyState(0, x, y, z, qx, qy, qz, qw, 0, true));
+  }
+
   /** The body's pose; null if no body on a floor can have it, or if numbers are not finite. */
   @Nullable Pose pose(RigidBodyState body) {
     double norm =

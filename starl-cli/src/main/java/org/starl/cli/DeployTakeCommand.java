@@ -1,0 +1,134 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.starl.input.BadInput;
+import org.starl.input.FailureText;
+import org.starl.input.Quantities;
+import org.starl.launch.Cameras;
+import org.starl.launch.DeploymentFile;
+import org.starl.launch.Take;
+import org.starl.robot.PoseFeeds;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.Positions;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.optitrack.Axes;
+import org.starl.robot.optitrack.PoseSource;
+import org.starl.robot.realtime.RealClock;
+import org.starl.time.Time;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code starl deploy take}. */
+@Command(
+    name = "take",
+    description =
+        "Plays a take that Motive has exported as CSV, once, in place of a deployment's cameras: robots"
+            + " get its poses as they got them in the session.",
+    footer = {"", "Example: starl deploy take crossing.yaml session.csv"})
+final class DeployTakeCommand extends BaseCommand implements Callable<Integer> {
+
+  @Parameters(index = "0", paramLabel = "FILE", description = "A deployment file.")
+  private String file = "";
+
+  @Parameters(
+      index = "1",
+      paramLabel = "TAKE",
+      description = "A take: CSV with rigid bodies, rotations as quaternions.")
+  private Path take = Path.of("");
+
+  @Option(
+      names = "--hold",
+      paramLabel = "TIME",
+      defaultValue = "3s",
+      description =
+          "So long all bodies stand at their first places before the take, so that robots find theirs"
+              + " (default: ${DEFAULT-VALUE}).")
+  private String hold = "3s";
+
+  /** Reasons to end; the empty string if the user stopped it. */
+  private final BlockingQueue<String> ends = new LinkedBlockingQueue<>();
+
+  @Override
+  public Integer call() throws Exception {
+    long holdNs = OptionValues.read("--hold", hold, Quantities::durationNs);
+    Deployment deployment = DeploymentFile.read(file);
+    Take played = Take.read(take, axes(deployment));
+    List<RobotEntry> robots = List.copyOf(deployment.robots().values());
+    if (robots.stream().allMatch(robot -> played.tracked(robot.rigidBody()) == 0)) {
+      throw new BadInput(
+          take + ": tracks no robot of " + file + "; it has the rigid bodies " + played.names());
+    }
+    for (RobotEntry robot : robots) {
+      out()
+          .println(
+              robot.id()
+                  + ": tracked in "
+                  + played.tracked(robot.rigidBody())
+                  + " of "
+                  + played.frames().size()
+                  + " frames");
+    }
+    stop().calls(() -> ends.add(""));
+    return play(deployment, played, holdNs);
+  }
+
+  private int play(Deployment deployment, Take played, long holdNs) throws Exception {
+    RealClock clock = RealClock.ofDate();
+    long startNs = clock.nowNs() + holdNs;
+    AutoCloseable cameras =
+        open(deployment, played.from(startNs, clock), played.framesPerS(), clock);
+    try {
+      out()
+          .println(
+              "plays "
+                  + played.lengthNs() / (double) Time.NS_PER_S
+                  + " s at "
+                  + played.framesPerS()
+                  + " frames a second, after "
+                  + hold);
+      out().flush();
+      String reason = ends.poll(holdNs + played.lengthNs(), TimeUnit.NANOSECONDS);
+      if (reason != null && !reason.isEmpty()) {
+        err().println("starl: the take ended early: " + reason);
+        return ExitStatus.VIOLATED;
+      }
+      out().println(reason == null ? "the take has ended" : "stopped before the end of the take");
+      return ExitStatus.GOOD;
+    } finally {
+      cameras.close();
+    }
+  }
+
+  private AutoCloseable open(
+      Deployment deployment, PoseSource source, int framesPerS, RealClock clock) {
+    try {
+      return Cameras.open(
+          deployment,
+          source,
+          framesPerS,
+          clock,
+          error -> ends.add(String.valueOf(error)),
+          err()::println);
+    } catch (IOException e) {
+      throw new MissingDependencyException(FailureText.of(e));
+    }
+  }
+
+  private static Axes axes(Deployment deployment) {
+    return switch (deployment.positions()) {
+      case Positions.NatNet natNet -> PoseFeeds.axes(natNet);
+      case Positions.JsonFeed json -> Axes.DEFAULT;
+      case Positions.Ros2 ros2 ->
+          throw new BadInput(
+              deployment.where("positions")
+                  + "positions: source is ros2; expected optitrack or json, which a take can stand in for");
+    };
+  }
+}
