@@ -80,6 +80,19 @@ class MotionRunTest {
   }
 
   @Test
+  void theWheelsStopWhenTheFixIsOlderThanItMayBeAndNotBefore() {
+    MotionWorld world = world();
+    world.begin(TARGET, new Nowhere());
+    world.runFor(1_000);
+    world.fixesCome = false;
+    long ageMs = world.parameters.maxFixAgeMs();
+    world.runFor(ageMs - 100);
+    assertThat(world.command).isNotEqualTo(WheelCommand.STOP);
+    world.runFor(200);
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+  }
+
+  @Test
   void aWaitForFixesIsNoTimeWithoutProgress() {
     MotionWorld world = world();
     world.mobility = 0;

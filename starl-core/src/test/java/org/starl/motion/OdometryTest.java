@@ -43,6 +43,21 @@ class OdometryTest {
   }
 
   @Test
+  void everyCommandThatMayStillBeInEffectLingers() {
+    Odometry odometry = new Odometry();
+    odometry.assume(0, REACTION_NS);
+    odometry.commanded(new WheelCommand(250, -2), false, 1_000_000_000);
+    odometry.commanded(new WheelCommand(100, 0), false, 1_050_000_000);
+    odometry.commanded(new WheelCommand(25, 0), false, 1_100_000_000);
+    assertThat(odometry.lingering(1_050_000_000 + REACTION_NS - 1))
+        .as("two later ones, and each takes effect late")
+        .isEqualTo(new LingeringSpeeds(0, 250, -2, 0));
+    assertThat(odometry.lingering(1_050_000_000 + REACTION_NS))
+        .as("the second one is in effect")
+        .isEqualTo(new LingeringSpeeds(0, 100, 0, 0));
+  }
+
+  @Test
   void aWorseAssumptionCountsForAMotionThatWasLocatedBefore() {
     Odometry odometry = new Odometry();
     odometry.commanded(new WheelCommand(200, 0), false, 0);
