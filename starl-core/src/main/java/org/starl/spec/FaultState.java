@@ -2,7 +2,9 @@ package org.starl.spec;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
 import org.starl.time.Time;
@@ -20,9 +22,13 @@ public final class FaultState {
   /** After so long without faults all lost messages have been repeated, in ns. */
   public static final long SETTLE_NS = 10 * Time.NS_PER_S;
 
+  private static final Set<String> OF_CLOCKS = Set.of("drift", "skew", Fault.REAL_TIME);
+
   private final Set<RobotId> down = new TreeSet<>();
   // Active faults, each as affected robot and text. A fault may be in the list twice.
   private final List<String> active = new ArrayList<>();
+  // When a fault of the robot's clock last began or ended.
+  private final Map<RobotId, Long> clockChangedNs = new TreeMap<>();
   // When the last change was; long ago at first.
   private long changedNs = Long.MIN_VALUE / 2;
 
@@ -31,6 +37,7 @@ public final class FaultState {
     FaultState copy = new FaultState();
     copy.down.addAll(down);
     copy.active.addAll(active);
+    copy.clockChangedNs.putAll(clockChangedNs);
     copy.changedNs = changedNs;
     return copy;
   }
@@ -73,9 +80,28 @@ public final class FaultState {
     return active.isEmpty() && down.isEmpty() && nowNs - changedNs >= settleNs;
   }
 
+  /**
+   * Whether the robot's clock has run right since {@code sinceNs}: no drift and no skew has acted on it
+   * since then. Not known of runs in real time.
+   */
+  public boolean isClockRight(RobotId robot, long sinceNs) {
+    for (RobotId each : List.of(robot, Fault.WORLD)) {
+      boolean isWrong =
+          OF_CLOCKS.stream()
+              .anyMatch(kind -> active.stream().anyMatch(t -> t.startsWith(each + " " + kind)));
+      if (isWrong || clockChangedNs.getOrDefault(each, Long.MIN_VALUE) >= sinceNs) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private boolean fault(Fault fault) {
     if (fault.isOfCrashes()) {
       return false;
+    }
+    if (OF_CLOCKS.contains(fault.effect())) {
+      clockChangedNs.put(fault.robot(), fault.timeNs());
     }
     String which = fault.robot() + " " + fault.detail();
     return switch (fault.name()) {

@@ -62,7 +62,11 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
     if (event instanceof Left || (event instanceof Fault f && f.name().equals(Fault.CRASH))) {
       ended(event.robot());
     }
-    isReviewed |= dispatch(event, report);
+    if (dispatch(event, report)) {
+      isReviewed = true;
+    } else {
+      happened(event, report);
+    }
     if (isReviewed) {
       review(event.timeNs(), report);
     }

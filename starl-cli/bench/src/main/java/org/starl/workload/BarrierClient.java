@@ -32,7 +32,8 @@ final class BarrierClient extends Client {
   private static final long PROMPT_MS = 500;
 
   private static final int PROMPT_MESSAGES = 40;
-  private static final long SILENCE_MS = 2_000;
+  private static final BarrierSettings SETTINGS =
+      BarrierSettings.DEFAULT.withSilenceMs(2_000).withDeadlineMs(DEADLINE_MS);
 
   /**
    * A crashed member is given up by its silence, long before the deadline; members that arrived
@@ -62,12 +63,16 @@ final class BarrierClient extends Client {
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new BarrierClient(gvh, setup));
-    setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
+    setup
+        .simulation()
+        .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(setup.registration()));
     long releasedNs =
         setup.isLossless() ? setup.withMessagesNs(RELEASED_MS, PROMPT_MESSAGES) : setup.withinNs();
     long promptNs =
         setup.isLossless() ? setup.withMessagesNs(PROMPT_MS, PROMPT_MESSAGES) : Deadlines.NO_BOUND;
-    setup.simulation().monitor(() -> new BarrierSpec(releasedNs, TOLD_NS, promptNs));
+    setup
+        .simulation()
+        .monitor(() -> new BarrierSpec(releasedNs, TOLD_NS, promptNs).patient(SETTINGS));
     setup.promise(LATE_MS, PROMPT_MESSAGES, true);
   }
 
@@ -91,12 +96,6 @@ final class BarrierClient extends Client {
 
   /** The barrier of the latest view. */
   private Barrier open() {
-    return barriers.computeIfAbsent(reg.ts(), any -> barrier());
-  }
-
-  private Barrier barrier() {
-    BarrierSettings settings =
-        BarrierSettings.DEFAULT.withSilenceMs(SILENCE_MS).withDeadlineMs(DEADLINE_MS);
-    return new Barrier(gvh, XID, reg, settings);
+    return barriers.computeIfAbsent(reg.ts(), any -> new Barrier(gvh, XID, reg, SETTINGS));
   }
 }

@@ -58,7 +58,7 @@ final class ElectionClient extends Client {
     setup
         .simulation()
         .monitor(() -> {
-          ElectionSpec spec = new ElectionSpec(electedNs, TOLD_NS);
+          ElectionSpec spec = new ElectionSpec(electedNs, TOLD_NS).patient(settings);
           return setup.isLossless() ? spec.leaderStays() : spec;
         });
     setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);

@@ -53,10 +53,13 @@ final class LedgerClient extends Client {
 
   private LedgerClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
-    LedgerSettings settings = LedgerSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
-    ledger = new TaskLedger<>(gvh, XID, Shapes.INT, gvh.id.participants(), settings);
+    ledger = new TaskLedger<>(gvh, XID, Shapes.INT, gvh.id.participants(), settings(setup));
     auction = new Auction(gvh, XID, BIDS_MS);
     isAuction = setup.request().choice(ALLOCATION).equals(AUCTION);
+  }
+
+  private static LedgerSettings settings(Setup setup) {
+    return LedgerSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
   }
 
   static void setUp(Setup setup) {
@@ -65,7 +68,9 @@ final class LedgerClient extends Client {
     long turnsNs = setup.robots() * Time.NS_PER_S / 2;
     setup
         .simulation()
-        .monitor(() -> new LedgerSpec(setup.withinNs(), 2 * leaseNs + turnsNs + setup.withinNs()));
+        .monitor(() ->
+            new LedgerSpec(setup.withinNs(), 2 * leaseNs + turnsNs + setup.withinNs())
+                .patient(settings(setup)));
     setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 

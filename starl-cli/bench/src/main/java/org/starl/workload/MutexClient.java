@@ -232,7 +232,9 @@ final class MutexClient extends Client {
       return new MutexClient(gvh, setup, names, suspectMs / 2, isChanging, mutex, reg, bodies);
     });
     if (isOpen) {
-      setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
+      setup
+          .simulation()
+          .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(setup.registration()));
     }
   }
 

@@ -23,14 +23,19 @@ final class RegistrationClient extends Client {
 
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
-    reg =
-        registration("town", RegistrationSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs()));
+    reg = registration("town", settings(setup));
     stayMs = Math.max(1, setup.course().busyMs() / STAYS);
+  }
+
+  private static RegistrationSettings settings(Setup setup) {
+    return RegistrationSettings.DEFAULT.withDeadlineMs(setup.drawnDeadlineMs());
   }
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new RegistrationClient(gvh, setup));
-    setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
+    setup
+        .simulation()
+        .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(settings(setup)));
     setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
   }
 

@@ -1,6 +1,7 @@
 package org.starl.primitives.barrier;
 
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,6 +11,8 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.Value;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.Instance;
@@ -32,6 +35,9 @@ final class BarrierRecord {
   private final Map<Long, Set<ProcessId>> excluded = new TreeMap<>();
   private Outcomes missing = Outcomes.ALL_PASSED;
 
+  // Each names the members that some robot has given up.
+  private final Set<Value> proposed = new LinkedHashSet<>();
+
   /** The first robot to be told the outcome of a generation, and the outcome: passed or failed. */
   private record First(RobotId robot, BarrierOutcome outcome) {}
 
@@ -52,6 +58,15 @@ final class BarrierRecord {
     if (first.contains(id) && !isExcluded) {
       waiting.put(id.robot(), generation);
     }
+  }
+
+  /** The members that its sender gives up by this message; none if it repeats another one's value. */
+  Set<ProcessId> givenUp(SynodMessage.Accept accept) {
+    if (!proposed.add(accept.value())) {
+      return Set.of();
+    }
+    Outcomes outcomes = new OutcomesFormat(first).read(accept.value());
+    return outcomes.isBroken(accept.number()) ? outcomes.missing(accept.number()) : Set.of();
   }
 
   void ended(RobotId robot) {

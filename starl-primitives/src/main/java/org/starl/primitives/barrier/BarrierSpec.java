@@ -1,20 +1,28 @@
 package org.starl.primitives.barrier;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodSpec;
+import org.starl.primitives.suspicion.SuspicionCheck;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of barriers, after the package's contract: {@code NoEarly}, {@code Uniform}, and,
- * where bounds are given, {@code NotHung}.
+ * where bounds are given, {@code NotHung}, and with {@link #patient} {@code Suspected}.
  */
 public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
@@ -22,12 +30,16 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   static final String UNIFORM = "barrier.Uniform";
   static final String NOT_HUNG = "barrier.NotHung";
 
+  static final String SUSPECTED = "barrier.Suspected";
+
   private static final String NOT_HUNG_SAYS =
       "A robot that waits at a barrier is told an outcome within the bound.";
 
   private final Deadlines released;
   private final Deadlines prompt;
   private final Deadlines told;
+  private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
+  private long deadlineNs;
 
   /** Safety only. */
   public BarrierSpec() {
@@ -72,6 +84,19 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
             NOT_HUNG, NOT_HUNG_SAYS, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
   }
 
+  /**
+   * Also requires that no robot gives a member up, or its wait, too early; of barriers with these times.
+   */
+  public BarrierSpec patient(BarrierSettings settings) {
+    lemma(
+        SUSPECTED,
+        "No robot gives up a member that it has heard within the silence, or the deadline.");
+    silence.setSilence(settings.silenceMs() * NS_PER_MS);
+    deadlineNs = settings.deadlineMs() * NS_PER_MS;
+    told.setLeast(2 * deadlineNs);
+    return this;
+  }
+
   @Override
   protected BarrierRecord begin(Instance source) {
     return new BarrierRecord(source, faults);
@@ -101,13 +126,37 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   protected void changed(Variable variable, Report report) {
     BarrierOutcome outcome = variable.of(BarrierFact.OUTCOME);
     if (outcome != null) {
+      if (outcome instanceof BarrierOutcome.Unknown) {
+        ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+        told.giveUp(key, variable.timeNs(), faults, report);
+      }
       instance(variable.source()).told(variable, outcome, report);
+    }
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (event instanceof Delivered got && got.message() instanceof BarrierMessage message) {
+      silence.heard(got.channel(), got, message.from());
+    } else if (event instanceof Sent sent
+        && sent.channel().kind().equals(BarrierFact.SYNOD)
+        && sent.message() instanceof SynodMessage.Accept accept) {
+      Instance source = sent.channel().owner();
+      long sinceNs = told.beganNs(new ProcessKey(source, sent.robot()));
+      boolean isEarly =
+          sent.timeNs() < sinceNs + deadlineNs && faults.isClockRight(sent.robot(), sinceNs);
+      for (ProcessId id : instance(source).givenUp(accept)) {
+        if (isEarly) {
+          silence.suspects(source, sent, id, sinceNs, report);
+        }
+      }
     }
   }
 
   @Override
   protected void ended(RobotId robot) {
     instances().values().forEach(generations -> generations.ended(robot));
+    silence.ended(robot);
   }
 
   @Override

@@ -20,12 +20,14 @@
  *       excluded.
  * </ul>
  *
- * <p>(b) <b>Progress</b>, {@code NotHung}. With message delay δ and a majority of the members' robots
- * up: from the last arrival, δ + 4δ + δ. A member that crashes delays the others by its silence Ts and
- * then 5δ, and by 6δ more if it crashes after it has arrived and was to propose. A live member that does
- * not come delays them until the deadline. In every case a waiting robot is told an outcome within two
- * deadlines: at worst {@code unknown}, without a majority. To arrive again then means to go on waiting
- * for the same generation. It costs N² arrivals and answers, 4N messages to decide, N to tell.
+ * <p>(b) <b>Progress</b>, {@code NotHung}. With message delay δ and a majority of the members' robots up:
+ * from the last arrival, δ + 4δ + δ. A member that crashes delays the others by its silence Ts and then
+ * 5δ, and by 6δ more if it crashes after it has arrived and was to propose. A live member that does not
+ * come delays them until the deadline. In every case a waiting robot is told an outcome within two
+ * deadlines: at worst {@code unknown}, without a majority. To arrive again then means to go on waiting for
+ * the same generation. No robot is told so sooner, and ({@code Suspected}) none proposes, before the
+ * deadline, to exclude a member that it has heard within Ts. It costs N² arrivals and answers, 4N messages
+ * to decide, N to tell.
  *
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}; the robots of the members
  * of generation 1 are the acceptors of all generations. Each must construct the barrier to vote, and its

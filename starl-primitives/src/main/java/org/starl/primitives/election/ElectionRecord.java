@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
@@ -76,6 +77,18 @@ final class ElectionRecord {
           List.of(action.robot()),
           source + ": stands in term " + term + ", but " + latest.leader() + " leads in calm");
     }
+  }
+
+  /**
+   * The leader of the term before, if the robot shows it and is the first to stand in the next term:
+   * then it suspects that leader.
+   */
+  @Nullable ProcessId deposedBy(ElectionAction.candidate stands) {
+    return !candidates.containsKey(stands.n())
+            && shownBy(stands.i().robot()) instanceof Leader.Name name
+            && name.term() + 1 == stands.n()
+        ? name.id()
+        : null;
   }
 
   void stood(long term, ProcessId id) {

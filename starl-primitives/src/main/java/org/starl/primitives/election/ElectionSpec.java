@@ -1,8 +1,12 @@
 package org.starl.primitives.election;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
+import org.starl.primitives.suspicion.SuspicionCheck;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
@@ -12,11 +16,12 @@ import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of elections, after the package's contract: {@code Agreement}, {@code Soundness},
- * and, where bounds are given, {@code Elected} and {@code Told}.
+ * where bounds are given, {@code Elected} and {@code Told}, and with {@link #patient} {@code Suspected}.
  */
 public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
@@ -25,9 +30,11 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String TERMS = "election.Terms";
   static final String ELECTED = "election.Elected";
   static final String TOLD = "election.Told";
+  static final String SUSPECTED = "election.Suspected";
   static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
+  private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
   private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
   private final Deadlines elected;
   private final Deadlines told;
@@ -77,6 +84,16 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     return this;
   }
 
+  /**
+   * Also requires that no robot suspects a leader, or fails, too early; of elections with these times.
+   */
+  public ElectionSpec patient(ElectionSettings settings) {
+    lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
+    silence.setSilence(settings.silenceMs() * NS_PER_MS);
+    told.setLeast(settings.deadlineMs() * NS_PER_MS);
+    return this;
+  }
+
   @Override
   protected ElectionRecord begin(Instance source) {
     return new ElectionRecord(source, faults);
@@ -96,7 +113,10 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void acted(Action action, Report report) {
     ElectionRecord ballots = instance(action.source());
     switch (action.fact()) {
-      case ElectionFact.Created created -> ballots.created(created.size(), created.i());
+      case ElectionFact.Created created -> {
+        ballots.created(created.size(), created.i());
+        silence.heard(action.source(), action, created.i());
+      }
       case ElectionAction.do_election call -> {
         ballots.called(action.robot());
         allow(ballots, action, action.source(), 0, report);
@@ -104,6 +124,10 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       case ElectionAction.candidate stands -> {
         if (leaderStays && faults.isCalm(action.timeNs(), FaultState.SETTLE_NS)) {
           ballots.checkStays(stands.n(), action, report);
+        }
+        ProcessId deposed = ballots.deposedBy(stands);
+        if (deposed != null) {
+          silence.suspects(action.source(), action, deposed, Long.MIN_VALUE, report);
         }
         ballots.stood(stands.n(), stands.i());
         allow(ballots, action, action.source(), stands.n(), report);
@@ -119,7 +143,17 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       ElectionRecord ballots = instance(variable.source());
       ballots.shown(variable, leader, report);
       shown.shows(variable, report);
+      if (leader instanceof Leader.Name name) {
+        silence.heard(variable.source(), variable, name.id());
+      }
       allow(ballots, variable, variable.source(), 0, report);
+    }
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
+      silence.heard(got.channel(), got, message.from());
     }
   }
 
@@ -147,6 +181,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   @Override
   protected void ended(RobotId robot) {
     instances().values().forEach(ballots -> ballots.ended(robot));
+    silence.ended(robot);
   }
 
   @Override
@@ -169,7 +204,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       }
       case FAILED -> {
         elected.stop(key);
-        told.meet(key, report);
+        told.giveUp(key, nowNs, faults, report);
       }
       case KNOWS_LEADER -> {
         elected.meet(key, report);

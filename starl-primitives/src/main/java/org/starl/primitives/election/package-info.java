@@ -28,6 +28,9 @@
  *       one broadcast every heartbeat.
  *   <li>{@code Told}: in every case, {@code Leader} is null for no longer than the deadline. Then it is
  *       fail, until the app calls {@code do_election} again, the term is decided, or another one begins.
+ *       It is not fail any sooner.
+ *   <li>{@code Suspected}: a robot stands against the leader that it knows only after Ts without a message
+ *       of it, or once it has heard of the leader's restart.
  * </ul>
  *
  * <p>Not promised: that there is one leader at any moment. A leader that was wrongly suspected, or is

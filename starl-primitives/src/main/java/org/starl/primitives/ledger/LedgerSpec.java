@@ -1,5 +1,7 @@
 package org.starl.primitives.ledger;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodSpec;
@@ -61,6 +63,12 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
             sinceNs -> "is down, and holds a claim that is not begun, since " + sinceNs + " ns");
   }
 
+  /** Also requires, as part of {@code Answered}, that no call of this ledger is given up before its deadline. */
+  public LedgerSpec patient(LedgerSettings settings) {
+    answered.setLeast(settings.deadlineMs() * NS_PER_MS);
+    return this;
+  }
+
   @Override
   protected LedgerRecord begin(Instance source) {
     return new LedgerRecord(source);
@@ -96,7 +104,9 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
       }
       case LedgerFact.Told told -> {
         log.told(told, action, report);
-        if (log.isAnswered(robot)) {
+        if (log.isAnswered(robot) && told.outcome() == LedgerOutcome.UNKNOWN) {
+          answered.giveUp(key, action.timeNs(), faults, report);
+        } else if (log.isAnswered(robot)) {
           answered.meet(key, report);
         }
       }

@@ -22,7 +22,7 @@
  * </ul>
  *
  * <p>(b) <b>Progress.</b> {@code Answered}: with message delay δ, a majority of the voters up and one
- * proposer, a call is DONE after 4δ, and other robots hear of it δ later. Calls that compete go into one
+ * proposer, a call is DONE after 4δ, and other robots hear of it δ later; UNKNOWN not before its deadline. Calls that compete go into one
  * decree, or come after growing random pauses. {@code Freed}: the claim of a robot that crashes before it
  * begins ends a lease and half a second for each voter before the first live one later, then 4δ; at once
  * if its program starts again. So an open task is claimed while a majority and a robot that claims it are

@@ -1,5 +1,7 @@
 package org.starl.primitives.registration;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -92,6 +94,16 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
             sinceNs -> "given up, and listed since " + sinceNs + " ns");
   }
 
+  /**
+   * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
+   * registrations with these times. A call also fails, at once, if its robot has no room in the list.
+   */
+  public RegistrationSpec patient(RegistrationSettings settings) {
+    progress.setLeast(settings.deadlineMs() * NS_PER_MS);
+    removal.setLeast(settings.deadlineMs() * NS_PER_MS);
+    return this;
+  }
+
   @Override
   protected ViewHistory begin(Instance source) {
     return new ViewHistory(source);
@@ -165,10 +177,14 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         progress.meet(key, report);
       }
     } else if (Boolean.TRUE.equals(variable.of(RegistrationFact.FAILED))) {
+      ProcessId asked = history.latestAsked(variable.robot());
+      if (asked != null && ViewFormat.fitsWithRoom(program(key).view.next().with(asked))) {
+        progress.giveUp(key, variable.timeNs(), faults, report);
+      }
       progress.stop(key);
       Leaver leaver = leaving.get(key);
       if (leaver != null && !leaver.isGivenUp()) {
-        removal.stop(key);
+        removal.giveUp(key, variable.timeNs(), faults, report);
         leaving.remove(key);
       }
     }

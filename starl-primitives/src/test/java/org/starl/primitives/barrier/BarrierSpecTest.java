@@ -6,10 +6,12 @@ import static org.starl.primitives.barrier.Seen.excluded;
 import static org.starl.primitives.barrier.Seen.failed;
 import static org.starl.primitives.barrier.Seen.passed;
 import static org.starl.primitives.barrier.Seen.unknown;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodTiming;
 import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.trace.Instance;
@@ -112,6 +114,40 @@ class BarrierSpecTest {
     told(A, unknown(1), 50);
     monitors.finish(1_000);
     assertThat(monitors.report().holds()).isTrue();
+  }
+
+  /** A silence of 2 ms, a deadline of 3 ms. */
+  private void bePatient() {
+    BarrierSettings settings = new BarrierSettings(SynodTiming.DEFAULT, 1, 1, 2, 3);
+    BarrierSpec spec = new BarrierSpec(10 * NS_PER_MS, 10 * NS_PER_MS);
+    monitors = new Monitors(List.of(spec.patient(settings)));
+    begin();
+  }
+
+  @Test
+  void givingUpAMemberBeforeItsSilenceOrTheDeadlineViolatesSuspected() {
+    for (long[] heardAndGivenUpUs : new long[][] {{500, 2_500}, {500, 2_499}, {2_000, 3_000}}) {
+      nowNs = 0;
+      bePatient();
+      arrive(A, 1);
+      see(Seen.hears(heardAndGivenUpUs[0] * 1_000, A, "c", 1));
+      see(Seen.proposes(heardAndGivenUpUs[1] * 1_000, A, Seen.ids("a", "b", "c"), 1, "c"));
+      see(Seen.proposes(heardAndGivenUpUs[1] * 1_000, B, Seen.ids("a", "b", "c"), 1, "c"));
+      assertThat(monitors.report().violations(BarrierSpec.SUSPECTED))
+          .isEqualTo(heardAndGivenUpUs[1] == 2_499 ? 1 : 0);
+    }
+  }
+
+  @Test
+  void anUnknownOutcomeBeforeTwoDeadlinesViolatesNotHung() {
+    for (long toldNs : List.of(6 * NS_PER_MS, 6 * NS_PER_MS - 1)) {
+      nowNs = 0;
+      bePatient();
+      arrive(A, 1);
+      told(A, unknown(1), toldNs);
+      assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG))
+          .isEqualTo(6 * NS_PER_MS - toldNs);
+    }
   }
 
   @Test

@@ -4,12 +4,16 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Ballot;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.barrier.BarrierOutcome.Excluded;
 import org.starl.primitives.barrier.BarrierOutcome.Failed;
 import org.starl.primitives.barrier.BarrierOutcome.Passed;
 import org.starl.primitives.barrier.BarrierOutcome.Unknown;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Events of a barrier, and outcomes, for tests. */
@@ -58,6 +62,28 @@ final class Seen {
         source,
         BarrierFact.ARRIVE,
         new BarrierAction.arrive(ProcessId.parse(id), generation));
+  }
+
+  /** The robot hears of an id's arrival. */
+  static Delivered hears(long timeNs, RobotId robot, String id, long generation) {
+    ProcessId from = ProcessId.parse(id);
+    BarrierMessage message = new BarrierMessage.Arrival(from, generation);
+    return new Delivered(timeNs, robot, from.robot(), SOURCE, 1, BarrierMessage.SHAPE, message);
+  }
+
+  /** The robot proposes that these members are missing. */
+  static Sent proposes(
+      long timeNs,
+      RobotId robot,
+      SortedSet<ProcessId> members,
+      long generation,
+      String... missing) {
+    Outcomes outcomes = Outcomes.ALL_PASSED.withBroken(generation, ids(missing));
+    Ballot ballot = new Ballot(1, ProcessId.first(robot, 1));
+    SynodMessage accept =
+        new SynodMessage.Accept(generation, ballot, new OutcomesFormat(members).toValue(outcomes));
+    Instance channel = Instance.of(BarrierFact.SYNOD, SOURCE.xid());
+    return new Sent(timeNs, robot, Sent.ALL, channel, 1, 1, SynodMessage.SHAPE, accept);
   }
 
   static Variable shows(long timeNs, RobotId robot, BarrierOutcome outcome) {

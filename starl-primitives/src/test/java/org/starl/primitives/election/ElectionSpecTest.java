@@ -6,6 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodTiming;
 import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.trace.Instance;
@@ -163,6 +164,56 @@ class ElectionSpecTest {
     see(Seen.calls(13, A, id(A)));
     follows(A, Leader.FAIL, 13);
     assertThat(monitors.report().violations(ElectionSpec.LEADER)).isEqualTo(2);
+  }
+
+  @Test
+  void aLeaderThatIsDeposedBeforeItsSilenceViolatesSuspected() {
+    long ms = 1_000_000;
+    for (long silentMs : List.of(2L, 1L)) {
+      Monitors patient = patient();
+      patient.observe(Seen.shows(0, A, leader(1, B)));
+      patient.observe(Seen.hears(3 * ms, A, new ElectionMessage.Elected(id(B), 1, id(B))));
+      patient.observe(Seen.stands((3 + silentMs) * ms, A, 2, id(A)));
+      patient.observe(Seen.stands((3 + silentMs) * ms, C, 2, id(C)));
+      assertThat(patient.report().checks(ElectionSpec.SUSPECTED)).isEqualTo(1);
+      assertThat(patient.report().violations(ElectionSpec.SUSPECTED)).isEqualTo(2 - silentMs);
+    }
+  }
+
+  @Test
+  void aLeaderThatIsBackAsAnotherIncarnationIsDeposedAtOnce() {
+    Monitors patient = patient();
+    patient.observe(Seen.shows(0, A, leader(1, B)));
+    patient.observe(new Fault(1, B, Fault.CRASH, ""));
+    patient.observe(new Fault(2, B, Fault.RESTART, ""));
+    ProcessId again = ProcessId.first(B, 2);
+    patient.observe(Seen.exists(3, 3, again));
+    patient.observe(Seen.hears(4, A, new ElectionMessage.Candidacy(again, 1, 1)));
+    patient.observe(Seen.stands(4, A, 2, id(A)));
+    assertThat(patient.report().violations(ElectionSpec.SUSPECTED)).isZero();
+  }
+
+  @Test
+  void aFailureBeforeTheDeadlineViolatesTold() {
+    for (long failsNs : List.of(3_000_000L, 2_999_999L)) {
+      Monitors patient = patient();
+      patient.observe(Seen.shows(failsNs, A, Leader.FAIL));
+      assertThat(patient.report().violations(ElectionSpec.TOLD)).isEqualTo(3_000_000 - failsNs);
+    }
+  }
+
+  /** A silence of 2 ms, a deadline of 3 ms; all take part. */
+  private static Monitors patient() {
+    ElectionSettings settings =
+        new ElectionSettings(ElectionStrategy.BULLY, SynodTiming.DEFAULT, 1, 1, 2, 3);
+    Monitors patient =
+        new Monitors(List.of(new ElectionSpec(10_000_000, 10_000_000).patient(settings)));
+    for (RobotId robot : List.of(A, B, C)) {
+      patient.observe(Seen.exists(0, 3, id(robot)));
+      patient.observe(Seen.calls(0, robot, id(robot)));
+      patient.observe(Seen.stands(0, robot, 1, id(robot)));
+    }
+    return patient;
   }
 
   private void allTakePart() {

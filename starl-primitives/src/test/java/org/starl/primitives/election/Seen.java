@@ -4,6 +4,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Events of the election {@code election/x}, for tests. */
@@ -27,6 +28,11 @@ final class Seen {
   static Action stands(long timeNs, RobotId robot, long term, ProcessId i) {
     return Action.of(
         timeNs, robot, SOURCE, ElectionFact.CANDIDATE, new ElectionAction.candidate(i, term));
+  }
+
+  static Delivered hears(long timeNs, RobotId robot, ElectionMessage message) {
+    RobotId from = message.from().robot();
+    return new Delivered(timeNs, robot, from, SOURCE, 1, ElectionMessage.SHAPE, message);
   }
 
   static Variable shows(long timeNs, RobotId robot, Leader leader) {

@@ -23,6 +23,7 @@ import static org.starl.primitives.ledger.Seen.votes;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodTiming;
 import org.starl.primitives.ledger.LedgerEntry.Begin;
 import org.starl.primitives.ledger.LedgerEntry.Claim;
 import org.starl.spec.Monitors;
@@ -32,6 +33,7 @@ import org.starl.trace.TraceEvent.Fault;
 class LedgerSpecTest {
 
   private static final RobotId C = new RobotId("c");
+  private static final long MS = 1_000_000;
   private static final long BOUND_NS = 100;
   private static final long FREED_NS = 500;
 
@@ -62,6 +64,18 @@ class LedgerSpecTest {
         installs(6, B, 3, 0));
     monitors.finish(1_000);
     assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
+  }
+
+  @Test
+  void aCallThatIsGivenUpBeforeTheDeadlineViolatesAnswered() {
+    for (long toldNs : List.of(3 * MS, 3 * MS - 1)) {
+      LedgerSettings settings = new LedgerSettings(SynodTiming.DEFAULT, 1, 2, 3);
+      LedgerSpec spec = new LedgerSpec(10 * MS, 10 * MS).patient(settings);
+      Monitors patient = new Monitors(List.of(spec));
+      patient.observe(asks(0, A, ADD));
+      patient.observe(isTold(toldNs, A, ADD, LedgerOutcome.UNKNOWN));
+      assertThat(patient.report().violations(LedgerSpec.ANSWERED)).isEqualTo(3 * MS - toldNs);
+    }
   }
 
   @Test

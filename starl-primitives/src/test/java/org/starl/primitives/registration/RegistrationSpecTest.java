@@ -31,6 +31,29 @@ class RegistrationSpecTest {
   }
 
   @Test
+  void aFailureBeforeTheDeadlineViolatesRegistered() {
+    long deadlineNs = 1_000_000;
+    for (String call : List.of("do_register", "unregister")) {
+      for (long lastsNs : List.of(deadlineNs, deadlineNs - 1)) {
+        RegistrationSettings settings = RegistrationSettings.DEFAULT.withDeadlineMs(1);
+        RegistrationSpec spec = new RegistrationSpec(9 * deadlineNs).patient(settings);
+        Monitors patient = new Monitors(List.of(spec));
+        patient.observe(Shown.acts(0, "a", "do_register", "a"));
+        long beganNs = 0;
+        if (call.equals("unregister")) {
+          beganNs = 2;
+          patient.observe(Shown.sees(1, "a", "1:a@1"));
+          patient.observe(Shown.acts(beganNs, "a", call, "a"));
+        }
+        patient.observe(Shown.failed(beganNs + lastsNs, "a"));
+        assertThat(patient.report().violations(RegistrationSpec.REGISTERED))
+            .as("%s", call)
+            .isEqualTo(deadlineNs - lastsNs);
+      }
+    }
+  }
+
+  @Test
   void equalNumbersWithUnequalListsViolateAgreement() {
     acts(0, "a", "do_register", "a");
     acts(0, "b", "do_register", "b");
