@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
@@ -23,12 +25,17 @@ final class AutomatonWriter {
   private final Automaton automaton;
   private final JavaTypes types;
   private final Names names;
+  private final String file;
   private final JavaText out = new JavaText();
 
-  AutomatonWriter(Automaton automaton, JavaTypes types, Names names) {
+  /**
+   * @param file the name of the source
+   */
+  AutomatonWriter(Automaton automaton, JavaTypes types, Names names, String file) {
     this.automaton = automaton;
     this.types = types;
     this.names = names;
+    this.file = file;
   }
 
   /** All that follows the imports. */
@@ -67,7 +74,7 @@ final class AutomatonWriter {
   }
 
   private ExpressionWriter writer(String state) {
-    return new ExpressionWriter(automaton, types, state);
+    return new ExpressionWriter(automaton, types, state, file);
   }
 
   private void parameters() {
@@ -191,7 +198,8 @@ final class AutomatonWriter {
         Code condition = writer.of(each.condition());
         // Those before may be what gives it a value.
         Code holds = isPartial(each.condition()) ? Code.or(Code.not(before), condition) : condition;
-        Code values = new Code.Lambda("()", new Values(writer).of(each.condition()));
+        Code values =
+            new Code.Lambda("()", writer.untold(() -> new Values(writer).of(each.condition())));
         Code text = Code.string(each.text());
         guard =
             i == 0
@@ -203,10 +211,14 @@ final class AutomatonWriter {
     });
   }
 
-  private static boolean isPartial(Expr at) {
-    return at instanceof Expr.BuiltIn
-        || (at instanceof Expr.Get get && get.of().type().base() instanceof Type.Sum)
-        || Exprs.parts(at).stream().anyMatch(AutomatonWriter::isPartial);
+  /** Whether it, or a function that it calls, has no value for some arguments. */
+  private boolean isPartial(Expr at) {
+    Set<String> called = new TreeSet<>();
+    Functions.collect(automaton, at, called);
+    return Exprs.isPartial(at)
+        || called.stream()
+            .flatMap(name -> automaton.function(name).stream())
+            .anyMatch(f -> Exprs.isPartial(f.body()));
   }
 
   private void trans() {
@@ -240,7 +252,13 @@ final class AutomatonWriter {
       automaton
           .state()
           .forEach(c -> parts.add(changed.getOrDefault(c.name(), writer.component(c.name()))));
-      return new Code.New("States", List.copyOf(parts));
+      Code after = new Code.New("States", List.copyOf(parts));
+      // As in the theory: an effect that may have no value is one where the action is enabled.
+      return action.eff().stream()
+              .flatMap(effect -> effect.parts().stream())
+              .anyMatch(this::isPartial)
+          ? Code.choice(Code.name("enabled(action, s)").then("isTrue"), after, Code.name("s"))
+          : after;
     });
   }
 

@@ -25,33 +25,45 @@ final class ExpressionWriter {
   private final Inlining inlining;
   // "s", or empty in a method of the state itself
   private final String state;
+  // of the source, for places in messages
+  private final String file;
   private final Function<Expr, @Nullable Code> own;
   private final Map<String, Code> variables = new LinkedHashMap<>();
   // Variables that have none of the values that the condition distinguishes.
   private final Set<String> elsewhere = new TreeSet<>();
   private final Finite finite;
+  // Whether an operation without a value is told with its place.
+  private boolean tells = true;
 
   /**
    * @param state the variable that has the state; empty in a method of the state
+   * @param file the name of the source
    */
-  ExpressionWriter(Automaton automaton, JavaTypes types, String state) {
-    this(automaton, types, state, at -> null);
+  ExpressionWriter(Automaton automaton, JavaTypes types, String state, String file) {
+    this(automaton, types, state, file, at -> null);
   }
 
   /**
    * Of a program.
    *
+   * @param file the name of the source
    * @param own the Java of what only programs have; null for all else
    */
-  ExpressionWriter(Automaton around, JavaTypes types, Function<Expr, @Nullable Code> own) {
-    this(around, types, "", own);
+  ExpressionWriter(
+      Automaton around, JavaTypes types, String file, Function<Expr, @Nullable Code> own) {
+    this(around, types, "", file, own);
   }
 
   private ExpressionWriter(
-      Automaton automaton, JavaTypes types, String state, Function<Expr, @Nullable Code> own) {
+      Automaton automaton,
+      JavaTypes types,
+      String state,
+      String file,
+      Function<Expr, @Nullable Code> own) {
     this.automaton = automaton;
     this.types = types;
     this.state = state;
+    this.file = file;
     this.own = own;
     inlining = new Inlining(automaton);
     finite = new Finite(this);
@@ -103,6 +115,28 @@ final class ExpressionWriter {
     } finally {
       elsewhere.remove(variable.name());
     }
+  }
+
+  /**
+   * What {@code code} writes evaluates as far as Java does, without asking whether there is a value: it
+   * is looked at where the source may not evaluate it, for a message or as a value to try.
+   */
+  <T> T untold(Supplier<T> code) {
+    boolean before = tells;
+    tells = false;
+    try {
+      return code.get();
+    } finally {
+      tells = before;
+    }
+  }
+
+  /** A call of a method of {@code Undefined}. */
+  Code told(String method, Pos pos, Code... arguments) {
+    List<Code> all = new ArrayList<>(List.of(Code.string(file + ":" + pos)));
+    all.addAll(List.of(arguments));
+    String undefined = types.use("org.starl.spec.automaton.Undefined");
+    return Code.call(undefined + "." + method, all.toArray(Code[]::new));
   }
 
   private boolean isElsewhere(Expr at) {
@@ -230,9 +264,11 @@ final class ExpressionWriter {
               .findFirst()
               .orElseThrow()
               .name();
+      String form = types.of(sum, at.pos()) + "." + JavaTypes.name(constructor);
       of =
-          new Code.Prefix(
-              "(" + types.of(sum, at.pos()) + "." + JavaTypes.name(constructor) + ") ", of);
+          tells && sum.constructors().size() > 1
+              ? told("form", at.pos(), Code.string(at.field()), Code.name(form + ".class"), of)
+              : new Code.Prefix("(" + form + ") ", of);
     }
     return of.then(JavaTypes.name(at.field()));
   }
@@ -271,9 +307,10 @@ final class ExpressionWriter {
   private Code builtIn(Expr.BuiltIn at) {
     Code of = of(at.of());
     return switch (at.name()) {
-      case THE -> of.then("get");
-      case HEAD -> of.then("get", Code.name("0"));
-      case TAIL -> of.then("subList", Code.name("1"), of.then("size"));
+      case THE -> tells ? told("the", at.pos(), of) : of.then("get");
+      case HEAD -> tells ? told("head", at.pos(), of) : of.then("get", Code.name("0"));
+      case TAIL ->
+          tells ? told("tail", at.pos(), of) : of.then("subList", Code.name("1"), of.then("size"));
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
       case DISTINCT ->
           Code.infix(
@@ -308,7 +345,13 @@ final class ExpressionWriter {
   private Code arithmetic(Expr.Binary at) {
     boolean isOfLiterals = at.left() instanceof Expr.Numeral && at.right() instanceof Expr.Numeral;
     Code left = isOfLiterals ? of(at.left()) : number(at.left());
-    return Code.infix(at.operator().text(), left, number(at.right()));
+    Code right = number(at.right());
+    if (tells && at.operator() == Operator.DIVIDED_BY) {
+      return told("quotient", at.pos(), left, right);
+    }
+    return tells && at.operator() == Operator.LESS_BY && at.type().base() != Type.Num.REAL
+        ? told("difference", at.pos(), left, right)
+        : Code.infix(at.operator().text(), left, right);
   }
 
   /** A literal needs no suffix beside an operator, unless both sides are literals. */

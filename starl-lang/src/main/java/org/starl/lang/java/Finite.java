@@ -222,14 +222,14 @@ final class Finite {
       return List.of(only(literal.elements()));
     }
     return writer.types().form(at.right().type()) == JavaTypes.Sets.FINITE
-        ? List.of(writer.of(at.right()))
+        ? List.of(writer.untold(() -> writer.of(at.right())))
         : null;
   }
 
   private Code only(List<Expr> elements) {
     return Code.call(
         writer.types().use("java.util.List") + ".of",
-        elements.stream().map(writer::of).toArray(Code[]::new));
+        writer.untold(() -> elements.stream().map(writer::of).toArray(Code[]::new)));
   }
 
   private static boolean isVariable(Expr at, String variable) {
@@ -242,8 +242,10 @@ final class Finite {
     writer.elsewhere(
         variable,
         () -> {
-          collect(variable.name(), body, sets);
-          return sets;
+          return writer.untold(() -> {
+            collect(variable.name(), body, sets);
+            return sets;
+          });
         });
     return sets.stream().distinct().toList();
   }

@@ -32,16 +32,9 @@ final class Functions {
     Set<String> needed = new TreeSet<>();
     for (Action action : automaton.actions()) {
       action.pre().forEach(each -> collect(automaton, each.condition(), needed));
-      for (Action.Effect effect : action.eff()) {
-        if (effect instanceof Action.Effect.Assign assign) {
-          collect(automaton, assign.value(), needed);
-          for (Action.Selector selector : assign.selectors()) {
-            if (selector instanceof Action.Selector.At at) {
-              at.arguments().forEach(each -> collect(automaton, each, needed));
-            }
-          }
-        }
-      }
+      action.eff().stream()
+          .flatMap(effect -> effect.parts().stream())
+          .forEach(each -> collect(automaton, each, needed));
     }
     return automaton.functions().stream()
         .filter(f -> needsParameters(automaton, f.signature().name()) == withParameters)
@@ -51,7 +44,8 @@ final class Functions {
 
   private static boolean canBeWritten(Automaton automaton, Function f) {
     ExpressionWriter trial =
-        new ExpressionWriter(automaton, new JavaTypes(automaton, Names.of(automaton), false), "s");
+        new ExpressionWriter(
+            automaton, new JavaTypes(automaton, Names.of(automaton), false), "s", "");
     f.signature().parameters().forEach(p -> trial.bind(p.name(), Code.name(p.name())));
     try {
       trial.of(f.body());

@@ -49,13 +49,14 @@ public final class JavaSources {
   public static Map<String, String> of(Automaton automaton, String source) throws SourceErrors {
     try {
       Names names = Names.of(automaton);
+      String file = source.substring(source.lastIndexOf('/') + 1);
       Map<String, String> files = new TreeMap<>();
       JavaTypes own = new JavaTypes(automaton, names, false);
       add(
           names.automaton(),
           names,
           own,
-          new AutomatonWriter(automaton, own, names).body(),
+          new AutomatonWriter(automaton, own, names, file).body(),
           source,
           files);
       JavaTypes actions = new JavaTypes(automaton, names, true);

@@ -56,7 +56,7 @@ final class ProgramWriter {
     this.file = file;
     around = around(program);
     types = new JavaTypes(around, names, false);
-    expressions = new ExpressionWriter(around, types, this::read);
+    expressions = new ExpressionWriter(around, types, file, this::read);
     expressions.bind(Program.SELF, Code.name("gvh.id.name()"));
   }
 

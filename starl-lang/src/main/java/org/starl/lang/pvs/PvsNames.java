@@ -8,13 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.lang.tree.Action;
-import org.starl.lang.tree.Action.Effect;
-import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
-import org.starl.lang.tree.Expr.Operator;
-import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -69,7 +65,7 @@ final class PvsNames {
     automaton.start().forEach(this::collect);
     for (Action action : automaton.actions()) {
       action.pre().forEach(conjunct -> collect(conjunct.condition()));
-      action.eff().forEach(effect -> parts(effect).forEach(this::collect));
+      action.eff().forEach(effect -> effect.parts().forEach(this::collect));
     }
     automaton.invariants().forEach(invariant -> collect(invariant.condition()));
     ambiguous.forEach(declared::remove);
@@ -140,47 +136,6 @@ final class PvsNames {
       }
     }
     parts(expr).forEach(this::collect);
-  }
-
-  /** Whether {@code effect} has a value in some states alone, and so a proof obligation in PVS. */
-  static boolean isPartial(Effect effect) {
-    return parts(effect).stream().anyMatch(PvsNames::isPartial);
-  }
-
-  private static boolean isPartial(Expr expr) {
-    boolean isPartial =
-        switch (expr) {
-          case Expr.BuiltIn of ->
-              switch (of.name()) {
-                case THE, HEAD, TAIL -> true;
-                case ELEMENTS, DISTINCT -> false;
-              };
-          case Expr.Get of -> of.of().type().base() instanceof Type.Sum;
-          case Expr.Binary of ->
-              of.operator() == Operator.DIVIDED_BY
-                  || (of.operator() == Operator.LESS_BY && of.type().base() != Type.Num.REAL);
-          default -> false;
-        };
-    return isPartial || parts(expr).stream().anyMatch(PvsNames::isPartial);
-  }
-
-  private static List<Expr> parts(Effect effect) {
-    List<Expr> parts = new ArrayList<>();
-    switch (effect) {
-      case Effect.Assign assign -> {
-        for (Selector selector : assign.selectors()) {
-          if (selector instanceof Selector.At at) {
-            parts.addAll(at.arguments());
-          }
-        }
-        parts.add(assign.value());
-      }
-      case Effect.Step step -> {
-        step.condition().ifPresent(parts::add);
-        parts.addAll(step.arguments());
-      }
-    }
-    return parts;
   }
 
   /** The expressions that {@code expr} is made of. */

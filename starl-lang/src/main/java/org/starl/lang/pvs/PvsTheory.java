@@ -16,6 +16,7 @@ import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
@@ -287,7 +288,7 @@ public final class PvsTheory {
     }
     List<Doc> effects = action.eff().stream().map(expressions::effect).toList();
     Doc changed = new Doc.Nest(2, Doc.of("s WITH [ ", join(effects, ",", SOFT), " ]"));
-    return action.eff().stream().noneMatch(PvsNames::isPartial)
+    return action.eff().stream().flatMap(e -> e.parts().stream()).noneMatch(Exprs::isPartial)
         ? Doc.of(pattern, " ", changed)
         : group(
             2,

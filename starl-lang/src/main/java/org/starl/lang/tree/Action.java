@@ -1,5 +1,6 @@
 package org.starl.lang.tree;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.starl.lang.tree.Type.Field;
@@ -47,6 +48,26 @@ public record Action(
 
   /** A change of the state. */
   public sealed interface Effect {
+
+    /** The expressions in it. */
+    default List<Expr> parts() {
+      List<Expr> parts = new ArrayList<>();
+      switch (this) {
+        case Assign assign -> {
+          for (Selector selector : assign.selectors()) {
+            if (selector instanceof Selector.At at) {
+              parts.addAll(at.arguments());
+            }
+          }
+          parts.add(assign.value());
+        }
+        case Step step -> {
+          step.condition().ifPresent(parts::add);
+          parts.addAll(step.arguments());
+        }
+      }
+      return parts;
+    }
 
     /** {@code Leader(i).who := none}. */
     record Assign(String component, List<Selector> selectors, Expr value, Pos pos)

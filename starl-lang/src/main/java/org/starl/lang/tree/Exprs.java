@@ -85,6 +85,24 @@ public final class Exprs {
     return parts;
   }
 
+  /** Whether {@code at}, or a part of it, has no value for some arguments. */
+  public static boolean isPartial(Expr at) {
+    boolean isPartial =
+        switch (at) {
+          case Expr.BuiltIn e ->
+              switch (e.name()) {
+                case THE, HEAD, TAIL -> true;
+                case ELEMENTS, DISTINCT -> false;
+              };
+          case Expr.Get e -> e.of().type().base() instanceof Type.Sum;
+          case Expr.Binary e ->
+              e.operator() == Expr.Operator.DIVIDED_BY
+                  || (e.operator() == Expr.Operator.LESS_BY && e.type().base() != Type.Num.REAL);
+          default -> false;
+        };
+    return isPartial || parts(at).stream().anyMatch(Exprs::isPartial);
+  }
+
   /** Whether a variable of this name occurs in {@code at}, bound ones included. */
   public static boolean mentions(Expr at, String variable) {
     return (at instanceof Expr.Variable v && v.name().equals(variable))

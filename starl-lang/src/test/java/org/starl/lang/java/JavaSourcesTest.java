@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.lang.read.SourceErrors;
+import org.starl.spec.automaton.Undefined;
 
 class JavaSourcesTest {
 
@@ -117,6 +118,49 @@ class JavaSourcesTest {
     assertThat(pair.enabled("forms", form("one", "t", 1L)).isTrue()).isFalse();
     assertThat(pair.enabled("forms", form("one", "t", 2L)).isTrue()).isTrue();
     assertThat(pair.step("forms", form("one", "t", 2L))).contains("form=one(t, 2)");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          n := the(o) | 14:20: the(none) has no value
+          t := head(l) | 14:20: head([]) has no value
+          l := tail(l) | 14:20: tail([]) has no value
+          n := f.at | 14:20: 'at' of none_yet, which has no such field
+          n := n - 1 | 14:20: 0 - 1 is below 0
+          w := w - 1 | 14:20: 0.0 - 1.0 is below 0
+          w := 1 / w | 14:20: a division by 0
+          n := before(n) | 13:27: 0 - 1 is below 0
+          """)
+  void whatHasNoValueIsToldWithItsPlace(String effect, String told) throws SourceErrors {
+    String text =
+        """
+        automaton Partial[T]
+        java "x.XAutomaton"
+        java time = "double"
+        type Form = none_yet | one(at: nat)
+        state
+          n: nat
+          w: time
+          t: T
+          o: option[nat]
+          l: list[T]
+          f: Form
+        start n = 0, w = 0, o = none, l = [], f = none_yet
+        fun before(m: nat): nat = m - 1
+        action go eff EFFECT
+        action off pre n > 0 eff EFFECT
+        action looked pre n > 0, before(n) = 1, n - 1 = 1
+        """;
+    Compiled partial = new Compiled(text.replace("EFFECT", effect));
+    assertThatThrownBy(() -> partial.step("go"))
+        .isInstanceOf(Undefined.class)
+        .hasMessage("x.starl:" + told);
+    // A replay takes actions that are not enabled, too.
+    assertThat(partial.step("off")).isEqualTo(partial.state());
+    assertThat(partial.enabled("looked").falseConjunct()).isEqualTo("n > 0 is false: n = 0");
   }
 
   private Object form(String constructor, Object... arguments) throws ReflectiveOperationException {

@@ -9,6 +9,7 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Term;
+import org.starl.spec.automaton.Undefined;
 
 /**
  * The automaton Barrier_decls, executable.
@@ -106,8 +107,17 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
       value =
           g_ <= 1
               ? first
-              : s.outcome.at(g_ - 1) instanceof Outcome.failed
-                  ? Sets.difference(value, ((Outcome.failed) s.outcome.at(g_ - 1)).missing())
+              : s.outcome.at(Undefined.difference("Barrier_decls.starl:35:19", g_, 1))
+                      instanceof Outcome.failed
+                  ? Sets.difference(
+                      value,
+                      Undefined.form(
+                              "Barrier_decls.starl:35:62",
+                              "missing",
+                              Outcome.failed.class,
+                              s.outcome.at(
+                                  Undefined.difference("Barrier_decls.starl:35:70", g_, 1)))
+                          .missing())
                   : value;
     }
     return value;
@@ -119,7 +129,9 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
    */
   public boolean isRight(long g, Outcome o, States s) {
     return g > 0
-        && (g == 1 || !(s.outcome.at(g - 1) instanceof Outcome.open))
+        && (g == 1
+            || !(s.outcome.at(Undefined.difference("Barrier_decls.starl:42:35", g, 1))
+                instanceof Outcome.open))
         && (o instanceof Outcome.open
             ? false
             : o instanceof Outcome.failed failed_
@@ -138,7 +150,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
                   () -> "outcome(" + a.g() + ") = " + s.outcome.at(a.g()))
               .and(
                   "right?(g, o)",
-                  isRight(a.g(), a.o(), s),
+                  !(s.outcome.at(a.g()) instanceof Outcome.open) || isRight(a.g(), a.o(), s),
                   () ->
                       !(a.g() > 0
                               && (a.g() == 1 || !(s.outcome.at(a.g() - 1) instanceof Outcome.open)))

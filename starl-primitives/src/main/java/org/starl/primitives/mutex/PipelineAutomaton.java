@@ -10,6 +10,7 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
+import org.starl.spec.automaton.Undefined;
 
 /**
  * The automaton Pipeline_decls, executable.
@@ -106,7 +107,8 @@ public final class PipelineAutomaton
     public boolean isWaitsFor(RobotId i, RobotId j) {
       return isWaits(i)
           && !i.equals(j)
-          && (held(j).contains(req.at(i).get(0)) || isBefore(j, i, req.at(i).get(0)));
+          && (held(j).contains(Undefined.head("Pipeline_decls.starl:65:32", req.at(i)))
+              || isBefore(j, i, Undefined.head("Pipeline_decls.starl:65:73", req.at(i))));
     }
   }
 
@@ -130,10 +132,7 @@ public final class PipelineAutomaton
     return switch (action) {
       case PipelineAction.do_sequence a ->
           Enabled.when("L != []", !a.L().isEmpty(), () -> "L = " + a.L())
-              .and(
-                  "distinct(L)",
-                  a.L().isEmpty() || Sets.of(a.L()).size() == a.L().size(),
-                  () -> "L = " + a.L())
+              .and("distinct(L)", Sets.of(a.L()).size() == a.L().size(), () -> "L = " + a.L())
               .and(
                   "req(i) = []",
                   s.req.at(a.i()).isEmpty(),
@@ -171,7 +170,9 @@ public final class PipelineAutomaton
                   () -> "req(" + a.i() + ") = " + s.req.at(a.i()))
               .and(
                   "z = head(req(i))",
-                  s.req.at(a.i()).isEmpty() || a.z().equals(s.req.at(a.i()).get(0)),
+                  s.req.at(a.i()).isEmpty()
+                      || a.z()
+                          .equals(Undefined.head("Pipeline_decls.starl:73:25", s.req.at(a.i()))),
                   () -> "req(" + a.i() + ") = " + s.req.at(a.i()))
               .and(
                   "free_for?(i, z)",
@@ -252,12 +253,14 @@ public final class PipelineAutomaton
               s.ticket.with(a.i(), a.t()),
               Sets.remove(a.i(), s.resumed));
       case PipelineAction.grant a ->
-          new States(
-              s.crit_set.with(a.i(), Sets.add(a.z(), s.crit_set.at(a.i()))),
-              s.req.with(a.i(), s.req.at(a.i()).subList(1, s.req.at(a.i()).size())),
-              s.rest_set,
-              s.ticket,
-              s.rest_set.at(a.i()).isEmpty() ? s.resumed : Sets.add(a.i(), s.resumed));
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.crit_set.with(a.i(), Sets.add(a.z(), s.crit_set.at(a.i()))),
+                  s.req.with(a.i(), Undefined.tail("Pipeline_decls.starl:76:55", s.req.at(a.i()))),
+                  s.rest_set,
+                  s.ticket,
+                  s.rest_set.at(a.i()).isEmpty() ? s.resumed : Sets.add(a.i(), s.resumed))
+              : s;
       case PipelineAction.release a ->
           new States(
               s.crit_set.with(a.i(), Sets.difference(s.crit_set.at(a.i()), a.RS())),

@@ -12,6 +12,7 @@ import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.Registration;
 import org.starl.shape.Shapes;
 import org.starl.spec.automaton.Sets;
+import org.starl.spec.automaton.Undefined;
 import org.starl.trace.Instance;
 import org.starl.trace.Var;
 
@@ -112,10 +113,10 @@ public final class IcpProgram extends LogicThread {
           if (myseq.get().isEmpty()) {
             line = 81;
             location.set(Location.S1);
-          } else if (car.left().contains(myseq.get().get(0))) {
+          } else if (car.left().contains(Undefined.head("IcpProgram.starl:82:8", myseq.get()))) {
             line = 82;
-            mux.release(Sets.singleton(myseq.get().get(0)));
-            myseq.set(myseq.get().subList(1, myseq.get().size()));
+            mux.release(Sets.singleton(Undefined.head("IcpProgram.starl:83:18", myseq.get())));
+            myseq.set(Undefined.tail("IcpProgram.starl:83:42", myseq.get()));
           }
         }
         case S1 -> {

@@ -1,0 +1,74 @@
+package org.starl.spec.automaton;
+
+import java.util.List;
+
+/**
+ * An operation of an automaton that has no value for its arguments. The message begins with the place in the source: {@code Clock.starl:13:52: 1 - 2 is below 0}. The
+ * methods are for classes that {@code starl compile} writes; each takes this place.
+ */
+public final class Undefined extends IllegalStateException {
+
+  private static final long serialVersionUID = 1;
+
+  private Undefined(String place, String told) {
+    super(place + ": " + told);
+  }
+
+  /** {@code the(of)}. */
+  public static <T> T the(String place, Lift<T> of) {
+    if (!of.isUp()) {
+      throw new Undefined(place, "the(none) has no value");
+    }
+    return of.get();
+  }
+
+  /** {@code head(of)}. */
+  public static <T> T head(String place, List<T> of) {
+    if (of.isEmpty()) {
+      throw new Undefined(place, "head([]) has no value");
+    }
+    return of.get(0);
+  }
+
+  /** {@code tail(of)}. */
+  public static <T> List<T> tail(String place, List<T> of) {
+    if (of.isEmpty()) {
+      throw new Undefined(place, "tail([]) has no value");
+    }
+    return of.subList(1, of.size());
+  }
+
+  /** {@code of}, which must have the form that has this field. */
+  public static <T> T form(String place, String field, Class<T> form, Object of) {
+    if (!form.isInstance(of)) {
+      String told =
+          "'" + field + "' of " + of.getClass().getSimpleName() + ", which has no such field";
+      throw new Undefined(place, told);
+    }
+    return form.cast(of);
+  }
+
+  /** {@code a - b} of naturals, or of times in whole units: at least 0. */
+  public static long difference(String place, long a, long b) {
+    if (a < b) {
+      throw new Undefined(place, a + " - " + b + " is below 0");
+    }
+    return a - b;
+  }
+
+  /** {@code a - b} of times: at least 0. */
+  public static double difference(String place, double a, double b) {
+    if (a < b) {
+      throw new Undefined(place, a + " - " + b + " is below 0");
+    }
+    return a - b;
+  }
+
+  /** {@code a / b}; {@code b} is not 0. */
+  public static double quotient(String place, double a, double b) {
+    if (b == 0) {
+      throw new Undefined(place, "a division by 0");
+    }
+    return a / b;
+  }
+}
