@@ -25,12 +25,14 @@ public final class FaultState {
   private static final Set<String> OF_CLOCKS = Set.of("drift", "skew", Fault.REAL_TIME);
 
   private final Set<RobotId> down = new TreeSet<>();
-  // Active faults, each as affected robot and text. A fault may be in the list twice.
-  private final List<String> active = new ArrayList<>();
+  // A fault may be in the list twice.
+  private final List<Active> active = new ArrayList<>();
   // When a fault of the robot's clock last began or ended.
   private final Map<RobotId, Long> clockChangedNs = new TreeMap<>();
   // When the last change was; long ago at first.
   private long changedNs = Long.MIN_VALUE / 2;
+
+  private record Active(RobotId robot, String effect, String detail) {}
 
   /** An independent copy of the current state. */
   public FaultState copy() {
@@ -87,8 +89,7 @@ public final class FaultState {
   public boolean isClockRight(RobotId robot, long sinceNs) {
     for (RobotId each : List.of(robot, Fault.WORLD)) {
       boolean isWrong =
-          OF_CLOCKS.stream()
-              .anyMatch(kind -> active.stream().anyMatch(t -> t.startsWith(each + " " + kind)));
+          active.stream().anyMatch(f -> f.robot().equals(each) && OF_CLOCKS.contains(f.effect()));
       if (isWrong || clockChangedNs.getOrDefault(each, Long.MIN_VALUE) >= sinceNs) {
         return false;
       }
@@ -103,7 +104,7 @@ public final class FaultState {
     if (OF_CLOCKS.contains(fault.effect())) {
       clockChangedNs.put(fault.robot(), fault.timeNs());
     }
-    String which = fault.robot() + " " + fault.detail();
+    Active which = new Active(fault.robot(), fault.effect(), fault.detail());
     return switch (fault.name()) {
       case Fault.CRASH -> down.add(fault.robot());
       case Fault.RESTART -> down.remove(fault.robot());
