@@ -84,9 +84,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
             NOT_HUNG, NOT_HUNG_SAYS, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
   }
 
-  /**
-   * Also requires that no robot gives a member up, or its wait, too early; of barriers with these times.
-   */
+  /** Also requires that no robot gives a member up, or its wait, before these times. */
   public BarrierSpec patient(BarrierSettings settings) {
     lemma(
         SUSPECTED,

@@ -84,9 +84,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     return this;
   }
 
-  /**
-   * Also requires that no robot suspects a leader, or fails, too early; of elections with these times.
-   */
+  /** Also requires that no robot suspects a leader, or fails, before these times. */
   public ElectionSpec patient(ElectionSettings settings) {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
