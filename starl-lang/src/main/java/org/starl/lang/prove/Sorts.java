@@ -79,8 +79,9 @@ final class Sorts {
             names.isEmpty()
                 ? "(declare-sort " + named(type) + " 0)"
                 : "(declare-datatypes ((" + named(type) + " 0)) ((" + bracketed(names) + ")))"));
-    lines.add("(declare-datatypes ((option 1)) ((par (T) ((none) (some (the T))))))");
-    lines.add("(declare-datatypes ((list 1)) ((par (T) ((nil) (cons (head T) (tail (list T)))))))");
+    lines.add("(declare-datatypes ((option 1)) ((par (t.) ((none) (some (the t.))))))");
+    lines.add(
+        "(declare-datatypes ((list 1)) ((par (t.) ((nil) (cons (head t.) (tail (list t.)))))))");
     declare(automaton, lines, new ArrayList<>());
     return lines;
   }

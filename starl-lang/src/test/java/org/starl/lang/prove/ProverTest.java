@@ -49,6 +49,13 @@ class ProverTest {
   }
 
   @Test
+  void namesOfTypesAreNotThoseOfTheScript() {
+    String of = LOCK.replace("PIDS", "T").replace("option[T]", "option[nat]");
+    assertThat(proved(of.replace("some(i)", "some(1)").replaceAll("invariant .*", "")).isProved())
+        .isTrue();
+  }
+
+  @Test
   void assumptionsAreGiven() {
     String steps =
         """
