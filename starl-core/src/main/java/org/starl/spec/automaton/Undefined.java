@@ -3,7 +3,7 @@ package org.starl.spec.automaton;
 import java.util.List;
 
 /**
- * An operation of an automaton that has no value for its arguments. The message begins with the place in the source: {@code Clock.starl:13:52: 1 - 2 is below 0}. The
+ * An operation of an automaton that has no value for its arguments, or an effect that is none. The message begins with the place in the source: {@code Clock.starl:13:52: 1 - 2 is below 0}. The
  * methods are for classes that {@code starl compile} writes; each takes this place.
  */
 public final class Undefined extends IllegalStateException {
@@ -70,5 +70,14 @@ public final class Undefined extends IllegalStateException {
       throw new Undefined(place, "a division by 0");
     }
     return a / b;
+  }
+
+  /** {@code after}, the state after an action that must not change one place to two values. */
+  public static <S> S once(String place, boolean isTwice, String action, S after) {
+    if (isTwice) {
+      throw new Undefined(
+          place, "'" + action + "' changes one place twice; expected one effect on it");
+    }
+    return after;
   }
 }

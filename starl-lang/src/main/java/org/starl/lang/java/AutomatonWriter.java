@@ -22,6 +22,8 @@ import org.starl.lang.tree.Type.Field;
 /** Writes the body of {@code XAutomaton}. */
 final class AutomatonWriter {
 
+  private static final String IS_ENABLED = "enabled(action, s).isTrue()";
+
   private final Automaton automaton;
   private final JavaTypes types;
   private final Names names;
@@ -252,14 +254,59 @@ final class AutomatonWriter {
       automaton
           .state()
           .forEach(c -> parts.add(changed.getOrDefault(c.name(), writer.component(c.name()))));
-      Code after = new Code.New("States", List.copyOf(parts));
+      Code after = once(action, new Code.New("States", List.copyOf(parts)), writer);
       // As in the theory: an effect that may have no value is one where the action is enabled.
       return action.eff().stream()
               .flatMap(effect -> effect.parts().stream())
               .anyMatch(this::isPartial)
-          ? Code.choice(Code.name("enabled(action, s)").then("isTrue"), after, Code.name("s"))
+          ? Code.choice(Code.name(IS_ENABLED), after, Code.name("s"))
           : after;
     });
+  }
+
+  /** {@code after}, the state after an action that must not change one place to two values. */
+  private static Code once(Action action, Code after, ExpressionWriter writer) {
+    Code checked = after;
+    for (int i = action.eff().size() - 1; i > 0; i--) {
+      Effect.Assign later = (Effect.Assign) action.eff().get(i);
+      for (Effect earlier : action.eff().subList(0, i)) {
+        Expr differs = differs((Effect.Assign) earlier, later);
+        if (!(differs instanceof Expr.Bool never && !never.value())) {
+          Code isTwice = Code.and(writer.of(differs), Code.name(IS_ENABLED));
+          checked = writer.told("once", later.pos(), isTwice, Code.string(action.name()), checked);
+        }
+      }
+    }
+    return checked;
+  }
+
+  /** Whether two effects change one place to two values. */
+  private static Expr differs(Effect.Assign one, Effect.Assign other) {
+    Pos pos = other.pos();
+    Expr never = new Expr.Bool(false, pos);
+    if (!one.component().equals(other.component())) {
+      return never;
+    }
+    List<Expr> all = new ArrayList<>();
+    int common = Math.min(one.selectors().size(), other.selectors().size());
+    for (int i = 0; i < common; i++) {
+      if (one.selectors().get(i) instanceof Selector.At a
+          && other.selectors().get(i) instanceof Selector.At b) {
+        for (int k = 0; k < a.arguments().size(); k++) {
+          all.add(compared(Expr.Operator.EQUAL, a.arguments().get(k), b.arguments().get(k), pos));
+        }
+      } else if (!one.selectors().get(i).equals(other.selectors().get(i))) {
+        return never;
+      }
+    }
+    if (one.selectors().size() == other.selectors().size()) {
+      all.add(compared(Expr.Operator.UNEQUAL, one.value(), other.value(), pos));
+    }
+    return Exprs.all(all, pos);
+  }
+
+  private static Expr compared(Expr.Operator operator, Expr left, Expr right, Pos pos) {
+    return new Expr.Binary(operator, left, right, Type.Bool.BOOL, pos);
   }
 
   /** {@code of} with {@code value} in the place of a part. */

@@ -125,13 +125,7 @@ class JavaSourcesTest {
       delimiter = '|',
       textBlock =
           """
-          n := the(o) | 14:20: the(none) has no value
-          t := head(l) | 14:20: head([]) has no value
-          l := tail(l) | 14:20: tail([]) has no value
-          n := f.at | 14:20: 'at' of none_yet, which has no such field
           n := n - 1 | 14:20: 0 - 1 is below 0
-          w := w - 1 | 14:20: 0.0 - 1.0 is below 0
-          w := 1 / w | 14:20: a division by 0
           n := before(n) | 13:27: 0 - 1 is below 0
           """)
   void whatHasNoValueIsToldWithItsPlace(String effect, String told) throws SourceErrors {
@@ -161,6 +155,38 @@ class JavaSourcesTest {
     // A replay takes actions that are not enabled, too.
     assertThat(partial.step("off")).isEqualTo(partial.state());
     assertThat(partial.enabled("looked").falseConjunct()).isEqualTo("n > 0 is false: n = 0");
+  }
+
+  @Test
+  void twoChangesOfOnePlaceAreToldWithTheLaterOne() throws SourceErrors {
+    Compiled twice =
+        new Compiled(
+            """
+            automaton Twice[T]
+            java "x.XAutomaton"
+            type Both = record(left: nat, right: nat)
+            state
+              n: nat
+              m: [T -> nat]
+              b: Both
+            start n = 0
+            action places(t: T, u: T, k: nat) eff m(t) := 1, m(u) := k
+            action part(k: nat) eff b.left := k, b := Both(left := 1, right := 1)
+            action fields(k: nat) eff b.left := k, b.right := 1
+            action off(t: T, u: T) pre n > 0 eff m(t) := 2, m(u) := 1
+            """);
+    assertThat(twice.after("places", "t", "u", 2L).toString()).contains("m=(t: 1, u: 2)");
+    assertThat(twice.after("places", "t", "t", 1L).toString()).contains("m=(t: 1)");
+    assertThat(twice.after("fields", 2L).toString()).contains("b=Both[left=2, right=1]");
+    assertThat(twice.after("off", "t", "t").toString()).contains("m=(t: 1)");
+    assertTwice(twice, "9:50: 'places'", "places", "t", "t", 2L);
+    assertTwice(twice, "10:38: 'part'", "part", 1L);
+  }
+
+  private static void assertTwice(Compiled twice, String where, String action, Object... given) {
+    assertThatThrownBy(() -> twice.after(action, given))
+        .isInstanceOf(Undefined.class)
+        .hasMessage("x.starl:" + where + " changes one place twice; expected one effect on it");
   }
 
   private Object form(String constructor, Object... arguments) throws ReflectiveOperationException {
