@@ -234,6 +234,10 @@ class DeployCheckTest {
   @Test
   void aMissingDeviceIsAProblemOnItsRobotsMachine() throws IOException {
     assertRefused(check(GOOD, "--robot", "bot1"), "robots.bot1.chassis.port", "no such device");
+    String elsewhere = GOOD.replace("server: 127.0.0.1}", "server: 127.0.0.1, interface: nosuch0}");
+    assertThat(check(elsewhere).status()).isZero();
+    assertRefused(
+        check(elsewhere, "--robot", "bot0"), ":4: positions.interface: 'nosuch0'", "one of [");
     assertRefused(check(GOOD, "--robot", "bot9"), "has no robot 'bot9'", "bot0, bot1");
   }
 

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
 import org.starl.platform.Clock;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink;
@@ -44,7 +46,7 @@ public final class PoseFeeds {
     FixBounds bounds = bounds(deployment);
     return switch (deployment.positions()) {
       case Positions.NatNet natNet ->
-          NatNetClient.open(settings(natNet, bounds, local), clock, log);
+          NatNetClient.open(settings(deployment, natNet, bounds, local), clock, log);
       case Positions.JsonFeed json -> {
         String sender = json.sender();
         JsonFeedSettings settings =
@@ -72,7 +74,8 @@ public final class PoseFeeds {
   }
 
   private static NatNetSettings settings(
-      Positions.NatNet natNet, FixBounds bounds, @Nullable InetAddress local) throws IOException {
+      Deployment deployment, Positions.NatNet natNet, FixBounds bounds, @Nullable InetAddress local)
+      throws IOException {
     InetSocketAddress server = natNet.server().resolve();
     String multicast = natNet.multicast();
     InetSocketAddress group =
@@ -81,12 +84,19 @@ public final class PoseFeeds {
             : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort());
     String at = natNet.networkInterface();
     InetAddress camerasAt =
-        at == null ? NatNetClient.towards(server, local) : addressOf(at, server.getAddress());
+        at == null
+            ? NatNetClient.towards(server, local)
+            : addressOf(deployment, at, server.getAddress());
     return new NatNetSettings(server, group, camerasAt, axes(natNet), bounds);
   }
 
-  /** This machine's address at an interface, of the same kind as the server's. */
-  private static InetAddress addressOf(String at, InetAddress server) throws IOException {
+  /**
+   * This machine's address at the interface {@code positions.interface}, of the same kind as the server's.
+   *
+   * @throws BadInput if there is none
+   */
+  public static InetAddress addressOf(Deployment deployment, String at, InetAddress server)
+      throws SocketException {
     List<String> names = new ArrayList<>();
     for (NetworkInterface each : Collections.list(NetworkInterface.getNetworkInterfaces())) {
       names.add(each.getName());
@@ -97,10 +107,11 @@ public final class PoseFeeds {
         }
       }
     }
-    throw new IOException(
-        "positions.interface: '"
-            + at
-            + "': expected a network interface of this machine, by its name or address: one of "
+    throw new BadInput(
+        deployment.where("positions")
+            + "positions.interface: "
+            + BadInput.quote(at)
+            + ": expected a network interface of this machine, by its name or address: one of "
             + names);
   }
 

@@ -19,6 +19,8 @@ import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
+import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.robot.PoseFeeds;
 import org.starl.robot.RealMotion;
 import org.starl.robot.file.Deployment;
@@ -61,7 +63,7 @@ public final class DeploymentCheck {
    */
   public static List<String> of(Deployment deployment, @Nullable RobotEntry here, boolean probes) {
     DeploymentCheck check = new DeploymentCheck(deployment);
-    check.checkHosts();
+    check.checkHosts(here);
     if (here != null) {
       check.checkMachine(here);
     }
@@ -135,7 +137,7 @@ public final class DeploymentCheck {
     }
   }
 
-  private void checkHosts() {
+  private void checkHosts(@Nullable RobotEntry here) {
     for (RobotEntry robot : deployment.robots().values()) {
       resolve(at(robot, "address"), robot.address());
       if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
@@ -143,12 +145,26 @@ public final class DeploymentCheck {
       }
     }
     if (deployment.positions() instanceof Positions.NatNet natNet) {
-      resolve(at("positions", "server"), natNet.server());
+      InetSocketAddress server = resolve(at("positions", "server"), natNet.server());
+      String networkInterface = natNet.networkInterface();
+      if (here != null && server != null && networkInterface != null) {
+        checkInterface(networkInterface, server.getAddress());
+      }
       if (natNet.multicast() != null) {
         checkMulticast(natNet.multicast());
       }
     }
     resolve(deployment.where("world") + "world", deployment.world());
+  }
+
+  private void checkInterface(String at, InetAddress server) {
+    try {
+      PoseFeeds.addressOf(deployment, at, server);
+    } catch (BadInput e) {
+      problems.add(e.getMessage());
+    } catch (SocketException e) {
+      problem(at("positions", "interface"), at, FailureText.of(e));
+    }
   }
 
   private void checkMulticast(String group) {
