@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
@@ -199,7 +197,10 @@ final class AutomatonWriter {
         Conjunct each = action.pre().get(i);
         Code condition = writer.of(each.condition());
         // Those before may be what gives it a value.
-        Code holds = isPartial(each.condition()) ? Code.or(Code.not(before), condition) : condition;
+        Code holds =
+            Functions.isPartial(automaton, each.condition())
+                ? Code.or(Code.not(before), condition)
+                : condition;
         Code values =
             new Code.Lambda("()", writer.untold(() -> new Values(writer).of(each.condition())));
         Code text = Code.string(each.text());
@@ -211,16 +212,6 @@ final class AutomatonWriter {
       }
       return guard;
     });
-  }
-
-  /** Whether it, or a function that it calls, has no value for some arguments. */
-  private boolean isPartial(Expr at) {
-    Set<String> called = new TreeSet<>();
-    Functions.collect(automaton, at, called);
-    return Exprs.isPartial(at)
-        || called.stream()
-            .flatMap(name -> automaton.function(name).stream())
-            .anyMatch(f -> Exprs.isPartial(f.body()));
   }
 
   private void trans() {
@@ -258,7 +249,7 @@ final class AutomatonWriter {
       // As in the theory: an effect that may have no value is one where the action is enabled.
       return action.eff().stream()
               .flatMap(effect -> effect.parts().stream())
-              .anyMatch(this::isPartial)
+              .anyMatch(each -> Functions.isPartial(automaton, each))
           ? Code.choice(Code.name(IS_ENABLED), after, Code.name("s"))
           : after;
     });

@@ -119,7 +119,7 @@ final class ExpressionWriter {
 
   /**
    * What {@code code} writes evaluates as far as Java does, without asking whether there is a value: it
-   * is looked at where the source may not evaluate it, for a message or as a value to try.
+   * is looked at where the source may not evaluate it, for a message.
    */
   <T> T untold(Supplier<T> code) {
     boolean before = tells;
@@ -129,6 +129,11 @@ final class ExpressionWriter {
     } finally {
       tells = before;
     }
+  }
+
+  /** Whether {@code at}, or a function that it calls, has no value for some arguments. */
+  boolean isPartial(Expr at) {
+    return Functions.isPartial(automaton, at);
   }
 
   /** A call of a method of {@code Undefined}. */

@@ -20,6 +20,8 @@ import org.starl.lang.tree.Type.Field;
 final class Finite {
 
   private final ExpressionWriter writer;
+  // What holds where the source evaluates the part that is looked at.
+  private final List<Code> guards = new ArrayList<>();
 
   Finite(ExpressionWriter writer) {
     this.writer = writer;
@@ -171,9 +173,9 @@ final class Finite {
       case Expr.Bool constant when constant.value() != wanted -> List.of();
       case Expr.Binary e ->
           switch (e.operator()) {
-            case AND -> both(variable, e.left(), wanted, e.right(), wanted, wanted);
-            case OR -> both(variable, e.left(), wanted, e.right(), wanted, !wanted);
-            case IMPLIES -> both(variable, e.left(), !wanted, e.right(), wanted, !wanted);
+            case AND -> both(variable, e, wanted, wanted, wanted);
+            case OR -> both(variable, e, wanted, wanted, !wanted);
+            case IMPLIES -> both(variable, e, !wanted, wanted, !wanted);
             case EQUAL -> wanted ? equal(variable, e) : null;
             case UNEQUAL -> wanted ? null : equal(variable, e);
             case IN -> wanted ? elements(variable, e) : null;
@@ -185,12 +187,12 @@ final class Finite {
 
   /** Of two conditions: a bound of one if both must hold, else the bounds of both. */
   private @Nullable List<Code> both(
-      String variable, Expr a, boolean aWanted, Expr b, boolean bWanted, boolean mustBoth) {
-    List<Code> left = bounds(variable, a, aWanted);
+      String variable, Expr.Binary of, boolean leftWanted, boolean rightWanted, boolean mustBoth) {
+    List<Code> left = bounds(variable, of.left(), leftWanted);
     if (mustBoth && left != null) {
       return left;
     }
-    List<Code> right = bounds(variable, b, bWanted);
+    List<Code> right = afterLeft(variable, of, () -> bounds(variable, of.right(), rightWanted));
     if (mustBoth) {
       return right;
     }
@@ -222,14 +224,46 @@ final class Finite {
       return List.of(only(literal.elements()));
     }
     return writer.types().form(at.right().type()) == JavaTypes.Sets.FINITE
-        ? List.of(writer.untold(() -> writer.of(at.right())))
+        ? List.of(tried(List.of(at.right()), writer.of(at.right())))
         : null;
   }
 
   private Code only(List<Expr> elements) {
-    return Code.call(
-        writer.types().use("java.util.List") + ".of",
-        writer.untold(() -> elements.stream().map(writer::of).toArray(Code[]::new)));
+    return tried(elements, list(elements.stream().map(writer::of).toArray(Code[]::new)));
+  }
+
+  private Code list(Code... elements) {
+    return Code.call(writer.types().use("java.util.List") + ".of", elements);
+  }
+
+  /** The set of values to try; none where the source does not ask the value of these parts. */
+  private Code tried(List<Expr> parts, Code set) {
+    return guards.isEmpty() || parts.stream().noneMatch(writer::isPartial)
+        ? set
+        : Code.choice(guards.stream().reduce(Code::and).orElseThrow(), set, list());
+  }
+
+  /** Evaluates {@code code} for what the source evaluates only if the left side does not decide. */
+  private <T extends @Nullable Object> T afterLeft(
+      String variable, Expr.Binary of, Supplier<T> code) {
+    int before = guards.size();
+    guard(variable, of.left(), of.operator() != Operator.OR);
+    T result = code.get();
+    guards.subList(before, guards.size()).clear();
+    return result;
+  }
+
+  /** Adds what is known where {@code at} is {@code isTrue}, of all values of the variable. */
+  private void guard(String variable, Expr at, boolean isTrue) {
+    if (at instanceof Expr.Not not) {
+      guard(variable, not.of(), !isTrue);
+    } else if (at instanceof Expr.Binary e
+        && e.operator() == (isTrue ? Operator.AND : Operator.OR)) {
+      guard(variable, e.left(), isTrue);
+      guard(variable, e.right(), isTrue);
+    } else if (!Exprs.mentions(at, variable)) {
+      guards.add(isTrue ? writer.of(at) : Code.not(writer.of(at)));
+    }
   }
 
   private static boolean isVariable(Expr at, String variable) {
@@ -242,10 +276,8 @@ final class Finite {
     writer.elsewhere(
         variable,
         () -> {
-          return writer.untold(() -> {
-            collect(variable.name(), body, sets);
-            return sets;
-          });
+          collect(variable.name(), body, sets);
+          return sets;
         });
     return sets.stream().distinct().toList();
   }
@@ -267,6 +299,18 @@ final class Finite {
       compared(variable, e.left(), e.right(), sets);
       compared(variable, e.right(), e.left(), sets);
     }
+    if (at instanceof Expr.Binary e
+        && List.of(Operator.AND, Operator.OR, Operator.IMPLIES).contains(e.operator())) {
+      collect(variable, e.left(), sets);
+      afterLeft(
+          variable,
+          e,
+          () -> {
+            collect(variable, e.right(), sets);
+            return sets;
+          });
+      return;
+    }
     Exprs.parts(at).forEach(part -> collect(variable, part, sets));
   }
 
@@ -274,7 +318,7 @@ final class Finite {
     Code map = writer.of(at.map());
     for (Expr argument : at.arguments()) {
       if (isVariable(argument, variable)) {
-        sets.add(map.then("arguments"));
+        sets.add(tried(List.of(at), map.then("arguments")));
         map = map.then("defaultValue");
       } else {
         map = map.then("at", writer.of(argument));
@@ -291,7 +335,7 @@ final class Finite {
     } else if (isVariable(element, variable)) {
       Code all = writer.of(set);
       boolean isFun = writer.types().form(set.type()) == JavaTypes.Sets.FUN;
-      sets.add(isFun ? all.then("arguments") : all);
+      sets.add(tried(List.of(set), isFun ? all.then("arguments") : all));
     }
   }
 

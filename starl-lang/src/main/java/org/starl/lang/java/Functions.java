@@ -67,6 +67,16 @@ final class Functions {
     Exprs.parts(at).forEach(part -> collect(automaton, part, called));
   }
 
+  /** Whether {@code at}, or a function that it calls, has no value for some arguments. */
+  static boolean isPartial(Automaton automaton, Expr at) {
+    Set<String> called = new TreeSet<>();
+    collect(automaton, at, called);
+    return Exprs.isPartial(at)
+        || called.stream()
+            .flatMap(name -> automaton.function(name).stream())
+            .anyMatch(f -> Exprs.isPartial(f.body()));
+  }
+
   private static boolean readsParameter(Expr at) {
     return at instanceof Expr.Parameter
         || Exprs.parts(at).stream().anyMatch(Functions::readsParameter);

@@ -158,6 +158,35 @@ class JavaSourcesTest {
   }
 
   @Test
+  void quantifiersDoNotAskForValuesThatTheConditionBeforeExcludes() throws SourceErrors {
+    Compiled partial =
+        new Compiled(
+            """
+            automaton Tried[T]
+            java "x.XAutomaton"
+            state
+              n: nat
+              o: option[T]
+              m: [T -> nat]
+              k: option[nat]
+            start n = 0, o = none, k = none, forall t: T :: m(t) = 0
+            action all pre forall t: T :: o != none and n = 0 => t != the(o) eff n := 1
+            action some pre exists t: T :: (o = none or t = the(o)) and (not k != none or m(t) = the(k)) eff n := 1
+            action bare pre forall t: T :: t = the(o) => m(t) = 0 eff n := 1
+            action put(t: T) eff o := some(t), k := some(0)
+            """);
+    assertThat(partial.enabled("all").isTrue()).isTrue();
+    assertThat(partial.enabled("some").isTrue()).isTrue();
+    assertThatThrownBy(() -> partial.enabled("bare"))
+        .isInstanceOf(Undefined.class)
+        .hasMessage("x.starl:11:36: the(none) has no value");
+    partial.step("put", "t");
+    assertThat(partial.enabled("all").isTrue()).isFalse();
+    assertThat(partial.enabled("some").isTrue()).isTrue();
+    assertThat(partial.enabled("bare").isTrue()).isTrue();
+  }
+
+  @Test
   void twoChangesOfOnePlaceAreToldWithTheLaterOne() throws SourceErrors {
     Compiled twice =
         new Compiled(
