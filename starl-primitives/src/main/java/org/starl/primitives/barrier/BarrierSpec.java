@@ -3,6 +3,7 @@ package org.starl.primitives.barrier;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
+import java.util.Set;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
@@ -143,10 +144,12 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
       long sinceNs = told.beganNs(new ProcessKey(source, sent.robot()));
       boolean isEarly =
           sent.timeNs() < sinceNs + deadlineNs && faults.isClockRight(sent.robot(), sinceNs);
-      for (ProcessId id : instance(source).givenUp(accept)) {
-        if (isEarly) {
-          silence.suspects(source, sent, id, sinceNs, report);
-        }
+      Set<ProcessId> missing = instance(source).givenUp(accept);
+      if (missing.isEmpty() && deadlineNs > 0) {
+        report.checked(SUSPECTED); // it could have named members
+      }
+      if (isEarly) {
+        missing.forEach(id -> silence.suspects(source, sent, id, sinceNs, report));
       }
     }
   }
