@@ -1,3 +1,5 @@
+// Longer than 500 lines because each kind of expression has one method here, and all share what is
+// bound.
 package org.starl.lang.java;
 
 import java.util.ArrayList;
