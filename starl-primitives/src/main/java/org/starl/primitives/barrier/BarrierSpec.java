@@ -145,8 +145,8 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
       boolean isEarly =
           sent.timeNs() < sinceNs + deadlineNs && faults.isClockRight(sent.robot(), sinceNs);
       Set<ProcessId> missing = instance(source).givenUp(accept);
-      if (missing.isEmpty() && deadlineNs > 0) {
-        report.checked(SUSPECTED); // it could have named members
+      if (missing.isEmpty()) {
+        silence.suspectsNobody(report); // it could have named members
       }
       if (isEarly) {
         missing.forEach(id -> silence.suspects(source, sent, id, sinceNs, report));

@@ -34,7 +34,6 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
-  private boolean isPatient;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
   private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
   private final Deadlines elected;
@@ -88,7 +87,6 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   /** Also requires that no robot suspects a leader, or fails, before these times. */
   public ElectionSpec patient(ElectionSettings settings) {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
-    isPatient = true;
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     told.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -128,8 +126,8 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         ProcessId deposed = ballots.deposedBy(stands);
         if (deposed != null) {
           silence.suspects(action.source(), action, deposed, Long.MIN_VALUE, report);
-        } else if (isPatient) {
-          report.checked(SUSPECTED); // it knows no leader of the term before
+        } else {
+          silence.suspectsNobody(report); // it knows no leader of the term before
         }
         ballots.stood(stands.n(), stands.i());
         allow(ballots, action, action.source(), stands.n(), report);

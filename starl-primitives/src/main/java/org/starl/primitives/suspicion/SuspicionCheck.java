@@ -70,6 +70,13 @@ public final class SuspicionCheck {
     }
   }
 
+  /** A robot acts, and suspects nobody by that: the lemma holds once more. */
+  public void suspectsNobody(Report report) {
+    if (silenceNs > 0) {
+      report.checked(lemma);
+    }
+  }
+
   /** The robot's program has ended. */
   public void ended(RobotId robot) {
     heardNs.keySet().removeIf(key -> key.robot().equals(robot));
