@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 
@@ -31,6 +32,7 @@ public final class WaypointFiles {
 
   private static final Pattern NUMBER = Pattern.compile("[+-]?[0-9]{1,9}(\\.[0-9]{1,9})?");
   private static final Pattern LIFETIME = Pattern.compile("-1|[0-9]{1,12}");
+  private static final int LONGEST_NAME = 200;
   private static final String WAY = "WAY,x,y,angle,name[,radius]";
   private static final String SENSE = "SENSE,x,y,angle,name[,radius]";
   private static final String OBSTACLE = "Obstacle;x,y;x,y[;x,y];lifetime";
@@ -102,6 +104,9 @@ public final class WaypointFiles {
     if (fields.length < 5 || fields.length > 6 || fields[4].isBlank()) {
       throw broken(number, line, form);
     }
+    if (fields[4].length() > LONGEST_NAME) {
+      throw broken(number, line, form + " with a name of at most " + LONGEST_NAME + " characters");
+    }
     return new Waypoint(
         fields[4].strip(),
         number(number, line, fields[1], form),
@@ -137,6 +142,13 @@ public final class WaypointFiles {
     String lifetime = fields[corners + 1].strip();
     if (!LIFETIME.matcher(lifetime).matches()) {
       throw broken(number, line, form + " with a lifetime in whole ms, or -1 for ever");
+    }
+    try {
+      if (corners > 2) {
+        new Polygon(points);
+      }
+    } catch (IllegalArgumentException e) {
+      throw broken(number, line, form + " around a body whose sides do not cross or touch");
     }
     return new Obstacle(points, corners > 2, hidden, Long.parseLong(lifetime));
   }

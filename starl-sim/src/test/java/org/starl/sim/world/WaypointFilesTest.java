@@ -107,6 +107,7 @@ final class WaypointFilesTest {
         "Obstacle;0,0;1;-1 | but '1' is not x,y",
         "Obstacle;0,0;1,x;-1 | but 'x' is not a number",
         "Obstacle;0,0;1,1;soon | with a lifetime in whole ms, or -1 for ever",
+        "Obstacle;0,0;9,9;9,0;0,9;-1 | around a body whose sides do not cross or touch",
         "Hidden;0,0;1,1;-2 | with a lifetime in whole ms, or -1 for ever",
         "Hidden;0,0;1,1 | expected Hidden;x,y;x,y[;x,y];lifetime with two corners or more"
       })

@@ -47,6 +47,7 @@ import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
+import org.w3c.dom.DOMException;
 import org.w3c.dom.Element;
 import org.w3c.dom.svg.SVGSVGElement;
 
@@ -107,6 +108,14 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
       return new SvgDrawing(List.copyOf(walk.lines), svg.notes());
     } catch (BridgeException e) {
       throw bad(svg, e);
+    } catch (BadInput e) {
+      throw e;
+    } catch (RuntimeException | StackOverflowError e) {
+      // Batik's parsers and painters throw exceptions of many kinds, and follow rings of links.
+      throw svg.bad(
+          svg.line(svg.built),
+          SvgFile.tag(svg.built) + " cannot be drawn",
+          "values of SVG 1.1, and no link in a ring");
     } finally {
       context.dispose();
     }
@@ -166,6 +175,9 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
         unit = length.group(2);
         isReal |= REAL.contains(unit);
         perUnit = Double.parseDouble(length.group(1)) / page[side.equals("width") ? 0 : 1];
+        if (perUnit == 0) {
+          throw svg.bad(svg.line(root), side + "=0", "a size above 0");
+        }
       }
     }
     for (String side : missing) {
@@ -190,10 +202,13 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
 
             @Override
             public void displayError(Exception error) {
-              if (!svg.isChecked() && error instanceof RuntimeException wrong) {
+              if (!svg.isChecked() && error instanceof DOMException wrong) {
                 throw wrong;
               }
-              svg.note(1, "a style, or a style sheet outside of the file, is not applied");
+              Matcher name = QUOTED.matcher(String.valueOf(error.getMessage()));
+              String what = name.find() ? name.group(1) : "a style sheet outside of the file";
+              String value = name.find() ? "=" + BadInput.quote(name.group(1)) : "";
+              svg.note(svg.line(svg.built), what + value + " is not applied");
             }
 
             @Override
@@ -226,6 +241,7 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
 
     @Override
     public Bridge getBridge(Element element) {
+      svg.built = element;
       if (element.getLocalName().equals("use")) {
         svg.countCopy(element);
       }
@@ -334,6 +350,9 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
               : paint instanceof Color one ? one : Color.BLACK;
       boolean isFixed = element.getAttribute("vector-effect").equals("non-scaling-stroke");
       double widthMm = stroke.getLineWidth() * (isFixed ? mmPerUnit : scale);
+      if (!(widthMm <= MAX_MM)) {
+        throw svg.bad(svg.line(element), "a line is " + widthMm + " mm wide", "at most 1 km");
+      }
       Ink ink = new Ink(colour.getRGB() & Ink.MAX_RGB, Math.max(1, Math.rint(widthMm)));
       List<Point> points = new ArrayList<>();
       double[] at = new double[6];

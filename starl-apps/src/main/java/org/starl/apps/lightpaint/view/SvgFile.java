@@ -24,8 +24,10 @@ import org.starl.input.BadInput;
 import org.w3c.css.sac.CSSException;
 import org.w3c.css.sac.CSSParseException;
 import org.w3c.css.sac.InputSource;
+import org.w3c.dom.Attr;
 import org.w3c.dom.DOMException;
 import org.w3c.dom.Element;
+import org.w3c.dom.NamedNodeMap;
 import org.w3c.dom.NodeList;
 import org.xml.sax.Attributes;
 import org.xml.sax.SAXException;
@@ -44,7 +46,15 @@ final class SvgFile extends SAXSVGDocumentFactory {
 
   /** Elements that a browser shows, without a stroke. */
   private static final Set<String> NOT_LINES =
-      Set.of("image", "foreignObject", "script", "animate");
+      Set.of(
+          "image",
+          "foreignObject",
+          "script",
+          "set",
+          "animate",
+          "animateColor",
+          "animateMotion",
+          "animateTransform");
 
   private static final Pattern DECLARATION =
       Pattern.compile("([-\\w]++)\\s*+:\\s*+([^;:{}]++)(?=[;}]|$)");
@@ -55,7 +65,7 @@ final class SvgFile extends SAXSVGDocumentFactory {
 
   /** Attributes that are also properties since SVG 2. */
   private static final Pattern GEOMETRY =
-      Pattern.compile("x|y|width|height|cx|cy|r|rx|ry|d|transform|vector-effect");
+      Pattern.compile("x|y|width|height|cx|cy|r|rx|ry|d|transform(-origin)?|vector-effect");
 
   /** Properties of one browser, and those that only {@code var()} reads. */
   private static final Pattern OWN_PROPERTY =
@@ -67,7 +77,8 @@ final class SvgFile extends SAXSVGDocumentFactory {
               + "|(?<=:)\\s*#(\\p{XDigit}{6})(\\p{XDigit}{2})\\b"
               + "|(?<=:)\\s*#(\\p{XDigit}{3})(\\p{XDigit})\\b|\\b(transparent)\\b");
 
-  private static final String TWICE = "(?s)Attribute \"(.*)\" was already specified.*";
+  private static final String TWICE =
+      "(?s)Attribute \"([^\"]*)\" (?:bound .* )?was already specified.*";
 
   private final String file;
   private final byte[] bytes;
@@ -76,6 +87,9 @@ final class SvgFile extends SAXSVGDocumentFactory {
   private int elements;
   private int depth;
   private boolean isChecked;
+
+  /** The element that is being drawn. */
+  Element built;
 
   /**
    * @throws BadInput if the file is no SVG drawing
@@ -86,9 +100,10 @@ final class SvgFile extends SAXSVGDocumentFactory {
     this.bytes = bytes;
     try {
       drawing = (SVGOMDocument) createSVGDocument("file:/", new ByteArrayInputStream(bytes));
-    } catch (IOException e) {
-      throw bad(1, "is not XML", "an SVG drawing");
+    } catch (IOException e) { // Its encoding is unknown, or another.
+      throw bad(1, BadInput.quote(textLine(1)) + " is not text in its encoding", "an SVG drawing");
     }
+    built = drawing.getDocumentElement();
     all().forEach(SvgFile::translate);
   }
 
@@ -178,8 +193,7 @@ final class SvgFile extends SAXSVGDocumentFactory {
   public void fatalError(SAXParseException error) {
     int number = Math.max(1, error.getLineNumber());
     int at = Math.max(1, error.getColumnNumber());
-    String text = new String(bytes, StandardCharsets.UTF_8);
-    String line = text.lines().skip(number - 1).findFirst().orElse("");
+    String line = textLine(number);
     int to = Math.min(line.length(), at - 1);
     String before = BadInput.quote(line.substring(Math.max(0, to - 40), to));
     String twice =
@@ -187,7 +201,29 @@ final class SvgFile extends SAXSVGDocumentFactory {
     if (!twice.equals(error.getMessage())) {
       throw bad(number, twice, "it once");
     }
+    if (String.valueOf(error.getMessage()).startsWith("JAXP")) {
+      String most = "at most 2500 entities of 100000 characters, and 200 attributes";
+      throw bad(number, "has more than is read, after " + before, most);
+    }
     throw bad(number, "is not XML at character " + at + ", after " + before, "an SVG drawing");
+  }
+
+  private String textLine(int number) {
+    String text = new String(bytes, StandardCharsets.UTF_8);
+    return text.lines().skip(number - 1).findFirst().orElse("");
+  }
+
+  /** The start tag of an element. */
+  static String tag(Element element) {
+    StringBuilder tag = new StringBuilder("<" + element.getLocalName());
+    NamedNodeMap all = element.getAttributes();
+    for (int i = 0; i < all.getLength(); i++) {
+      if (((Attr) all.item(i)).getSpecified()) {
+        tag.append(' ').append(all.item(i).getNodeName()).append('=');
+        tag.append(BadInput.quote(all.item(i).getNodeValue()));
+      }
+    }
+    return tag.append('>').toString();
   }
 
   /** Puts what Batik does not know into its words. */
@@ -241,6 +277,9 @@ final class SvgFile extends SAXSVGDocumentFactory {
     CSSEngine engine = drawing.getCSSEngine();
     for (Element element : all()) {
       int first = line(element);
+      if (element.hasAttribute("transform-origin")) {
+        throw bad(first, tag(element), "the origin as a translate(...) in its transform");
+      }
       boolean isSheet = isSheet(element);
       String style = isSheet ? element.getTextContent() : element.getAttribute("style");
       checkGrammar(first, style, isSheet);

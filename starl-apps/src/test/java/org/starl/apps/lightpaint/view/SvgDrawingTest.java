@@ -1,11 +1,13 @@
 package org.starl.apps.lightpaint.view;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -154,6 +156,14 @@ class SvgDrawingTest {
         "<text x='1'>Hi</text> | <text> 'Hi': expected its outlines as paths",
         "<g id='a'><use href='#a'/></g> | 48 elements, 91 deep: expected at most 20000, 90 deep",
         "<line x1='1' x1='2'/> | attribute x1 is there twice: expected it once",
+        "<line x2='5' stroke='red' stroke-width='-5'/> | <line stroke-width='-5' ",
+        "<path stroke='red' d='L 1 1 2 2'/> | <path d='L 1 1 2 2' stroke='red'> cannot be drawn",
+        "<marker id='m'><path d='M0 0 1 1' marker-end='url(#m)'/></marker>"
+            + "<path d='M0 0 9 9' marker-end='url(#m)'/> | <path d='M0 0 1 1' marker-end='url(#m)'> cannot",
+        "<symbol id='q' viewBox='0 0 x 9'/><use href='#q'/> | <svg ",
+        "<g transform='scale(1e300)'><line x2='5' stroke='red'/></g> | a line is Infinity mm wide",
+        "<g transform-origin='5 5'/> | <g transform-origin='5 5'>: expected the origin as",
+        "<g style='transform-origin:center'/> | <g style='transform-origin:center'",
         "<a b=c/> | is not XML at character 6, after '<a b=': expected an SVG drawing"
       })
   void anErrorNamesFileAndLine(String inside, String expected) {
@@ -233,8 +243,8 @@ class SvgDrawingTest {
             "a.svg:7: a clip is not applied: lines are painted whole",
             "a.svg:6: a fill is not painted, 2 times",
             "a.svg:8: a shape without a visible stroke or fill is not painted",
-            "a.svg:1: a style, or a style sheet outside of the file, is not applied",
-            "a.svg:7: dashes are painted without gaps");
+            "a.svg:7: dashes are painted without gaps",
+            "a.svg:2: https://example.org/a.css is not applied");
     assertThat(drawing(svg, false, true).lines())
         .extracting(line -> line.ink().rgb())
         .containsExactly(0xff0000, 0, 0xff0000);
@@ -264,6 +274,29 @@ class SvgDrawingTest {
   void longListsOfPointsAreRead() {
     String points = "1,1 2,2 ".repeat(20_000);
     assertThat(read("<polyline stroke='red' points='" + points + "'/>")).hasSize(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "<?xml version='1.0' encoding='x'?><svg/> | '<?xml version='1.0' encoding='x'?><svg/>'",
+        "<!DOCTYPE svg [<!ENTITY a '&b;'><!ENTITY b '&a;'>]><svg xmlns='http://www.w3.org/2000/svg'>&a;</svg> | is not XML at",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='0'/> | width=0: expected a size above 0",
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0,,0,5,5'/> | <svg "
+      })
+  void aWrongStartOfAFileIsNamed(String text, String expected) {
+    assertThatThrownBy(() -> readFile(text.strip()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageStartingWith("a.svg:1: " + expected.strip());
+  }
+
+  @Test
+  void moreAttributesThanTheParserReadsAreRefused() {
+    String attributes = IntStream.range(0, 300).mapToObj(i -> " a" + i + "='1'").collect(joining());
+    assertThatThrownBy(() -> read("<g" + attributes + "/>"))
+        .isInstanceOf(BadInput.class)
+        .hasMessageStartingWith("a.svg:2: has more than is read");
   }
 
   @ParameterizedTest
