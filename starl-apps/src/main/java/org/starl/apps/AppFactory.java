@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.trace.Vocabulary;
 
@@ -75,7 +76,7 @@ public interface AppFactory {
         }
       }
     } catch (ServiceConfigurationError error) {
-      throw new BadInput("META-INF/services: " + error.getMessage());
+      throw FailureText.service(AppFactory.class, error);
     }
     return Collections.unmodifiableSortedMap(installed);
   }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 
 /**
  * Apps that a command line can run.
@@ -34,7 +35,7 @@ public record Demos(List<Demo> all) {
         found.add(demo);
       }
     } catch (ServiceConfigurationError error) {
-      throw new BadInput("META-INF/services: " + error.getMessage());
+      throw FailureText.service(Demo.class, error);
     }
     return new Demos(found);
   }

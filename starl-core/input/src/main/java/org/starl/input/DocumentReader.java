@@ -102,8 +102,12 @@ public final class DocumentReader {
     if (token == JsonToken.VALUE_NULL) {
       return new Node.Text(line, "");
     }
+    if (parser.isCurrentAlias()) {
+      throw wrong(
+          key + ": '*" + parser.getText() + "': expected the value itself, without an alias");
+    }
     // The parser gives no token for a number without digits, and bytes for base64.
-    if (token == null || token == JsonToken.VALUE_EMBEDDED_OBJECT || parser.isCurrentAlias()) {
+    if (token == null || token == JsonToken.VALUE_EMBEDDED_OBJECT) {
       throw wrong(key + ": expected one value, a list or a mapping");
     }
     return new Node.Text(line, parser.getText());

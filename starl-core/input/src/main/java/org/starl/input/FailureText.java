@@ -2,14 +2,22 @@ package org.starl.input;
 
 import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.ServiceConfigurationError;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
 
 /** The failures of libraries and of the system in StarL's words: no class name and no hint for programmers. */
 public final class FailureText {
+
+  /** The class, or the line, that {@link java.util.ServiceLoader} names. */
+  private static final Pattern ENTRY =
+      Pattern.compile("\\S+(?= not found| not a subtype| could not| Unable)|(?<=name: ).*");
 
   private FailureText() {}
 
@@ -20,6 +28,9 @@ public final class FailureText {
     }
     if (failure instanceof AccessDeniedException) {
       return "no permission";
+    }
+    if (failure instanceof CharacterCodingException) {
+      return "not text in UTF-8";
     }
     if (failure instanceof FileAlreadyExistsException there) {
       return BadInput.quote(there.getFile()) + " is a file already";
@@ -33,6 +44,22 @@ public final class FailureText {
   public static String of(String file, Exception failure) {
     String text = of(failure);
     return text.startsWith(file) ? text : file + ": " + text;
+  }
+
+  /** An entry of {@code META-INF/services} on the class path that gives no object. */
+  public static BadInput service(Class<?> service, ServiceConfigurationError failure) {
+    Matcher entry = ENTRY.matcher(String.valueOf(failure.getMessage()));
+    String name = entry.find() ? BadInput.quote(entry.group()) : "one of its lines";
+    String why = failure.getCause() == null ? "" : ", which fails with " + failure.getCause();
+    return new BadInput(
+        "META-INF/services/"
+            + service.getName()
+            + ": "
+            + name
+            + why
+            + ": expected the name of a public class that is a "
+            + service.getSimpleName()
+            + ", with a public constructor without parameters");
   }
 
   /**

@@ -92,7 +92,7 @@ class DocumentReaderTest {
   void duplicateKeysSeveralDocumentsAliasesAndListsAreRefused() {
     assertRefused("app: hello\napp: hello", "2: app: expected this key once");
     assertRefused("app: hello\n---\napp: more", "3: expected one document");
-    assertRefused("a: &x 1\nb: *x", "2: b: expected one value, a list or a mapping");
+    assertRefused("a: &x 1\nb: *x", "2: b: '*x': expected the value itself, without an alias");
     assertRefused("a: 1\nb: !!binary AAAA", "2: b: expected one value, a list or a mapping");
     assertRefused("- a", "1: " + EXPECTED);
     assertRefused("", "1: " + EXPECTED);
