@@ -1,10 +1,13 @@
 package org.starl.cli;
 
+import static java.util.stream.Collectors.joining;
+
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -24,8 +27,12 @@ import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.OverwrittenOptionException;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
@@ -244,24 +251,53 @@ public final class Main implements Runnable {
 
   private static int refuse(ParameterException error, String[] args) {
     CommandSpec command = error.getCommandLine().getCommandSpec();
-    String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
-    line = line.replaceFirst("^Error: ", "").replaceFirst("\\.$", "");
     String help = "; see '" + command.qualifiedName() + " --help'";
-    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help);
+    error.getCommandLine().getErr().println("starl: " + problem(error) + help);
     return ExitStatus.BAD_INPUT;
   }
 
-  private static String hint(ParameterException error) {
-    if (error instanceof UnmatchedArgumentException unmatched) {
-      List<String> near = unmatched.getSuggestions();
-      if (!near.isEmpty()) {
-        return ": did you mean " + String.join(" or ", near) + "?";
-      }
-      Set<String> commands = error.getCommandLine().getSubcommands().keySet();
-      return ": expected "
-          + (commands.isEmpty() ? "nothing more" : "one of " + String.join(" ", commands));
+  /** What the parser refuses: what was given, and what was expected. */
+  private static String problem(ParameterException error) {
+    String given = error.getValue() == null ? "" : BadInput.quote(error.getValue()) + ": ";
+    ArgSpec at = error.getArgSpec();
+    return switch (error) {
+      case UnmatchedArgumentException more ->
+          BadInput.quote(String.join(" ", more.getUnmatched())) + ": " + hint(more);
+      case MissingParameterException less when !less.getMissing().isEmpty() ->
+          "expected "
+              + less.getMissing().stream()
+                  .map(Main::form)
+                  .collect(joining(less.getMissing().get(0).group() == null ? " " : " or "));
+      case OverwrittenOptionException twice -> form(twice.getOverwritten()) + ": expected it once";
+      case ParameterException other when at != null ->
+          form(at) + ": " + given + "expected " + values(at);
+      case ParameterException other when !given.isEmpty() -> given + "expected a command";
+      default -> String.valueOf(error.getMessage());
+    };
+  }
+
+  private static String form(ArgSpec argument) {
+    boolean isFlag = argument.arity().max() == 0;
+    return argument instanceof OptionSpec option
+        ? option.longestName() + (isFlag ? "" : "=" + option.paramLabel())
+        : argument.paramLabel();
+  }
+
+  private static String values(ArgSpec argument) {
+    Object[] names = argument.type().getEnumConstants();
+    return names != null
+        ? "one of " + Arrays.stream(names).map(Object::toString).collect(joining(", "))
+        : argument.arity().max() == 0 ? "no value" : argument.paramLabel();
+  }
+
+  private static String hint(UnmatchedArgumentException unmatched) {
+    List<String> near = unmatched.getSuggestions();
+    if (!near.isEmpty()) {
+      return "did you mean " + String.join(" or ", near) + "?";
     }
-    return "";
+    Set<String> commands = unmatched.getCommandLine().getSubcommands().keySet();
+    return "expected "
+        + (commands.isEmpty() ? "nothing more" : "one of " + String.join(" ", commands));
   }
 
   private int report(Exception error, PrintWriter err) {

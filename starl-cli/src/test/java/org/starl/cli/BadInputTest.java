@@ -55,9 +55,9 @@ class BadInputTest {
       run intersection --seed 1.5 | --seed | '1.5' | expected a whole number
       run intersection --seed 9223372036854775808 | --seed | to 9223372036854775807
       run intersection --seed | --seed
-      run intersection --seed 1 --seed 2 | --seed | only once
+      run intersection --seed 1 --seed 2 | --seed=S: expected it once
       run intersection --sed 3 | --sed | did you mean | --seed
-      run intersection --specs none | --specs | expected one of [OFF, SAFETY, ALL] | 'none'
+      run intersection --specs none | --specs | expected one of off, safety, all | 'none'
       run mutex --processes --specs off | --specs cannot be used with --processes
       run intersection --carrier horse | --carrier | expected one of | 'horse'
       run intersection --set debris | --set | KEY=VALUE
@@ -153,9 +153,13 @@ class BadInputTest {
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of
       bench | WORKLOAD
-      simulated-create | starl: Missing required argument | see 'starl simulated-create --help'
+      simulated-create | starl: expected --pty=NAME or --tcp=[HOST:]PORT; | see 'starl simulated-create --help'
       deploy check | see 'starl deploy check --help'
-      help nope | 'nope' | see 'starl --help'
+      run hello --set robots | --set=KEY=VALUE: 'robots': expected KEY=VALUE;
+      run hello --json=3 | starl: --json: '3': expected no value;
+      completion csh | starl: SHELL: 'csh': expected one of BASH, ZSH, FISH;
+      run hello --trace | starl: expected --trace=FILE;
+      help nope | 'nope': expected a command | see 'starl --help'
       bench b1 --robots none | --robots | 'none' | expected a whole number
       bench fleet --robots 1 | --robots | '1' | expected a whole number from 2 to 256
       bench b1 --robots 0 | --robots | '0' | expected a whole number

@@ -64,7 +64,7 @@ class ShippedCommentsTest {
   @ParameterizedTest
   @MethodSource("shown")
   void eachCommandIsOne(Shown shown) {
-    assertThat(unknown(shown.words())).contains("Unknown option: '--unknown-word'");
+    assertThat(unknown(shown.words())).contains("starl: '--unknown-word': ");
   }
 
   @ParameterizedTest
