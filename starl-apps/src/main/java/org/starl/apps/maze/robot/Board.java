@@ -33,11 +33,11 @@ public record Board(int columns, int rows, double cellMm, BitSet free, BitSet ri
   /** A board on which all free neighbours are linked. */
   public static Board open(int columns, int rows, double cellMm, IntPredicate isFree) {
     Board board = new Board(columns, rows, cellMm, isFree);
-    board.free.stream()
-        .forEach(cell ->
-            board.neighbours(cell).stream()
-                .filter(next -> next > cell && board.free.get(next))
-                .forEach(next -> board.setLinked(cell, next, true)));
+    BitSet free = board.free;
+    for (int cell = free.nextSetBit(0); cell >= 0; cell = free.nextSetBit(cell + 1)) {
+      board.right.set(cell, (cell + 1) % columns != 0 && free.get(cell + 1));
+      board.up.set(cell, free.get(cell + columns));
+    }
     return board;
   }
 
