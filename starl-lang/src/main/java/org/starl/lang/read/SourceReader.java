@@ -67,7 +67,7 @@ public final class SourceReader {
       return known;
     }
     read.put(path, Source.EMPTY); // a file that is being read gives nothing to those that it uses
-    Source source = read(file.toString(), Files.readString(path), path);
+    Source source = read(file.toString(), Files.readString(path).replaceFirst("^\uFEFF", ""), path);
     read.put(path, source);
     return source;
   }

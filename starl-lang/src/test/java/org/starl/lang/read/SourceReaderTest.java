@@ -4,8 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.lang.tree.Automaton;
@@ -137,6 +141,12 @@ class SourceReaderTest {
         .extracting(SourceError::message)
         .containsExactly(
             "automaton 'Lamp' has no start; expected 'start' and a condition on its first states");
+  }
+
+  @Test
+  void fileMayBeginWithAByteOrderMark(@TempDir Path folder) throws IOException, SourceErrors {
+    Path file = Files.writeString(folder.resolve("A.starl"), "\uFEFF" + LAMP);
+    assertThat(new SourceReader().read(file)).hasSize(1);
   }
 
   @Test
