@@ -61,19 +61,16 @@ final class DeployTakeCommand extends BaseCommand implements Callable<Integer> {
     Deployment deployment = DeploymentFile.read(file);
     Take played = Take.read(take, axes(deployment));
     List<RobotEntry> robots = List.copyOf(deployment.robots().values());
-    if (robots.stream().allMatch(robot -> played.tracked(robot.rigidBody()) == 0)) {
+    List<Long> tracked = robots.stream().map(each -> played.tracked(each.rigidBody())).toList();
+    if (tracked.stream().allMatch(count -> count == 0)) {
       throw new BadInput(
           take + ": tracks no robot of " + file + "; it has the rigid bodies " + played.names());
     }
-    for (RobotEntry robot : robots) {
+    int frames = played.frames().size();
+    for (int i = 0; i < robots.size(); i++) {
       out()
           .println(
-              robot.id()
-                  + ": tracked in "
-                  + played.tracked(robot.rigidBody())
-                  + " of "
-                  + played.frames().size()
-                  + " frames");
+              robots.get(i).id() + ": tracked in " + tracked.get(i) + " of " + frames + " frames");
     }
     stop().calls(() -> ends.add(""));
     return play(deployment, played, holdNs);

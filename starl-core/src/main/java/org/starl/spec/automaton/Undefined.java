@@ -3,8 +3,9 @@ package org.starl.spec.automaton;
 import java.util.List;
 
 /**
- * An operation of an automaton that has no value for its arguments, or an effect that is none. The message begins with the place in the source: {@code Clock.starl:13:52: 1 - 2 is below 0}. The
- * methods are for classes that {@code starl compile} writes; each takes this place.
+ * An operation of an automaton has no value for its arguments, or an effect is none. The message
+ * begins with the place in the source: {@code Clock.starl:13:52: 1 - 2 is below 0}. The methods are
+ * for classes that {@code starl compile} writes; each takes this place.
  */
 public final class Undefined extends IllegalStateException {
 
