@@ -30,6 +30,9 @@ final class BarrierRecord {
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final Map<RobotId, Long> waiting = new TreeMap<>();
 
+  // The latest generation of which each robot was told.
+  private final Map<RobotId, Long> known = new TreeMap<>();
+
   private final Map<Long, Set<ProcessId>> arrived = new TreeMap<>();
   private final Map<Long, First> outcomes = new TreeMap<>();
   private final Map<Long, Set<ProcessId>> excluded = new TreeMap<>();
@@ -72,6 +75,17 @@ final class BarrierRecord {
   void ended(RobotId robot) {
     ids.remove(robot);
     waiting.remove(robot);
+    known.remove(robot);
+  }
+
+  /** Whether the robot must answer: a member's arrival, or one that is in a generation that it knows. */
+  boolean mustAnswer(RobotId robot, BarrierMessage message) {
+    boolean isBehind =
+        message instanceof BarrierMessage.Here here
+            && here.generation() <= known.getOrDefault(robot, 0L);
+    return first.contains(message.from())
+        && ids.containsKey(robot)
+        && (isBehind || message instanceof BarrierMessage.Arrival);
   }
 
   void told(Variable variable, BarrierOutcome outcome, Report report) {
@@ -81,10 +95,14 @@ final class BarrierRecord {
     waiting.remove(variable.robot());
     switch (outcome) {
       case BarrierOutcome.Passed all -> {
+        known.put(variable.robot(), all.generation());
         passed(all.generation(), variable, report);
         decided(all.generation(), outcome, variable, report);
       }
-      case BarrierOutcome.Failed some -> decided(some.generation(), outcome, variable, report);
+      case BarrierOutcome.Failed some -> {
+        known.put(variable.robot(), some.generation());
+        decided(some.generation(), outcome, variable, report);
+      }
       case BarrierOutcome.Excluded out -> excluded(out.generation(), variable, report);
       case BarrierOutcome.NoneYet none -> {
         // No claim to check.

@@ -14,6 +14,7 @@ import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -23,7 +24,7 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of barriers, after the package's contract: {@code NoEarly}, {@code Uniform}, and,
- * where bounds are given, {@code NotHung}, and with {@link #patient} {@code Suspected}.
+ * where bounds are given, {@code NotHung}, and with {@link #patient} {@code Suspected} and {@code Behind}.
  */
 public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
@@ -32,6 +33,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   static final String NOT_HUNG = "barrier.NotHung";
 
   static final String SUSPECTED = "barrier.Suspected";
+  static final String BEHIND = "barrier.Behind";
 
   private static final String NOT_HUNG_SAYS =
       "A robot that waits at a barrier is told an outcome within the bound.";
@@ -40,6 +42,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   private final Deadlines prompt;
   private final Deadlines told;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
+  private final TellCheck tells = new TellCheck(BEHIND);
   private long deadlineNs;
 
   /** Safety only. */
@@ -85,11 +88,18 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
             NOT_HUNG, NOT_HUNG_SAYS, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
   }
 
-  /** Also requires that no robot gives a member up, or its wait, before these times. */
+  /**
+   * Also requires that no robot gives a member up, or its wait, before these times; and that a robot
+   * which is behind is told, and one that is ahead is asked.
+   */
   public BarrierSpec patient(BarrierSettings settings) {
     lemma(
         SUSPECTED,
         "No robot gives up a member that it has heard within the silence, or the deadline.");
+    lemma(
+        BEHIND,
+        "Who hears a member that is behind tells it at once, and asks at once one that is ahead.");
+    tells.begin();
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     deadlineNs = settings.deadlineMs() * NS_PER_MS;
     told.setLeast(2 * deadlineNs);
@@ -135,8 +145,20 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   protected void happened(TraceEvent event, Report report) {
+    tells.observe(event, report);
     if (event instanceof Delivered got && got.message() instanceof BarrierMessage message) {
       silence.heard(got.channel(), got, message.from());
+      if (instance(got.channel()).mustAnswer(got.robot(), message)) {
+        tells.owes(
+            got,
+            got.from().name(),
+            "an answer to " + message,
+            told -> told instanceof BarrierMessage.Here || told instanceof SynodMessage.Decided);
+      }
+    } else if (event instanceof Sent sent
+        && sent.message() instanceof BarrierMessage.Here here
+        && here.noted() > here.generation()) {
+      tells.owes(sent, sent.to(), "a query", told -> told instanceof SynodMessage.Query);
     } else if (event instanceof Sent sent
         && sent.channel().kind().equals(BarrierFact.SYNOD)
         && sent.message() instanceof SynodMessage.Accept accept) {

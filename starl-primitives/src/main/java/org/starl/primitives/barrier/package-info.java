@@ -26,8 +26,9 @@
  * come delays them until the deadline. In every case a waiting robot is told an outcome within two
  * deadlines: at worst {@code unknown}, without a majority. To arrive again then means to go on waiting for
  * the same generation. No robot is told so sooner, and ({@code Suspected}) none proposes, before the
- * deadline, to exclude a member that it has heard within Ts. It costs N² arrivals and answers, 4N messages
- * to decide, N to tell.
+ * deadline, to exclude a member that it has heard within Ts. ({@code Behind}) Who hears a member that
+ * is behind tells it in the same step, and asks one that is ahead. It costs N² arrivals and answers,
+ * 4N messages to decide, N to tell.
  *
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}; the robots of the members
  * of generation 1 are the acceptors of all generations. Each must construct the barrier to vote, and its

@@ -91,6 +91,19 @@ final class ElectionRecord {
         : null;
   }
 
+  /**
+   * The term of which the robot must tell the sender of this message: its own, if the sender is behind,
+   * or stands in it and does not know the leader that the robot knows; else 0.
+   */
+  long termDue(RobotId robot, ElectionMessage message) {
+    long term = terms.getOrDefault(robot, 0L);
+    boolean knows = shownBy(robot) instanceof Leader.Name name && name.term() == term;
+    boolean asks = message instanceof ElectionMessage.Candidacy && knows;
+    boolean isBehind = message.term() < term || (message.term() == term && asks);
+    // What a dead program has sent is ignored.
+    return isBehind && message.from().equals(ids.get(message.from().robot())) ? term : 0;
+  }
+
   void stood(long term, ProcessId id) {
     terms.merge(id.robot(), term, Math::max);
     // A robot that stands without a call of do_election is no valid candidate.

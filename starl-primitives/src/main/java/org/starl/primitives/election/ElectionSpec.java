@@ -13,6 +13,7 @@ import org.starl.spec.FaultState;
 import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -21,7 +22,8 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of elections, after the package's contract: {@code Agreement}, {@code Soundness},
- * where bounds are given, {@code Elected} and {@code Told}, and with {@link #patient} {@code Suspected}.
+ * where bounds are given, {@code Elected} and {@code Told}, and with {@link #patient} {@code Suspected} and {@code
+ * Behind}.
  */
 public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
@@ -31,10 +33,12 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String ELECTED = "election.Elected";
   static final String TOLD = "election.Told";
   static final String SUSPECTED = "election.Suspected";
+  static final String BEHIND = "election.Behind";
   static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
+  private final TellCheck tells = new TellCheck(BEHIND);
   private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
   private final Deadlines elected;
   private final Deadlines told;
@@ -84,9 +88,16 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     return this;
   }
 
-  /** Also requires that no robot suspects a leader, or fails, before these times. */
+  /**
+   * Also requires that no robot suspects a leader, or fails, before these times; and that a robot which
+   * is behind is told.
+   */
   public ElectionSpec patient(ElectionSettings settings) {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
+    lemma(
+        BEHIND,
+        "A robot that hears one of an earlier term, or without its leader, tells it at once.");
+    tells.begin();
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     told.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -152,8 +163,18 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   protected void happened(TraceEvent event, Report report) {
+    tells.observe(event, report);
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
+      ElectionRecord ballots = instance(got.channel());
+      long due = ballots.termDue(got.robot(), message);
+      if (due > 0) {
+        tells.owes(
+            got,
+            got.from().name(),
+            "term " + due,
+            told -> told instanceof ElectionMessage m && m.term() >= due);
+      }
     }
   }
 

@@ -31,6 +31,8 @@
  *       It is not fail any sooner.
  *   <li>{@code Suspected}: a robot stands against the leader that it knows only after Ts without a message
  *       of it, or once it has heard of the leader's restart.
+ *   <li>{@code Behind}: a robot that hears another one of an earlier term, or a candidate of a term whose
+ *       leader it knows, tells it in the same step.
  * </ul>
  *
  * <p>Not promised: that there is one leader at any moment. A leader that was wrongly suspected, or is

@@ -43,7 +43,7 @@ class LedgerProtocol extends SynodProtocol {
   private static final int PART = 900;
 
   /** For robots that are behind; one that is farther behind gets the state. */
-  private static final int KEPT_DECREES = 64;
+  static final int KEPT_DECREES = 64;
 
   /** At most so many decrees answer one question. */
   private static final int BURST = 16;

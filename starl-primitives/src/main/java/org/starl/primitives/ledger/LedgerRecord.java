@@ -1,11 +1,14 @@
 package org.starl.primitives.ledger;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.ledger.LedgerEntry.Add;
 import org.starl.primitives.ledger.LedgerEntry.Begin;
@@ -35,6 +38,10 @@ final class LedgerRecord {
   private final Map<TaskId, Task> tasks = new TreeMap<>();
   private int unfinished;
 
+  // The first and the last decree that each robot has by itself, as it must keep them.
+  private final Map<RobotId, long[]> had = new TreeMap<>();
+  private final Map<RobotId, Set<LedgerEntry>> freed = new TreeMap<>();
+
   LedgerRecord(Instance source) {
     this.source = source;
   }
@@ -45,6 +52,7 @@ final class LedgerRecord {
   /** What the log says of one task. */
   private static final class Task {
     private @Nullable RobotId claimant;
+    private @Nullable ProcessId holder;
     private @Nullable RobotId worker;
     private boolean isFinished;
 
@@ -75,6 +83,29 @@ final class LedgerRecord {
 
   void ended(RobotId robot) {
     open.remove(robot);
+    had.remove(robot);
+    freed.remove(robot);
+  }
+
+  /** Whether the robot must have this decree, to tell it to others. */
+  boolean has(RobotId robot, long number) {
+    long[] its = had.get(robot);
+    return its != null && its[0] <= number && number <= its[1];
+  }
+
+  /** The holders whose claims the robot now wishes to end, for the first time. */
+  List<ProcessId> newlyFreedBy(RobotId robot, List<LedgerEntry> wish) {
+    List<ProcessId> holders = new ArrayList<>();
+    for (LedgerEntry entry : wish) {
+      if (entry instanceof Free e
+          && freed.computeIfAbsent(robot, r -> new LinkedHashSet<>()).add(e)) {
+        Task task = tasks.get(e.task());
+        if (task != null && task.claimant != null && task.holder != null) {
+          holders.add(task.holder);
+        }
+      }
+    }
+    return holders;
   }
 
   boolean hasClaim(RobotId robot) {
@@ -83,6 +114,11 @@ final class LedgerRecord {
 
   void applied(LedgerFact.Applied decree, Action event, Report report) {
     long number = decree.number();
+    had.merge(
+        event.robot(),
+        new long[] {number, number},
+        (its, one) ->
+            new long[] {Math.max(its[0], number + 1 - LedgerProtocol.KEPT_DECREES), number});
     if (decrees.isEmpty() || number > decrees.lastKey()) {
       decree.entries().forEach(entry -> take(entry, event, report));
       decrees.put(number, new First(event.robot(), decree.entries(), unfinished));
@@ -103,6 +139,7 @@ final class LedgerRecord {
   }
 
   void installed(LedgerFact.Installed known, Action event, Report report) {
+    had.put(event.robot(), new long[] {known.number() + 1, known.number()});
     First first = decrees.get(known.number());
     if (first != null) {
       kept(known.number(), known.tasks(), first, event, report);
@@ -133,6 +170,7 @@ final class LedgerRecord {
         boolean isFree = task.claimant == null && task.worker == null && !task.isFinished;
         check(LedgerSpec.BEGUN_BY_ONE, isFree, event, e + " of a task that is not open", report);
         task.claimant = e.who().robot();
+        task.holder = e.who();
         seen.add(e.who().robot());
       }
       case Begin e -> {

@@ -4,18 +4,27 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodSpec;
+import org.starl.primitives.ledger.LedgerMessage.Here;
+import org.starl.primitives.suspicion.SuspicionCheck;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of ledgers, after the package's contract: {@code OneLog}, {@code BegunByOne}, {@code
- * FinishedOnce}, {@code Kept}, and, where bounds are given, {@code Answered} and {@code Freed}.
+ * FinishedOnce}, {@code Kept}, and, where bounds are given, {@code Answered} and {@code Freed}, and with {@link
+ * #patient} {@code Suspected} and {@code Behind}.
  */
 public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
 
@@ -25,9 +34,13 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   static final String KEPT = "ledger.Kept";
   static final String ANSWERED = "ledger.Answered";
   static final String FREED = "ledger.Freed";
+  static final String SUSPECTED = "ledger.Suspected";
+  static final String BEHIND = "ledger.Behind";
 
   private final Deadlines answered;
   private final Deadlines freed;
+  private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
+  private final TellCheck tells = new TellCheck(BEHIND);
 
   /** Safety only. */
   public LedgerSpec() {
@@ -63,8 +76,15 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
             sinceNs -> "is down, and holds a claim that is not begun, since " + sinceNs + " ns");
   }
 
-  /** Also requires, as part of {@code Answered}, that no call of this ledger is given up before its deadline. */
+  /**
+   * Also requires, as part of {@code Answered}, that no call of this ledger is given up before its
+   * deadline; that no claim is ended before its lease; and that a robot which asks is told what it lacks.
+   */
   public LedgerSpec patient(LedgerSettings settings) {
+    lemma(SUSPECTED, "No voter ends the claim of a robot that it has heard within the lease.");
+    lemma(BEHIND, "A robot that asks for decrees is told the next one at once, by who has it.");
+    silence.setSilence(settings.leaseMs() * NS_PER_MS);
+    tells.begin();
     answered.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
   }
@@ -122,10 +142,35 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   protected void changed(Variable variable, Report report) {}
 
   @Override
+  protected void happened(TraceEvent event, Report report) {
+    tells.observe(event, report);
+    if (event instanceof Delivered got && got.message() instanceof Here here) {
+      silence.heard(got.channel(), got, here.from());
+      if (here.asks() && instance(got.channel()).has(got.robot(), here.number() + 1)) {
+        tells.owes(
+            got,
+            got.from().name(),
+            "decree " + (here.number() + 1),
+            told -> told instanceof Decided decree && decree.number() == here.number() + 1);
+      }
+    } else if (event instanceof Sent sent
+        && sent.channel().kind().equals(LedgerFact.SYNOD)
+        && sent.message() instanceof Prepare asked) {
+      Instance source = sent.channel().owner();
+      var suspects = instance(source).newlyFreedBy(sent.robot(), LedgerProtocol.read(asked.wish()));
+      suspects.forEach(id -> silence.suspects(source, sent, id, Long.MIN_VALUE, report));
+      if (suspects.isEmpty()) {
+        silence.suspectsNobody(report); // it could have ended claims
+      }
+    }
+  }
+
+  @Override
   protected void ended(RobotId robot) {
     instances()
         .forEach((source, log) -> {
           log.ended(robot);
+          silence.ended(robot);
           answered.stop(new ProcessKey(source, robot));
         });
   }

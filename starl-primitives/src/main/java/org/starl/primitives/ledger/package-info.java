@@ -26,8 +26,10 @@
  * decree, or come after growing random pauses. {@code Freed}: the claim of a robot that crashes before it
  * begins ends a lease and half a second for each voter before the first live one later, then 4δ; at once
  * if its program starts again. So an open task is claimed while a majority and a robot that claims it are
- * up. A begun task of a dead robot stays begun: {@code isSilent} tells it, and the application reopens it
- * if it can be done again. It costs 4V + N messages for V voters and N robots, and one message from each
+ * up. ({@code Suspected}) No voter proposes that end while it has heard the robot within the lease;
+ * ({@code Behind}) who hears a robot that asks for decrees sends the next one in the same step. A
+ * begun task of a dead robot stays begun: {@code isSilent} tells it, and the application reopens it if
+ * it can be done again. It costs 4V + N messages for V voters and N robots, and one message from each
  * robot to each voter with the beacon's period.
  *
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}: the voters are fixed, and a

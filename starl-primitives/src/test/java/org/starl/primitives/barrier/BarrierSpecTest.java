@@ -10,13 +10,17 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodTiming;
+import org.starl.primitives.agreement.Value;
 import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 import org.starl.trace.Var;
 
@@ -136,6 +140,53 @@ class BarrierSpecTest {
       assertThat(monitors.report().violations(BarrierSpec.SUSPECTED))
           .isEqualTo(heardAndGivenUpUs[1] == 2_499 ? 1 : 0);
     }
+  }
+
+  @Test
+  void anArrivalWithoutAnAnswerViolatesBehind() {
+    BarrierMessage heard = new BarrierMessage.Arrival(ProcessId.parse("c"), 2);
+    BarrierMessage here = new BarrierMessage.Here(ProcessId.parse("a"), 2, false, 2);
+    assertThat(behind(heard, Seen.tells(5, A, "c", here))).isZero();
+    assertThat(behind(heard, Seen.tells(5, A, "c", decided()))).isZero();
+    assertThat(behind(heard, Seen.tells(5, A, "b", here))).isEqualTo(1);
+    assertThat(behind(heard, Seen.tells(6, A, "c", here))).isEqualTo(1);
+  }
+
+  @Test
+  void aMemberThatIsBehindAndIsNotToldViolatesBehind() {
+    BarrierMessage heard = new BarrierMessage.Here(ProcessId.parse("c"), 1, false, 1);
+    assertThat(behind(heard, Seen.tells(5, A, "c", decided()))).isZero();
+    assertThat(behind(heard, Seen.tells(5, A, "b", decided()))).isEqualTo(1);
+    BarrierMessage level = new BarrierMessage.Here(ProcessId.parse("c"), 2, false, 1);
+    assertThat(behind(level, Seen.tells(5, A, "b", decided()))).isZero();
+  }
+
+  @Test
+  void aMemberThatIsAheadAndIsNotAskedViolatesBehind() {
+    BarrierMessage heard = new BarrierMessage.Arrival(ProcessId.parse("c"), 3);
+    BarrierMessage here = new BarrierMessage.Here(ProcessId.parse("a"), 2, false, 3);
+    SynodMessage query = new SynodMessage.Query(1);
+    Sent answer = Seen.tells(5, A, "c", here);
+    assertThat(behind(heard, Seen.tells(5, A, "c", query), answer)).isZero();
+    assertThat(behind(heard, answer)).isEqualTo(1);
+  }
+
+  private static SynodMessage decided() {
+    return new SynodMessage.Decided(1, Value.EMPTY);
+  }
+
+  /** A was told that generation 1 is passed. It hears this at 5 ns, and this happens. */
+  private long behind(BarrierMessage heard, TraceEvent... then) {
+    nowNs = 0;
+    bePatient();
+    allArrive(1);
+    told(A, passed(1), 2);
+    see(Seen.hears(5, A, heard));
+    for (TraceEvent event : then) {
+      see(event);
+    }
+    see(Seen.tells(9, B, "a", new SynodMessage.Query(1)));
+    return monitors.report().violations(BarrierSpec.BEHIND);
   }
 
   @Test

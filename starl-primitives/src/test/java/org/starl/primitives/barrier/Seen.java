@@ -86,6 +86,19 @@ final class Seen {
     return new Sent(timeNs, robot, Sent.ALL, channel, 1, 1, SynodMessage.SHAPE, accept);
   }
 
+  /** The robot sends a message of the barrier, or of its Synod. */
+  static Sent tells(long timeNs, RobotId robot, String to, Object message) {
+    Instance synod = Instance.of(BarrierFact.SYNOD, SOURCE.xid());
+    return message instanceof BarrierMessage
+        ? new Sent(timeNs, robot, to, SOURCE, 1, 1, BarrierMessage.SHAPE, message)
+        : new Sent(timeNs, robot, to, synod, 1, 1, SynodMessage.SHAPE, message);
+  }
+
+  static Delivered hears(long timeNs, RobotId robot, BarrierMessage message) {
+    RobotId from = message.from().robot();
+    return new Delivered(timeNs, robot, from, SOURCE, 1, BarrierMessage.SHAPE, message);
+  }
+
   static Variable shows(long timeNs, RobotId robot, BarrierOutcome outcome) {
     return new Variable(timeNs, robot, SOURCE, BarrierFact.OUTCOME, outcome);
   }

@@ -181,6 +181,39 @@ class ElectionSpecTest {
   }
 
   @Test
+  void whoDoesNotTellARobotThatIsBehindAtOnceViolatesBehind() {
+    ElectionMessage leads = new ElectionMessage.Elected(id(A), 2, id(B));
+    ElectionMessage stood = new ElectionMessage.Candidacy(id(A), 1, 1);
+    for (ElectionMessage heard :
+        List.of(
+            new ElectionMessage.Candidacy(id(C), 1, 1), // of the term before
+            new ElectionMessage.Elected(id(C), 1, id(C)),
+            new ElectionMessage.Candidacy(id(C), 2, 1))) { // does not know the leader
+      assertThat(behind(heard, Seen.tells(5, A, C, leads))).isZero();
+      assertThat(behind(heard, Seen.tells(5, A, C, stood))).as("an old term").isEqualTo(1);
+      assertThat(behind(heard, Seen.tells(5, A, B, leads))).as("another robot").isEqualTo(1);
+      assertThat(behind(heard, Seen.tells(5, B, C, leads))).as("by another robot").isEqualTo(1);
+      assertThat(behind(heard, Seen.tells(6, A, C, leads))).as("later").isEqualTo(1);
+    }
+    TraceEvent nothing = new Fault(5, B, Fault.CRASH, "");
+    assertThat(behind(new ElectionMessage.Elected(id(C), 2, id(B)), nothing)).isZero();
+    assertThat(behind(new ElectionMessage.Candidacy(id(C), 3, 1), nothing)).isZero();
+    ElectionMessage dead = new ElectionMessage.Candidacy(ProcessId.first(C, 2), 1, 1);
+    assertThat(behind(dead, nothing)).as("of no live program").isZero();
+  }
+
+  /** A knows the leader of term 2. It hears this at 5 ns, and this happens. */
+  private static long behind(ElectionMessage heard, TraceEvent then) {
+    Monitors patient = patient();
+    patient.observe(Seen.stands(1, B, 2, id(B)));
+    patient.observe(Seen.shows(2, A, leader(2, B)));
+    patient.observe(Seen.hears(5, A, heard));
+    patient.observe(then);
+    patient.observe(Seen.tells(9, B, A, new ElectionMessage.Elected(id(B), 2, id(B))));
+    return patient.report().violations(ElectionSpec.BEHIND);
+  }
+
+  @Test
   void aLeaderThatIsBackAsAnotherIncarnationIsDeposedAtOnce() {
     Monitors patient = patient();
     patient.observe(Seen.shows(0, A, leader(1, B)));

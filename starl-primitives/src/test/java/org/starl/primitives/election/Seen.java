@@ -5,6 +5,7 @@ import org.starl.id.RobotId;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Events of the election {@code election/x}, for tests. */
@@ -33,6 +34,10 @@ final class Seen {
   static Delivered hears(long timeNs, RobotId robot, ElectionMessage message) {
     RobotId from = message.from().robot();
     return new Delivered(timeNs, robot, from, SOURCE, 1, ElectionMessage.SHAPE, message);
+  }
+
+  static Sent tells(long timeNs, RobotId robot, RobotId to, ElectionMessage message) {
+    return new Sent(timeNs, robot, to.name(), SOURCE, 1, 1, ElectionMessage.SHAPE, message);
   }
 
   static Variable shows(long timeNs, RobotId robot, Leader leader) {

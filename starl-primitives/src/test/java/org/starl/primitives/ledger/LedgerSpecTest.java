@@ -78,6 +78,48 @@ class LedgerSpecTest {
     }
   }
 
+  private static Monitors patient() {
+    LedgerSettings settings = new LedgerSettings(SynodTiming.DEFAULT, 1, 2, 3);
+    return new Monitors(List.of(new LedgerSpec(10 * MS, 10 * MS).patient(settings)));
+  }
+
+  /** The lease is of 2 ms. */
+  @Test
+  void aClaimThatIsEndedBeforeItsLeaseViolatesSuspected() {
+    for (long silentNs : List.of(2 * MS, 2 * MS - 1)) {
+      Monitors patient = patient();
+      patient.observe(applies(1, A, 1, 1, START_B, ADD, new Claim(T, 1, PB)));
+      patient.observe(Seen.hears(5, A, new LedgerMessage.Here(PB, 1, false)));
+      patient.observe(Seen.prepares(5 + silentNs, A, FREE));
+      patient.observe(Seen.prepares(6 + silentNs, A, FREE)); // its wish of before
+      assertThat(patient.report().checks(LedgerSpec.SUSPECTED)).isEqualTo(2);
+      assertThat(patient.report().violations(LedgerSpec.SUSPECTED)).isEqualTo(2 * MS - silentNs);
+    }
+  }
+
+  @Test
+  void aRobotThatAsksAndIsNotToldViolatesBehind() {
+    for (long number : List.of(1L, 2L)) {
+      for (boolean asks : List.of(true, false)) {
+        Monitors patient = patient();
+        patient.observe(installs(0, A, 1, 0)); // it need not have what it has not applied
+        patient.observe(applies(1, A, 2, 0));
+        patient.observe(Seen.hears(5, A, new LedgerMessage.Here(PB, number - 1, asks)));
+        patient.observe(Seen.decrees(5, A, B, 1));
+        patient.observe(Seen.decrees(6, A, B, 2));
+        boolean isDue = asks && number == 2;
+        assertThat(patient.report().checks(LedgerSpec.BEHIND)).isEqualTo(isDue ? 1 : 0);
+        assertThat(patient.report().violations(LedgerSpec.BEHIND)).isEqualTo(isDue ? 1 : 0);
+      }
+    }
+    Monitors patient = patient();
+    patient.observe(applies(1, A, 2, 0));
+    patient.observe(Seen.hears(5, A, new LedgerMessage.Here(PB, 1, true)));
+    patient.observe(Seen.decrees(5, A, B, 2));
+    patient.observe(Seen.decrees(6, A, B, 3));
+    assertThat(patient.report().violations(LedgerSpec.BEHIND)).isZero();
+  }
+
   @Test
   void otherEntriesAtOneNumberViolateOneLog() {
     sees(applies(1, A, 1, 1, ADD), applies(2, B, 1, 0));

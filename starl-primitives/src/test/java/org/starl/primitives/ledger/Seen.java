@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Ballot;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.ledger.LedgerEntry.Add;
 import org.starl.primitives.ledger.LedgerEntry.Begin;
@@ -15,6 +17,8 @@ import org.starl.primitives.ledger.LedgerEntry.Start;
 import org.starl.shape.RecordShape;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 
 /** Entries and events of a ledger, for tests. */
 final class Seen {
@@ -67,5 +71,27 @@ final class Seen {
 
   static Action isTold(long timeNs, RobotId robot, LedgerEntry entry, LedgerOutcome outcome) {
     return acts(timeNs, robot, LedgerFact.TOLD, new LedgerFact.Told(entry, outcome));
+  }
+
+  static Delivered hears(long timeNs, RobotId robot, LedgerMessage message) {
+    RobotId from = message.from().robot();
+    return new Delivered(timeNs, robot, from, SOURCE, 1, LedgerMessage.SHAPE, message);
+  }
+
+  /** The robot asks all voters for promises, and wishes these entries. */
+  static Sent prepares(long timeNs, RobotId robot, LedgerEntry... wish) {
+    Value wished = Value.write(out -> LedgerEntry.LIST.write(List.of(wish), out));
+    Ballot ballot = new Ballot(1, ProcessId.first(robot, 1));
+    return says(timeNs, robot, Sent.ALL, new SynodMessage.Prepare(2, ballot, wished));
+  }
+
+  /** The robot tells another one a decree. */
+  static Sent decrees(long timeNs, RobotId robot, RobotId to, long number) {
+    return says(timeNs, robot, to.name(), new SynodMessage.Decided(number, Value.EMPTY));
+  }
+
+  private static Sent says(long timeNs, RobotId robot, String to, SynodMessage message) {
+    Instance synod = Instance.of(LedgerFact.SYNOD, SOURCE.xid());
+    return new Sent(timeNs, robot, to, synod, 1, 1, SynodMessage.SHAPE, message);
   }
 }
