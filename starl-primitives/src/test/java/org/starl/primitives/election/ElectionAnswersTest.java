@@ -161,6 +161,26 @@ class ElectionAnswersTest {
     assertThat(sent.take()).containsExactly(new Elected(E2, 4, E3));
   }
 
+  @Test
+  void aLeaderTellsSoInEachHeartbeat() {
+    protocol.received(new Elected(E1, 1, E2), 0);
+    sent.take();
+    long beatNs = SETTINGS.heartbeatMs() * 1_000_000;
+    for (long atNs = beatNs; atNs <= 3 * beatNs; atNs += beatNs) {
+      protocol.timer(atNs - 1);
+      assertThat(sent.take()).isEmpty();
+      protocol.timer(atNs);
+      assertThat(sent.take()).containsExactly(new Elected(E2, 1, E2));
+    }
+  }
+
+  @Test
+  void whatAnEarlierProgramOfARobotHasSentIsIgnored() {
+    protocol.received(new Candidacy(E3_AGAIN, 1, 7), 0);
+    protocol.received(new Elected(E3, 1, E3), 0);
+    assertThat(protocol.leader()).isEqualTo(Leader.NONE);
+  }
+
   /** The silence of an earlier term, when nothing was expected of the robot since, counts no more. */
   @Test
   void aLeaderThatReturnsIsNotSuspectedForItsSilenceBetween() {
