@@ -5,6 +5,7 @@ import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.id.Participants;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.random.Rng;
@@ -108,7 +109,13 @@ abstract class Client extends LogicThread {
 
   /** A registration that all robots of the deployment may join. */
   protected final Registration registration(String xid, RegistrationSettings settings) {
-    Registration registration = new Registration(gvh, xid, gvh.id.participants(), settings);
+    return registration(xid, gvh.id.participants(), settings);
+  }
+
+  /** With these acceptors, which are the same on every robot. */
+  protected final Registration registration(
+      String xid, Participants acceptors, RegistrationSettings settings) {
+    Registration registration = new Registration(gvh, xid, acceptors, settings);
     if (gvh.id.boot() > 1) {
       registration.standsIn(new TreeSet<>()); // the previous incarnation is in no section
     }

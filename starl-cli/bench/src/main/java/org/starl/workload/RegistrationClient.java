@@ -1,6 +1,9 @@
 package org.starl.workload;
 
+import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -23,7 +26,7 @@ final class RegistrationClient extends Client {
 
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
-    reg = registration("town", settings(setup));
+    reg = registration("town", voters(setup), settings(setup));
     stayMs = Math.max(1, setup.course().busyMs() / STAYS);
   }
 
@@ -36,7 +39,18 @@ final class RegistrationClient extends Client {
     setup
         .simulation()
         .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(settings(setup)));
-    setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
+    if (setup.isPatient()) {
+      setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
+    }
+  }
+
+  /**
+   * All robots, or with short deadlines more than half of them: the others hear of views only if they are
+   * told, or as an answer, and wait longer while many compete.
+   */
+  private Participants voters(Setup setup) {
+    List<RobotId> all = gvh.id.participants().asList();
+    return Participants.of(setup.isPatient() ? all : all.subList(0, all.size() / 2 + 1));
   }
 
   @Override

@@ -151,7 +151,11 @@ record Setup(
 
   /** As {@link #deadlineMs}, or shorter than outages if {@link #PATIENCE} says so. */
   long drawnDeadlineMs() {
-    return request.choice(PATIENCE).equals(SHORT) ? SHORT_MS : deadlineMs();
+    return isPatient() ? deadlineMs() : SHORT_MS;
+  }
+
+  boolean isPatient() {
+    return !request.choice(PATIENCE).equals(SHORT);
   }
 
   RegistrationSettings registration() {

@@ -5,11 +5,16 @@ import static org.starl.time.Time.NS_PER_MS;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -18,15 +23,17 @@ import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
  * {@code Fresh}, {@code Soundness}, {@code rList}, and, where a bound is given, {@code Registered}: of
- * joining and of leaving.
+ * joining and of leaving; and with {@link #patient} {@code Informed}.
  */
 public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
@@ -35,6 +42,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String FRESH = "registration.Fresh";
   static final String SOUNDNESS = "registration.Soundness";
   static final String REGISTERED = "registration.Registered";
+  static final String INFORMED = "registration.Informed";
   static final String R_LIST = "registration.rList";
 
   private static final String REGISTERED_SAYS =
@@ -42,6 +50,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private final Deadlines progress;
   private final Deadlines removal;
+  private final TellCheck tells = new TellCheck(INFORMED);
+  private final Map<ProcessKey, Delivered> heard = new LinkedHashMap<>();
   private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
   private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
@@ -97,8 +107,13 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   /**
    * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
    * registrations with these times. A call also fails, at once, if its robot has no room in the list.
+   * And that whoever decides a view tells all whom it concerns.
    */
   public RegistrationSpec patient(RegistrationSettings settings) {
+    lemma(
+        INFORMED,
+        "Who decides a view tells it at once to all acceptors, and to all whom it lists or removes.");
+    tells.begin();
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -166,6 +181,14 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     list.shows(variable, report);
     View view = variable.of(RegistrationFact.VIEW);
     if (view != null) {
+      Delivered last = heard.get(key);
+      // The vote that decides a view is the last message before the view.
+      if (last != null
+          && last.timeNs() == variable.timeNs()
+          && last.message() instanceof Accepted vote
+          && vote.number() == view.number()) {
+        mustInform(history, variable, view);
+      }
       history.learned(variable, view, report);
       has(key, new Program(program(key).id, view), variable, report);
       awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
@@ -187,6 +210,29 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         removal.giveUp(key, variable.timeNs(), faults, report);
         leaving.remove(key);
       }
+    }
+  }
+
+  private void mustInform(ViewHistory history, Variable variable, View view) {
+    Set<RobotId> concerned = new TreeSet<>(history.acceptors());
+    View before = program(new ProcessKey(variable.source(), variable.robot())).view();
+    Stream.of(before, view)
+        .forEach(each -> each.mentioned().forEach(id -> concerned.add(id.robot())));
+    concerned.remove(variable.robot());
+    for (RobotId robot : concerned) {
+      tells.owes(
+          variable,
+          robot.name(),
+          "view " + view,
+          told -> told instanceof Decided it && it.number() == view.number());
+    }
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    tells.observe(event, report);
+    if (event instanceof Delivered got && got.channel().kind().equals(RegistrationFact.PRIMITIVE)) {
+      heard.put(new ProcessKey(got.channel(), got.robot()), got);
     }
   }
 

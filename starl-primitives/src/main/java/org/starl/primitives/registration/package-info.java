@@ -32,13 +32,16 @@
  * <p>(b) <b>Progress.</b> With message delay δ and a majority of acceptors in reach, a single join takes
  * 6δ (learn the latest number 2, prepare 2, accept 2; 4δ where the number is known), and others hear of it
  * δ later; it costs 6A + |view| messages for A acceptors. k simultaneous changes take about (4k + 2)δ at
- * worst; wishes in prepare messages let one view usually serve several. A call that meets its deadline
- * reports {@code failed}, and none does so sooner, unless the list has no room. A view is spread by
- * reliable messages. A robot that misses it asks the acceptors: registered robots ask one of them every
- * few seconds, and all of them when a rumour of a newer view is not followed by that view. If that does
- * not help, its proposer may have gone after the decision: then registered robots complete the view
- * themselves. So a robot that leaves, and is gone before any other robot knows, is forgotten within
- * seconds, while a majority of acceptors is in reach.
+ * worst; wishes in prepare messages let one view usually serve several. A robot that is no acceptor
+ * and not listed hears of views only as answers: each view that is decided while it pauses costs it
+ * another pause. A call that meets its deadline reports {@code failed}, and none does so sooner,
+ * unless the list has no room. A view is spread by reliable messages ({@code Informed}): who decides
+ * it sends it in the same step to all acceptors, and to all robots that it or the view before lists. A
+ * robot that misses it asks the acceptors: registered robots ask one of them every few seconds, and
+ * all of them when a rumour of a newer view is not followed by that view. If that does not help, its
+ * proposer may have gone after the decision: then registered robots complete the view themselves. So a
+ * robot that leaves, and is gone before any other robot knows, is forgotten within seconds, while a
+ * majority of acceptors is in reach.
  *
  * <p><b>Crash, restart, wrong suspicion.</b> Registration itself suspects no robot. A crashed id stays in
  * the lists until the {@link org.starl.primitives.mutex} over it, which waits for that id, proposes its

@@ -54,6 +54,33 @@ class RegistrationSpecTest {
   }
 
   @Test
+  void whoDecidesAViewAndTellsNotAllViolatesInformed() {
+    assertThat(uninformed("c", "v")).isZero();
+    assertThat(uninformed("v")).as("c, which is removed").isEqualTo(1);
+    assertThat(uninformed("c")).as("the acceptor v").isEqualTo(1);
+  }
+
+  /** The voter b decides the view 2, without c, and tells these robots. */
+  private static long uninformed(String... told) {
+    Monitors patient =
+        new Monitors(List.of(new RegistrationSpec(1_000).patient(RegistrationSettings.DEFAULT)));
+    patient.observe(Shown.acceptors(0, "b", "b", "v"));
+    for (String name : List.of("b", "c")) {
+      patient.observe(Shown.acts(0, name, "do_register", name));
+      patient.observe(Shown.sees(1, name, "1:b@1,c@1")); // learned, not decided
+    }
+    patient.observe(Shown.acts(2, "c", "unregister", "c"));
+    patient.observe(Shown.hearsVote(5, "b", "v", 2));
+    for (String robot : told) {
+      patient.observe(Shown.tells(5, "b", robot, 2));
+    }
+    patient.observe(Shown.sees(5, "b", "2:b@1"));
+    patient.observe(Shown.tells(6, "b", "c", 2));
+    patient.observe(Shown.tells(7, "b", "v", 2));
+    return patient.report().violations(RegistrationSpec.INFORMED);
+  }
+
+  @Test
   void equalNumbersWithUnequalListsViolateAgreement() {
     acts(0, "a", "do_register", "a");
     acts(0, "b", "do_register", "b");

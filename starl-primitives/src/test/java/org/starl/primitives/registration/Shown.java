@@ -6,11 +6,16 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
+import org.starl.primitives.agreement.Ballot;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Short;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Events of a registration written briefly, for tests. */
@@ -64,6 +69,19 @@ public final class Shown {
       shown = new RList.Agreed(Participants.of(robots), Long.parseLong(parts[0]));
     }
     return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.R_LIST, shown);
+  }
+
+  /** The robot hears a vote of {@code from} for this view. */
+  static TraceEvent hearsVote(long atNs, String robot, String from, long number) {
+    SynodMessage vote = new SynodMessage.Accepted(number, new Ballot(1, ProcessId.parse(robot)));
+    return new Delivered(
+        atNs, new RobotId(robot), new RobotId(from), HERE, 1, SynodMessage.SHAPE, vote);
+  }
+
+  /** The robot tells another one that this view is decided. */
+  static TraceEvent tells(long atNs, String robot, String to, long number) {
+    SynodMessage view = new SynodMessage.Decided(number, Value.EMPTY);
+    return new Sent(atNs, new RobotId(robot), to, HERE, 1, 1, SynodMessage.SHAPE, view);
   }
 
   /** Whether the latest call has failed. */
