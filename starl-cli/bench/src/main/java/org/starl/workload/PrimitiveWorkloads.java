@@ -148,8 +148,10 @@ public final class PrimitiveWorkloads {
               Envelope.LOGICAL,
               32,
               Duration.ofSeconds(10),
-              parameters(10, "20s", Setup.PATIENCE),
-              List.of(new Variant(Setup.PATIENCE, Setup.SHORT)),
+              parameters(10, "20s", Setup.PATIENCE, RegistrationClient.VOTERS),
+              List.of(
+                  new Variant(Setup.PATIENCE, Setup.SHORT),
+                  new Variant(RegistrationClient.VOTERS, RegistrationClient.MOST)),
               RegistrationClient::setUp));
 
   private static final int DEFAULT_ROBOTS = 5;

@@ -2,8 +2,10 @@ package org.starl.workload;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.Parameter;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.input.Form;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -24,6 +26,17 @@ final class RegistrationClient extends Client {
   private final Registration reg;
   private final long stayMs;
 
+  static final String MOST = "most";
+
+  private static final List<String> VOTES = List.of("all", MOST);
+
+  static final Parameter VOTERS =
+      new Parameter(
+          "voters",
+          VOTES.get(0),
+          "whether all robots vote (all), or more than half of them (most)",
+          Form.choice(VOTES));
+
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
     reg = registration("town", voters(setup), settings(setup));
@@ -39,18 +52,22 @@ final class RegistrationClient extends Client {
     setup
         .simulation()
         .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(settings(setup)));
-    if (setup.isPatient()) {
+    if (!isByMost(setup)) {
       setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
     }
   }
 
+  private static boolean isByMost(Setup setup) {
+    return setup.request().choice(VOTERS).equals(MOST);
+  }
+
   /**
-   * All robots, or with short deadlines more than half of them: the others hear of views only if they are
-   * told, or as an answer, and wait longer while many compete.
+   * Those who do not vote hear of views only if they are told, or as an answer, and wait longer while
+   * many compete.
    */
   private Participants voters(Setup setup) {
     List<RobotId> all = gvh.id.participants().asList();
-    return Participants.of(setup.isPatient() ? all : all.subList(0, all.size() / 2 + 1));
+    return Participants.of(isByMost(setup) ? all.subList(0, all.size() / 2 + 1) : all);
   }
 
   @Override

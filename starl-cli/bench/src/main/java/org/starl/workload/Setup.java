@@ -151,11 +151,7 @@ record Setup(
 
   /** As {@link #deadlineMs}, or shorter than outages if {@link #PATIENCE} says so. */
   long drawnDeadlineMs() {
-    return isPatient() ? deadlineMs() : SHORT_MS;
-  }
-
-  boolean isPatient() {
-    return !request.choice(PATIENCE).equals(SHORT);
+    return request.choice(PATIENCE).equals(SHORT) ? SHORT_MS : deadlineMs();
   }
 
   RegistrationSettings registration() {
