@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import org.starl.lang.java.JavaSources;
 import org.starl.lang.read.SourceErrors;
@@ -60,15 +62,34 @@ final class MutantReplay {
 
   private static final String PRIMITIVES = "org.starl.primitives.";
 
+  /** One for all: what it has read of the JDK and of the libraries stays read. */
+  private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
+
+  private static final StandardJavaFileManager FILES =
+      COMPILER.getStandardFileManager(null, null, null);
+
   private final String name;
-  private final Monitors monitors;
+  private final Constructor<?> monitor;
+  private final Object[] settings;
   private final Vocabulary vocabulary;
+  private Monitors monitors;
   private boolean isSeen;
 
-  private MutantReplay(String name, Monitor monitor, Vocabulary vocabulary) {
+  private MutantReplay(
+      String name, Constructor<?> monitor, Object[] settings, Vocabulary vocabulary) {
     this.name = name;
-    monitors = new Monitors(List.of(monitor));
+    this.monitor = monitor;
+    this.settings = settings;
     this.vocabulary = vocabulary;
+    monitors = fresh();
+  }
+
+  private Monitors fresh() {
+    try {
+      return new Monitors(List.of((Monitor) monitor.newInstance(settings)));
+    } catch (ReflectiveOperationException e) {
+      throw new AssertionError(e);
+    }
   }
 
   static boolean hasMonitor(Automaton automaton) {
@@ -76,7 +97,7 @@ final class MutantReplay {
   }
 
   /**
-   * A fresh monitor over {@code automaton}; none if the automaton has no Java form.
+   * A monitor over {@code automaton}; none if the automaton has no Java form.
    *
    * @param folder for its classes, as long as it is used
    */
@@ -88,21 +109,20 @@ final class MutantReplay {
     } catch (SourceErrors e) {
       return Optional.empty();
     }
+    Loader loader = new Loader(compiled(files, folder));
     try {
-      Loader loader = new Loader(compiled(files, folder));
       Class<?> monitor = loader.loadClass(PRIMITIVES + twin(automaton).monitor);
       Constructor<?> constructor = monitor.getConstructors()[0];
       for (Constructor<?> each : monitor.getConstructors()) {
         constructor = each.getParameterCount() == 0 ? each : constructor;
       }
-      Object made =
+      Object[] settings =
           constructor.getParameterCount() == 0
-              ? constructor.newInstance()
-              : constructor.newInstance(
-                  constructor.getParameterTypes()[0].getField("DEFAULT").get(null));
+              ? new Object[0]
+              : new Object[] {constructor.getParameterTypes()[0].getField("DEFAULT").get(null)};
       Object known =
           loader.loadClass(PRIMITIVES + "monitor.PrimitiveVocabulary").getField("ALL").get(null);
-      return Optional.of(new MutantReplay(name, (Monitor) made, (Vocabulary) known));
+      return Optional.of(new MutantReplay(name, constructor, settings, (Vocabulary) known));
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
     }
@@ -116,7 +136,7 @@ final class MutantReplay {
     return name;
   }
 
-  /** Whether the monitor has reported a violation, or its automaton has thrown. */
+  /** Whether the monitor has reported a violation in some run, or its automaton has thrown. */
   boolean isSeen() {
     return isSeen;
   }
@@ -163,6 +183,7 @@ final class MutantReplay {
   static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
     Twin twin = twin(automaton);
     Map<String, String> parameters = new HashMap<>(twin.parameters);
+    replays.forEach(each -> each.monitors = each.fresh());
     parameters.put("chaos", Runs.demo(twin.workload).envelope().toString());
     var plan = Runs.plan(twin.workload, seed, parameters);
     long[] end = new long[1];
@@ -189,17 +210,14 @@ final class MutantReplay {
       Files.writeString(path, file.getValue());
       paths.add(path.toString());
     }
-    var compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter out = new StringWriter();
-    try (var manager = compiler.getStandardFileManager(null, null, null)) {
-      List<String> options =
-          List.of(
-              "-d", folder.toString(), "-cp", System.getProperty("java.class.path"), "-proc:none");
-      if (!compiler
-          .getTask(out, manager, null, options, null, manager.getJavaFileObjectsFromStrings(paths))
-          .call()) {
-        throw new AssertionError(out.toString());
-      }
+    List<String> options =
+        List.of(
+            "-d", folder.toString(), "-cp", System.getProperty("java.class.path"), "-proc:none");
+    if (!COMPILER
+        .getTask(out, FILES, null, options, null, FILES.getJavaFileObjectsFromStrings(paths))
+        .call()) {
+      throw new AssertionError(out.toString());
     }
     return folder;
   }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -107,12 +108,11 @@ class MutantsTest {
       }
       seen.get(by).add(mutant.toString());
     }
-    List<String> byZ3 = new ArrayList<>();
-    for (Mutant mutant : mutants) {
-      if (!isProved(automaton, mutant)) {
-        byZ3.add(mutant.toString());
-      }
-    }
+    List<String> byZ3 =
+        mutants.parallelStream()
+            .filter(each -> !isProved(automaton, each))
+            .map(Mutant::toString)
+            .toList();
     List<String> byRuns =
         seenInRuns(
             automaton, mutants.stream().filter(each -> loses.contains(each.toString())).toList());
@@ -151,24 +151,21 @@ class MutantsTest {
    */
   private static List<String> seenInRuns(Automaton automaton, List<Mutant> mutants)
       throws IOException {
-    List<String> seen = new ArrayList<>();
     if (!MutantReplay.hasMonitor(automaton)) {
-      return seen;
+      return List.of();
     }
-    List<Mutant> open = new ArrayList<>(mutants);
+    List<MutantReplay> all = new ArrayList<>();
+    for (Mutant mutant : mutants) {
+      MutantReplay.of(mutant.toString(), mutant.automaton(), classes).ifPresent(all::add);
+    }
+    MutantReplay right = MutantReplay.of("right", automaton, classes).orElseThrow();
+    List<MutantReplay> open = new ArrayList<>(all);
     for (long seed = 1; seed <= RUNS && !open.isEmpty(); seed++) {
-      List<MutantReplay> replays = new ArrayList<>();
-      for (Mutant mutant : open) {
-        MutantReplay.of(mutant.toString(), mutant.automaton(), classes).ifPresent(replays::add);
-      }
-      MutantReplay right = MutantReplay.of("right", automaton, classes).orElseThrow();
-      replays.add(right);
-      MutantReplay.run(automaton, seed, replays);
+      MutantReplay.run(automaton, seed, Stream.concat(open.stream(), Stream.of(right)).toList());
       assertThat(right.isSeen()).as("the automaton itself deviates").isFalse();
-      replays.stream().filter(MutantReplay::isSeen).map(MutantReplay::name).forEach(seen::add);
-      open.removeIf(mutant -> seen.contains(mutant.toString()));
+      open.removeIf(MutantReplay::isSeen);
     }
-    return seen;
+    return all.stream().filter(MutantReplay::isSeen).map(MutantReplay::name).toList();
   }
 
   private static void write(
