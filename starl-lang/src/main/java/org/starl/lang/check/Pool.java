@@ -1,29 +1,29 @@
 package org.starl.lang.check;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.lang.eval.Domain;
-import org.starl.lang.eval.Domain.Renaming;
 
 /** The values of one part of the state that were met, each with a number: states share them. */
 final class Pool {
 
-  private static final int UNKNOWN = -1;
+  /** The renamed values under so many renamings are kept: there may be thousands. */
+  private static final int KEPT = 64;
 
   private final Domain domain;
-  private final List<Renaming> renamings;
+  private final List<Symmetry.Element> elements;
   private final Map<Object, Integer> numbers = new HashMap<>();
   private final List<Object> values = new ArrayList<>();
+  private final List<long[]> marks = new ArrayList<>();
 
-  /** For each value, the number of its renamed value under each renaming. */
+  /** For each value, the numbers of its renamed values plus 1, under the first renamings. */
   private final List<int[]> renamed = new ArrayList<>();
 
-  Pool(Domain domain, List<Renaming> renamings) {
+  Pool(Domain domain, List<Symmetry.Element> elements) {
     this.domain = domain;
-    this.renamings = renamings;
+    this.elements = elements;
   }
 
   int number(Object value) {
@@ -34,9 +34,14 @@ final class Pool {
     int number = values.size();
     numbers.put(value, number);
     values.add(value);
-    int[] unknown = new int[renamings.size()];
-    Arrays.fill(unknown, UNKNOWN);
-    renamed.add(unknown);
+    long[] each = new long[elements.size()];
+    for (int e = 0; e < each.length; e++) {
+      Symmetry.Element of = elements.get(e);
+      each[e] =
+          domain.mark(value, (type, at) -> type.equals(of.type()) && at == of.number() ? 1 : 0);
+    }
+    marks.add(each);
+    renamed.add(new int[each.length < 2 ? 0 : KEPT]);
     return number;
   }
 
@@ -44,12 +49,23 @@ final class Pool {
     return values.get(number);
   }
 
+  /** For each element, a number that tells where the value has it, and no element's name. */
+  long[] marks(int number) {
+    return marks.get(number);
+  }
+
   /** The number of the value under a renaming. */
-  int renamed(int number, int renaming) {
-    int[] known = renamed.get(number);
-    if (known[renaming] == UNKNOWN) {
-      known[renaming] = number(domain.renamed(values.get(number), renamings.get(renaming)));
+  int renamed(int number, Symmetry.Order order) {
+    if (order.isIdentity()) {
+      return number;
     }
-    return known[renaming];
+    if (order.number >= KEPT) {
+      return number(domain.renamed(values.get(number), order));
+    }
+    int[] known = renamed.get(number);
+    if (known[order.number] == 0) {
+      known[order.number] = 1 + number(domain.renamed(values.get(number), order));
+    }
+    return known[order.number] - 1;
   }
 }

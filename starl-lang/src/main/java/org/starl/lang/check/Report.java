@@ -63,7 +63,7 @@ public final class Report {
     }
     if (!result.asymmetric().isEmpty()) {
       lines.add(
-          "  states that differ in the names of elements alone count each, as there are too many: "
+          "  of some states that differ in the names of elements alone, more than one counts: too many orders of "
               + String.join(", ", result.asymmetric()));
     }
     if (!result.symmetric().isEmpty()) {

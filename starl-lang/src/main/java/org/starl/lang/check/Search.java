@@ -35,7 +35,7 @@ public final class Search {
    * @param depth the number of steps to the farthest of them
    * @param stopped why the search ended early; empty if it did not
    * @param symmetric the types whose elements were renamed
-   * @param asymmetric the types of which there are too many elements for this
+   * @param asymmetric those of them with so many orders of elements that not all were tried in some state
    * @param open the parts that the start leaves open, and of which all values were visited
    * @param cut the parts that the start leaves open, and of which the first value was visited alone
    * @param bounded the value parameters that may have more values, beyond the bounds
@@ -255,7 +255,7 @@ public final class Search {
         depth,
         stopped,
         symmetry.types(),
-        symmetry.tooLarge(),
+        symmetry.tooMany(),
         starts.open(),
         starts.cut(),
         bounded,
@@ -302,7 +302,7 @@ public final class Search {
 
   /** Tells a run by the numbers of its states. */
   Story story(List<Integer> path) {
-    return new Story(machine, symmetry, starts.open(), path.stream().map(states::get).toList());
+    return new Story(machine, symmetry, starts, path.stream().map(states::get).toList());
   }
 
   /** One of {@code invariant} and {@code error} may be null. */

@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
+import org.starl.lang.eval.Starts;
 
 /** Tells a run by its steps and what each of them changes. */
 final class Story {
@@ -22,14 +23,18 @@ final class Story {
   private int steps;
 
   /**
-   * @param open the parts that differ among the start states
+   * @param starts the first of them that {@code path} begins with is told
    * @param path each of its states stands for all that differ from it in names alone; the run keeps
    *     to one choice of names
    */
-  Story(Machine machine, Symmetry symmetry, Set<String> open, List<int[]> path) {
+  Story(Machine machine, Symmetry symmetry, Starts starts, List<int[]> path) {
     this.machine = machine;
-    this.open = open;
-    state = symmetry.state(path.getFirst());
+    open = starts.open();
+    state =
+        starts.states().stream()
+            .filter(each -> Arrays.equals(symmetry.representative(each), path.getFirst()))
+            .findFirst()
+            .orElseThrow();
     String start = start(state);
     if (!start.isEmpty()) {
       lines.add("0. start   " + start);

@@ -132,6 +132,24 @@ public abstract sealed class Domain {
   }
 
   /**
+   * A number in which an element of an opaque type counts as what stands for it, which others may
+   * share: equal for values that are equal after a renaming of elements with equal ones.
+   */
+  public long mark(Object value, Renaming marks) {
+    return hasIds ? mix(0, marked(value, marks)) : mix(1, value.hashCode());
+  }
+
+  long marked(Object value, Renaming marks) {
+    return value.hashCode();
+  }
+
+  /** Spreads {@code a}, then {@code b}: their order counts. */
+  public static long mix(long a, long b) {
+    long mixed = (a * 0x9E3779B97F4A7C15L ^ b) * 0xBF58476D1CE4E5B9L;
+    return mixed ^ mixed >>> 29;
+  }
+
+  /**
    * Adds a text for each part of a value that differs: {@code req_set(bot0): {} -> {A}}.
    *
    * @param name of the value
@@ -272,6 +290,11 @@ public abstract sealed class Domain {
     Object rename(Object value, Renaming renaming) {
       return all.get(renaming.of(name, number(value)));
     }
+
+    @Override
+    long marked(Object value, Renaming marks) {
+      return marks.of(name, number(value));
+    }
   }
 
   /** Values of several parts, each with its domain: numbered as digits are. */
@@ -343,6 +366,14 @@ public abstract sealed class Domain {
               .toList());
     }
 
+    long mark(Row row, Renaming marks) {
+      long mark = 0;
+      for (int i = 0; i < parts.size(); i++) {
+        mark = mix(mark, parts.get(i).mark(row.get(i), marks));
+      }
+      return mark;
+    }
+
     List<String> texts(Row row) {
       return IntStream.range(0, parts.size()).mapToObj(i -> parts.get(i).text(row.get(i))).toList();
     }
@@ -388,6 +419,11 @@ public abstract sealed class Domain {
     @Override
     Object rename(Object value, Renaming renaming) {
       return fields.rename((Row) value, renaming);
+    }
+
+    @Override
+    long marked(Object value, Renaming marks) {
+      return fields.mark((Row) value, marks);
     }
 
     @Override
@@ -476,6 +512,12 @@ public abstract sealed class Domain {
     }
 
     @Override
+    long marked(Object value, Renaming marks) {
+      Form form = (Form) value;
+      return mix(form.constructor(), forms.get(form.constructor()).mark(form.fields(), marks));
+    }
+
+    @Override
     public String text(Object value) {
       Form form = (Form) value;
       List<String> texts = forms.get(form.constructor()).texts(form.fields());
@@ -525,6 +567,11 @@ public abstract sealed class Domain {
     }
 
     @Override
+    long marked(Object value, Renaming marks) {
+      return ((Optional<?>) value).map(of -> element.mark(of, marks)).orElse(0L);
+    }
+
+    @Override
     public String text(Object value) {
       return ((Optional<?>) value).map(of -> "some(" + element.text(of) + ")").orElse("none");
     }
@@ -563,6 +610,12 @@ public abstract sealed class Domain {
         renamed = renamed.setBit(element.number(element.renamed(each, renaming)));
       }
       return renamed;
+    }
+
+    @Override
+    long marked(Object value, Renaming marks) {
+      // A sum: the order of elements is that of their names.
+      return elements(value, element).stream().mapToLong(each -> element.mark(each, marks)).sum();
     }
 
     @Override
@@ -623,6 +676,11 @@ public abstract sealed class Domain {
     }
 
     @Override
+    long marked(Object value, Renaming marks) {
+      return of(((Row) value).size()).mark((Row) value, marks);
+    }
+
+    @Override
     public String text(Object value) {
       return "[" + joined(of(((Row) value).size()).texts((Row) value)) + "]";
     }
@@ -678,6 +736,16 @@ public abstract sealed class Domain {
         renamed[to] = result.renamed(row.get(i), renaming);
       }
       return new Row(renamed);
+    }
+
+    @Override
+    long marked(Object value, Renaming marks) {
+      long sum = 0; // the order of arguments is that of their names
+      for (int i = 0; i < ((Row) value).size(); i++) {
+        long at = arguments.mark(arguments.make(i), marks);
+        sum += mix(at, result.mark(((Row) value).get(i), marks));
+      }
+      return sum;
     }
 
     @Override
