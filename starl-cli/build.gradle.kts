@@ -35,6 +35,16 @@ extensions.configure<JavaPluginExtension> {
     sourceSets.named("test") { java.srcDir("../starl-sim/view/src/browser/java") }
 }
 
+tasks.processResources {
+    // A new project gets the same Maven wrapper.
+    from("../mvnw") {
+        into("org/starl/cli/project")
+    }
+    from("../.mvn/wrapper") {
+        into("org/starl/cli/project/.mvn/wrapper")
+    }
+}
+
 tasks.withType<Jar>().configureEach {
     manifest {
         // The simulator schedules virtual threads itself; java.lang must be open for that.

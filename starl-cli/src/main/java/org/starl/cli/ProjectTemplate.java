@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Properties;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -105,6 +106,8 @@ final class ProjectTemplate {
       put(files, "@sources@/@Name@App.@ext@", own("App.@ext@"));
     }
     put(files, "@name@", LAUNCHER);
+    wrap(files, "mvnw", true);
+    wrap(files, ".mvn/wrapper/maven-wrapper.properties", false);
     for (String file : List.of("settings.gradle.kts", "build.gradle.kts")) {
       put(files, "phone/" + file, "phone/" + file);
     }
@@ -138,6 +141,11 @@ final class ProjectTemplate {
     }
     String whole = PART.matcher(template).replaceAll(part -> Matcher.quoteReplacement(part(part)));
     files.put(withWords(path), new Written(withWords(whole), resource.equals(LAUNCHER)));
+  }
+
+  /** A file of the Maven wrapper: StarL's own, as it is. */
+  private static void wrap(Map<String, Written> files, String path, boolean isProgram) {
+    files.put(path, new Written(Objects.requireNonNull(read(path), path), isProgram));
   }
 
   /** The lines of a part; the line itself if it is a word. */

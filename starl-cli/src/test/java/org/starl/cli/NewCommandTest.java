@@ -95,6 +95,15 @@ class NewCommandTest {
   }
 
   @Test
+  void itBringsTheMavenWrapper() throws IOException {
+    Path wrapper = folder.resolve(NAME).resolve("mvnw");
+    assertThat(wrapper).isExecutable().hasSameTextualContentAs(Path.of("../mvnw"));
+    assertThat(project.text(".mvn/wrapper/maven-wrapper.properties"))
+        .contains("distributionSha256Sum=");
+    assertThat(project.text(NAME)).contains("maven=$root/mvnw");
+  }
+
+  @Test
   void itsScenarioIsValidForEditorsAndCommands() throws IOException {
     String schema = project.run("schema").text();
     assertThat(
