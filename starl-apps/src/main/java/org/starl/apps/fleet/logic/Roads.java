@@ -56,6 +56,7 @@ public final class Roads {
   private final Set<Integer> closed = new TreeSet<>(); // private
   private final List<List<Integer>> lanesFrom = new ArrayList<>();
   private final SortedMap<String, List<Half>> stars = new TreeMap<>();
+  private final Map<Long, Set<String>> near = new TreeMap<>(); // stars, by squares of the floor
   private final SortedMap<String, String> groups = new TreeMap<>();
   private final List<List<String>> needs = new ArrayList<>(); // of each lane
   private final List<Integer> shared = new ArrayList<>();
@@ -219,6 +220,11 @@ public final class Roads {
       addHalf(lane.from(), lane.to(), sections);
       addHalf(lane.to(), lane.from(), sections);
     }
+    near.clear();
+    stars.forEach((section, halves) ->
+        halves.forEach(half ->
+            squares(half.segment(), gapMm)
+                .forEach(at -> near.computeIfAbsent(at, any -> new TreeSet<>()).add(section))));
     for (Lane lane : graph.lanes()) {
       needs.add(needs(at(lane.from()), lane));
     }
@@ -256,16 +262,31 @@ public final class Roads {
     }
   }
 
+  /** The squares, of a side of two gaps, around a line and a margin of it. */
+  private List<Long> squares(Segment line, double marginMm) {
+    Point a = line.from();
+    Point b = line.to();
+    List<Long> squares = new ArrayList<>();
+    long top = square(Math.max(a.yMm(), b.yMm()) + marginMm);
+    long right = square(Math.max(a.xMm(), b.xMm()) + marginMm);
+    for (long y = square(Math.min(a.yMm(), b.yMm()) - marginMm); y <= top; y++) {
+      for (long x = square(Math.min(a.xMm(), b.xMm()) - marginMm); x <= right; x++) {
+        squares.add((y << Integer.SIZE) + x);
+      }
+    }
+    return squares;
+  }
+
+  private long square(double mm) {
+    return (long) Math.floor(mm / (2 * gapMm));
+  }
+
   /** The sections that a robot needs on a line, those at its beginning first. */
   private List<String> needs(Segment line, Collection<Integer> own) {
-    List<String> its = new ArrayList<>();
-    stars
-        .keySet()
-        .forEach(section -> {
-          if (distanceMm(section, line, own) < gapMm) {
-            its.add(section);
-          }
-        });
+    Set<String> some = new TreeSet<>();
+    squares(line, 0).forEach(at -> some.addAll(near.getOrDefault(at, Set.of())));
+    List<String> its = new ArrayList<>(some);
+    its.removeIf(section -> distanceMm(section, line, own) >= gapMm);
     Segment start = new Segment(line.from(), line.from());
     its.sort(Comparator.comparingDouble(section -> distanceMm(section, start, own)));
     return its;
