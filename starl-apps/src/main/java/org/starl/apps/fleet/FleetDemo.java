@@ -3,6 +3,9 @@ package org.starl.apps.fleet;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.starl.apps.AppFactory;
 import org.starl.apps.FactoryDemo;
 import org.starl.apps.Plan;
@@ -20,11 +23,14 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.input.TextFile;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridTrips;
 import org.starl.time.Time;
 
 /** {@code starl run fleet}. */
@@ -63,10 +69,10 @@ public final class FleetDemo implements FactoryDemo {
   @Override
   public SimSettings.Builder defaultSettings(Request request) {
     int robots = request.robots().orElse(ROBOTS);
-    NavGraph graph = graph(request, robots);
+    Job job = job(request, robots);
     double bodyMm = SimSettings.defaults().robotRadiusMm();
-    Roads roads = FleetFactory.roads(graph, bodyMm, robots);
-    List<Delivery> deliveries = deliveries(request, graph);
+    Roads roads = FleetFactory.roads(job.graph, bodyMm, robots);
+    List<Delivery> deliveries = job.deliveries;
     long lastNs = deliveries.get(deliveries.size() - 1).atNs() + boundNs(roads, deliveries);
     return SimSettings.builder()
         .set(Setting.ROBOTS, robots)
@@ -89,11 +95,26 @@ public final class FleetDemo implements FactoryDemo {
     return NavGraphs.read(Path.of(file), choice);
   }
 
-  private static List<Delivery> deliveries(Request request, NavGraph graph) {
+  /** Deliveries, between stations of a graph. */
+  private record Job(NavGraph graph, List<Delivery> deliveries) {}
+
+  private static Job job(Request request, int robots) {
+    NavGraph graph = graph(request, robots);
     String file = request.parameter(FleetFactory.TASKS.key());
-    return file.isEmpty()
-        ? FleetFactory.drawn(request, graph)
-        : Deliveries.read(Path.of(file), graph, STEP_MS);
+    if (file.isEmpty()) {
+      return new Job(graph, FleetFactory.drawn(request, graph));
+    }
+    Path tasks = Path.of(file);
+    String map = request.parameter(FleetFactory.MAP.key());
+    Optional<GridMap> grid = map.isEmpty() ? Optional.empty() : NavGraphs.gridMap(Path.of(map));
+    if (grid.isEmpty() || !GridTrips.isList(TextFile.read(tasks, "expected deliveries"))) {
+      return new Job(graph, Deliveries.read(tasks, graph, STEP_MS));
+    }
+    int most = request.whole(FleetFactory.DELIVERIES);
+    List<Delivery> trips = Deliveries.ofTrips(tasks, grid.get(), graph, most);
+    Set<Integer> ends = new TreeSet<>();
+    trips.forEach(trip -> ends.addAll(List.of(trip.pick(), trip.drop())));
+    return new Job(NavGraphs.withStations(graph, ends), trips);
   }
 
   /** Even if the robots did all deliveries one after the other. */
@@ -105,9 +126,9 @@ public final class FleetDemo implements FactoryDemo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    NavGraph graph = graph(request, robots);
-    Roads roads = FleetFactory.roads(graph, settings.robotRadiusMm(), robots);
-    List<Delivery> deliveries = deliveries(request, graph);
+    Job job = job(request, robots);
+    Roads roads = FleetFactory.roads(job.graph, settings.robotRadiusMm(), robots);
+    List<Delivery> deliveries = job.deliveries;
     double rangeMm = FleetFactory.rangeMm(request, roads);
     FleetStory story = new FleetStory(deliveries);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);

@@ -13,16 +13,13 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
-import org.starl.input.TextFile;
 import org.starl.random.Rng;
 import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridTrips;
 
 /**
- * A grid map with robots, drawn or from a list of the path-finding benchmarks, and with hidden boxes on
- * their ways. A list begins with {@code version 1}. A line has a number, the map's name, its width and
- * height in cells, column and row of the start and of the goal from the upper left, from 0, and the length of a way, which
- * is not used.
+ * A grid map with robots, drawn or from a list of {@link GridTrips}, and with hidden boxes on their
+ * ways.
  */
 final class MapMaze {
 
@@ -30,9 +27,6 @@ final class MapMaze {
 
   // A way on a floor with as many takes minutes to plan.
   private static final int MOST_WALLS = 80_000;
-
-  private static final String EXPECTED =
-      "expected BUCKET MAP WIDTH HEIGHT STARTX STARTY GOALX GOALY LENGTH";
 
   private MapMaze() {}
 
@@ -68,47 +62,19 @@ final class MapMaze {
   }
 
   private static void read(Path scen, GridMap map, int robots, Places places) {
-    String[] lines = TextFile.read(scen, EXPECTED).split("\r\n|\r|\n", -1);
-    if (!lines[0].strip().matches("version\\s+1(\\.0)?")) {
-      throw wrong(scen, 1, lines[0], "expected 'version 1'");
-    }
-    int found = 0;
-    for (int i = 1; i < lines.length && found < robots; i++) {
-      String line = lines[i].strip();
-      if (line.isEmpty()) {
-        continue;
+    List<GridTrips.Trip> trips = GridTrips.read(scen, map, robots);
+    for (GridTrips.Trip trip : trips) {
+      if (!places.add(trip.from(), trip.to())) {
+        throw BadInput.at(
+            scen.toString(),
+            trip.line(),
+            BadInput.quote(trip.text())
+                + ": expected a start and a goal off the ways of other robots");
       }
-      String[] words = line.split(line.contains("\t") ? "\t" : "\\s+", -1);
-      if (words.length != 9) {
-        throw wrong(scen, i + 1, line, EXPECTED);
-      }
-      try {
-        Quantities.whole(words[2], map.columns(), map.columns());
-        Quantities.whole(words[3], map.rows(), map.rows());
-        if (!places.add(cell(map, words[4], words[5]), cell(map, words[6], words[7]))) {
-          throw new BadInput(
-              BadInput.quote(line) + ": expected a start and a goal off the ways of other robots");
-        }
-      } catch (BadInput error) {
-        throw Quantities.in(scen + ":" + (i + 1), error);
-      }
-      found++;
     }
-    if (found < robots) {
-      throw new BadInput(scen + ": " + found + " starts: expected " + robots + ", one per robot");
+    if (trips.size() < robots) {
+      throw new BadInput(
+          scen + ": " + trips.size() + " starts: expected " + robots + ", one per robot");
     }
-  }
-
-  private static int cell(GridMap map, String x, String y) {
-    int column = (int) Quantities.whole(x, 0, map.columns() - 1);
-    int row = map.rows() - 1 - (int) Quantities.whole(y, 0, map.rows() - 1);
-    if (!map.isFree(column, row)) {
-      throw new BadInput(BadInput.quote(x + " " + y) + ": expected a free cell of the map");
-    }
-    return row * map.columns() + column;
-  }
-
-  private static BadInput wrong(Path file, int line, String given, String expected) {
-    return BadInput.at(file.toString(), line, BadInput.quote(given) + ": " + expected);
   }
 }

@@ -10,10 +10,13 @@ import java.util.OptionalInt;
 import java.util.SortedMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.fleet.robot.FleetFactory;
 import org.starl.input.BadInput;
+import org.starl.spec.SpecReport;
 
 /** The fleet on floors and with deliveries from files. */
 class FleetFilesTest {
@@ -54,6 +57,54 @@ class FleetFilesTest {
     plan.simulation().name("fleet").seed(1).build().run();
     assertThat(plan.story().measures().completed()).isEqualTo(1);
     assertThat(plan.story().lines()).last().asString().startsWith("1 of 1 deliveries");
+  }
+
+  /** A corridor of 30 cells with two bays at each end. */
+  private Request corridor(long seed, String trips) throws IOException {
+    String bays = "@@.@." + "@".repeat(24) + ".@.@@\n";
+    String walls = "@".repeat(34) + "\n";
+    String map = walls + bays + "@" + ".".repeat(32) + "@\n" + bays + walls;
+    Path file =
+        Files.writeString(folder.resolve("c.map"), "type octile\nheight 5\nwidth 34\nmap\n" + map);
+    SortedMap<String, String> parameters = DEMO.defaults();
+    parameters.put("map", file.toString());
+    parameters.put("tasks", Files.writeString(folder.resolve("c.scen"), trips).toString());
+    return new Request(seed, OptionalInt.of(2), parameters);
+  }
+
+  @Test
+  void robotsStayOnTheirLanesInALongCorridor() throws IOException {
+    String trips =
+        """
+        version 1
+        0	c.map	34	5	4	1	29	3	0
+        0	c.map	34	5	20	2	8	2	0
+        1	c.map	34	5	29	1	4	3	0
+        1	c.map	34	5	9	2	28	2	0
+        """;
+    for (long seed = 1; seed <= 3; seed++) {
+      Request request = corridor(seed, trips);
+      Plan plan = DEMO.plan(request, DEMO.defaultSettings(request).build());
+      SpecReport spec = plan.simulation().name("fleet").seed(seed).build().run().spec();
+      assertThat(spec.violations()).as("seed %s", seed).isEmpty();
+      assertThat(plan.story().measures().completed()).isEqualTo(4);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          34	5	0	0	4	1 | c.scen:2: '0 0': expected a free cell of the map
+          34	6	4	1	20	2 | c.scen:2: '6': expected a whole number from 5 to 5
+          34	5	4	1	4	1 | c.scen:2: 'x4y3': expected two places that are not the same
+          """)
+  void tripsThatDoNotFitTheMapAreRefused(String columns, String message) throws IOException {
+    Request request = corridor(1, "version 1\n0\tc.map\t" + columns + "\t0\n");
+    assertThatThrownBy(() -> DEMO.defaultSettings(request))
+        .isInstanceOf(BadInput.class)
+        .hasMessageEndingWith(message);
   }
 
   @Test

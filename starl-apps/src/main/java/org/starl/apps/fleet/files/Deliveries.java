@@ -5,12 +5,15 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.LongSupplier;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.input.TextFile;
+import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridTrips;
 import org.starl.time.Time;
 
 /**
@@ -49,6 +52,37 @@ public final class Deliveries {
   public static List<Delivery> read(Path file, NavGraph graph, long stepMs) {
     Deliveries reader = new Deliveries(file.toString(), graph);
     return reader.read(TextFile.read(file, EXPECTED).split("\r\n|\r|\n", -1), stepMs);
+  }
+
+  /**
+   * The trips of a list of starts and goals on a grid map, all of them asked for at once.
+   *
+   * @param graph of the map
+   * @param most so many are read
+   * @throws BadInput if the file cannot be read, has no trip, or does not fit the map
+   */
+  public static List<Delivery> ofTrips(Path file, GridMap map, NavGraph graph, int most) {
+    Map<String, Integer> places = new TreeMap<>();
+    for (int v = 0; v < graph.vertices().size(); v++) {
+      places.put(graph.vertices().get(v).name(), v);
+    }
+    Deliveries reader = new Deliveries(file.toString(), graph);
+    for (GridTrips.Trip trip : GridTrips.read(file, map, most)) {
+      List<Integer> ends = new ArrayList<>();
+      for (int cell : List.of(trip.from(), trip.to())) {
+        String name = OccupancyMap.name(cell % map.columns(), cell / map.columns());
+        Integer place = places.get(name);
+        if (place == null) {
+          throw reader.wrong(trip.line(), name, "a cell of the largest part of the map");
+        }
+        ends.add(place);
+      }
+      reader.add(trip.line(), 0, ends.get(0), ends.get(1));
+    }
+    if (reader.deliveries.isEmpty()) {
+      throw new BadInput(file + ": has no delivery; " + EXPECTED);
+    }
+    return List.copyOf(reader.deliveries);
   }
 
   private List<Delivery> read(String[] lines, long stepMs) {

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
@@ -12,11 +14,13 @@ import org.starl.input.BadInput;
 import org.starl.input.DocumentReader;
 import org.starl.input.Node;
 import org.starl.input.TextFile;
+import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridMaps;
 
 /**
  * Reads navigation graphs. The file's content decides its kind: a building of Open-RMF's traffic
  * editor has {@code levels:} ({@link BuildingMap}), a map of map_server or Nav2 has {@code image:}
- * ({@link OccupancyMap}).
+ * ({@link OccupancyMap}), a grid map of the path-finding benchmarks begins with {@code type}.
  *
  * <p>A graph is the largest part in which each place can be reached from each other: a robot comes back
  * from each. It has at least two places.
@@ -24,7 +28,9 @@ import org.starl.input.TextFile;
 public final class NavGraphs {
 
   private static final String EXPECTED =
-      "expected a building of Open-RMF (levels:) or a map of map_server or Nav2 (image:)";
+      "expected a building of Open-RMF (levels:), a map of map_server or Nav2 (image:) or a grid map (type octile)";
+
+  private static final String GRID = "type ";
 
   /**
    * What is taken of a file.
@@ -55,8 +61,11 @@ public final class NavGraphs {
    *     it
    */
   public static NavGraph read(Path file, Choice choice) {
-    Node.Mapping document =
-        DocumentReader.read(file.toString(), TextFile.read(file, EXPECTED), EXPECTED);
+    String text = TextFile.read(file, EXPECTED);
+    if (text.startsWith(GRID)) {
+      return OccupancyMap.read(file.toString(), GridMaps.parse(file.toString(), text), choice);
+    }
+    Node.Mapping document = DocumentReader.read(file.toString(), text, EXPECTED);
     Part whole = new Part(file.toString(), "", document);
     NavGraph graph;
     if (whole.has("levels")) {
@@ -71,6 +80,26 @@ public final class NavGraphs {
           file + ": expected two places with lanes from each to the other, and found none");
     }
     return graph;
+  }
+
+  /** The grid map that a file has, if it is one. */
+  public static Optional<GridMap> gridMap(Path file) {
+    String text = TextFile.read(file, EXPECTED);
+    return text.startsWith(GRID)
+        ? Optional.of(GridMaps.parse(file.toString(), text))
+        : Optional.empty();
+  }
+
+  /** The graph with these places as stations, too. */
+  public static NavGraph withStations(NavGraph graph, Set<Integer> places) {
+    List<Vertex> vertices = new ArrayList<>(graph.vertices());
+    for (int place : places) {
+      Vertex v = vertices.get(place);
+      if (!v.isStation()) {
+        vertices.set(place, new Vertex(v.name(), v.at(), false, true, false));
+      }
+    }
+    return new NavGraph(vertices, graph.lanes());
   }
 
   /**

@@ -12,6 +12,7 @@ import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 import org.starl.input.Field;
+import org.starl.sim.world.GridMap;
 
 /**
  * A map of map_server or Nav2, as a grid of places with lanes both ways between neighbours. A place
@@ -20,6 +21,8 @@ import org.starl.input.Field;
  *
  * <p>A cell is free as Nav2 has it: by {@code free_thresh}; the mode scale also
  * needs an opaque pixel; a pixel of the mode raw is the cell's occupancy in percent. The image's lower left corner is at {@code origin} in m, turned by its yaw.
+ *
+ * <p>A grid map of the path-finding benchmarks has a place in each free cell.
  *
  * <p>Stations, and the chargers where robots also park, are by turns the places beside walls that
  * robots need not pass: without all of them the others stay connected. A charger keeps the lanes of one neighbour.
@@ -69,6 +72,24 @@ final class OccupancyMap {
     }
   }
 
+  private OccupancyMap(GridMap map, double clearancePixels) {
+    width = map.columns();
+    height = map.rows();
+    this.clearancePixels = clearancePixels;
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        free.set(bit(x, y), map.isFree(x, height - 1 - y));
+      }
+    }
+  }
+
+  /** A place in each free cell of the map's largest connected part; a cell is as wide as the spacing. */
+  static NavGraph read(String file, GridMap map, NavGraphs.Choice choice) {
+    OccupancyMap cells = new OccupancyMap(map, choice.clearanceMm() / choice.spacingMm());
+    NavGraph grid = NavGraphs.largestPart(cells.grid(file, 1, 0, 0));
+    return stationed(file, grid, choice, choice.spacingMm(), new Point(0, 0), 0);
+  }
+
   /** The largest connected part of the map's free cells. */
   static NavGraph read(Part map, Path imageFile, NavGraphs.Choice choice) {
     Part resolution = map.at("resolution", "metres per pixel");
@@ -87,19 +108,32 @@ final class OccupancyMap {
       NavGraph grid =
           NavGraphs.largestPart(
               cells.grid(
-                  map, step, step * (shift % SHIFTS) / SHIFTS, step * (shift / SHIFTS) / SHIFTS));
+                  map.file(),
+                  step,
+                  step * (shift % SHIFTS) / SHIFTS,
+                  step * (shift / SHIFTS) / SHIFTS));
       best = grid.vertices().size() > best.vertices().size() ? grid : best;
     }
-    if (best.vertices().size() < 2) {
+    return stationed(map.file(), best, choice, mmPerPixel, corner, yaw);
+  }
+
+  private static NavGraph stationed(
+      String file,
+      NavGraph grid,
+      NavGraphs.Choice choice,
+      double mmPerPixel,
+      Point corner,
+      double yaw) {
+    if (grid.vertices().size() < 2) {
       throw new BadInput(
-          map.file()
+          file
               + ": expected free cells for two places "
               + choice.spacingMm()
               + " mm apart with a clearance of "
               + choice.clearanceMm()
               + " mm, and found none");
     }
-    return withStations(placed(best, mmPerPixel, corner, yaw));
+    return withStations(placed(grid, mmPerPixel, corner, yaw));
   }
 
   private int bit(int x, int y) {
@@ -107,7 +141,7 @@ final class OccupancyMap {
   }
 
   /** Places in pixels from the lower left corner of the image. */
-  private NavGraph grid(Part map, int step, int left, int bottom) {
+  private NavGraph grid(String file, int step, int left, int bottom) {
     int columns = Math.max(0, (width - left + step - 1) / step);
     int rows = Math.max(0, (height - bottom + step - 1) / step);
     int[] numbers = new int[columns * rows];
@@ -124,14 +158,11 @@ final class OccupancyMap {
         int number = places.size();
         if (number == MOST_PLACES) {
           throw new BadInput(
-              map.file()
-                  + ": more than "
-                  + MOST_PLACES
-                  + " places: expected a larger spacing of places");
+              file + ": more than " + MOST_PLACES + " places: expected a larger spacing of places");
         }
         numbers[row * columns + column] = number;
         Point at = new Point(x + 0.5, height - y - 0.5);
-        places.add(new Vertex("x" + column + "y" + row, at, false, false, false));
+        places.add(new Vertex(name(column, row), at, false, false, false));
         if (column > 0 && isLane(x, y, -1, 0, step)) {
           join(numbers[row * columns + column - 1], number, lanes);
         }
@@ -141,6 +172,11 @@ final class OccupancyMap {
       }
     }
     return new NavGraph(places, lanes);
+  }
+
+  /** The name of a place. */
+  static String name(int column, int row) {
+    return "x" + column + "y" + row;
   }
 
   private static void join(int a, int b, List<Lane> lanes) {

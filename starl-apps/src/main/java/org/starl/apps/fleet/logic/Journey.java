@@ -35,6 +35,10 @@ final class Journey {
   private static final double LONGEST_MM = 4_000;
   private static final double STRAIGHT_MM = 10;
 
+  // Farther beside its lane than this, a robot gets no farther goal: it aims at the one that it
+  // has, ever more exactly.
+  private static final double NEAR_MM = 15;
+
   private final GlobalVarHolder gvh;
   private final Roads roads;
   private final Registration reg;
@@ -203,11 +207,17 @@ final class Journey {
       retryAtNs = gvh.plat.clock.nowNs() + RETRY_NS;
     }
     Point target = points.get(reach);
-    if (reach > passed && !target.equals(goal) && gvh.plat.clock.nowNs() >= retryAtNs) {
+    boolean mayAim = gvh.plat.clock.nowNs() >= retryAtNs && (goal == null || isNearLane());
+    if (reach > passed && !target.equals(goal) && mayAim) {
       goal = target;
       tell();
       gvh.plat.moat.doMove(new ItemPosition("v" + vertices.get(reach), target.xMm(), target.yMm()));
     }
+  }
+
+  private boolean isNearLane() {
+    Segment its = new Segment(points.get(passed), points.get(passed + 1));
+    return its.distanceMm(gvh.gps.pose().at()) <= NEAR_MM;
   }
 
   /** Whether the points up to this one are on one line. */

@@ -43,8 +43,8 @@ public final class FleetFactory implements AppFactory {
       new Parameter(
           "map",
           "",
-          "file of a building of Open-RMF, or of a map of map_server or Nav2; without one: the built-in"
-              + " warehouse");
+          "file of a building of Open-RMF, of a map of map_server or Nav2, or a grid map; without one: the"
+              + " built-in warehouse");
   public static final Parameter LEVEL =
       new Parameter("level", "", "level of the building; without one: the first with lanes");
   public static final Parameter GRAPH =
@@ -57,16 +57,19 @@ public final class FleetFactory implements AppFactory {
       new Parameter(
           "spacing",
           "1m",
-          "between neighbouring places on a map of map_server or Nav2",
+          "between neighbouring places on a map; on a grid map: the side of a cell",
           Form.between(Quantity.DISTANCE, "100mm", "100m"));
   public static final Parameter CLEARANCE =
       new Parameter(
           "clearance",
           "250mm",
-          "from places and lanes to walls on a map of map_server or Nav2",
+          "from places and lanes to walls on a map",
           Form.between(Quantity.DISTANCE, "0m", "10m"));
   public static final Parameter TASKS =
-      new Parameter("tasks", "", "file of deliveries; without one: drawn from the seed");
+      new Parameter(
+          "tasks",
+          "",
+          "file of deliveries, or of starts and goals on a grid map (.scen); without one: drawn from the seed");
 
   private static final int MOST_ROBOTS = 1_000;
   private static final double RESERVE = 3;
