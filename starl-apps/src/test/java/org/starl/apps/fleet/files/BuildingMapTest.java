@@ -222,6 +222,6 @@ class BuildingMapTest {
     assertThatThrownBy(() -> read("app: hello\n"))
         .isInstanceOf(BadInput.class)
         .hasMessageEndingWith(
-            ":1: expected a building of Open-RMF (levels:) or a map of map_server or Nav2 (image:)");
+            ":1: expected a building of Open-RMF (levels:), a map of map_server or Nav2 (image:) or a grid map (type octile)");
   }
 }
