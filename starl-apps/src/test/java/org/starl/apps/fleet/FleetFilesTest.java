@@ -68,6 +68,7 @@ class FleetFilesTest {
         Files.writeString(folder.resolve("c.map"), "type octile\nheight 5\nwidth 34\nmap\n" + map);
     SortedMap<String, String> parameters = DEMO.defaults();
     parameters.put("map", file.toString());
+    parameters.put("range", "1000m");
     parameters.put("tasks", Files.writeString(folder.resolve("c.scen"), trips).toString());
     return new Request(seed, OptionalInt.of(2), parameters);
   }
