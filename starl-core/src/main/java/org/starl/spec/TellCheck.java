@@ -21,7 +21,7 @@ public final class TellCheck {
   private boolean isOn;
 
   /** What the event's robot must send to the robot {@code to} at the event's time. */
-  private record Duty(TraceEvent event, String to, String what, Predicate<Object> isTold) {}
+  private record Duty(TraceEvent event, String to, String what, Predicate<Object> accepts) {}
 
   /** Checks nothing before {@link #begin}. */
   public TellCheck(String lemma) {
@@ -50,11 +50,11 @@ public final class TellCheck {
    * The event's robot must tell {@code to}, in this step.
    *
    * @param what the message that is due, for the violation's text
-   * @param isTold whether a message is that one
+   * @param accepts whether a message is that one
    */
-  public void owes(TraceEvent event, String to, String what, Predicate<Object> isTold) {
+  public void owes(TraceEvent event, String to, String what, Predicate<Object> accepts) {
     if (isOn) {
-      duties.add(new Duty(event, to, what, isTold));
+      duties.add(new Duty(event, to, what, accepts));
     }
   }
 
@@ -66,7 +66,7 @@ public final class TellCheck {
             .anyMatch(message ->
                 message.robot().equals(event.robot())
                     && message.to().equals(duty.to)
-                    && duty.isTold.test(message.message()));
+                    && duty.accepts.test(message.message()));
     if (!isDone) {
       String detail = "does not tell " + duty.to + ": " + duty.what;
       report.violated(lemma, event.timeNs(), List.of(event.robot()), detail);

@@ -78,10 +78,10 @@ class FleetFilesTest {
     String trips =
         """
         version 1
-        0	c.map	34	5	4	1	29	3	0
-        0	c.map	34	5	20	2	8	2	0
-        1	c.map	34	5	29	1	4	3	0
-        1	c.map	34	5	9	2	28	2	0
+        0 c.map 34 5 4 1 29 3 0
+        0 c.map 34 5 20 2 8 2 0
+        1 c.map 34 5 29 1 4 3 0
+        1 c.map 34 5 9 2 28 2 0
         """;
     for (long seed = 1; seed <= 3; seed++) {
       Request request = corridor(seed, trips);
@@ -97,12 +97,12 @@ class FleetFilesTest {
       delimiter = '|',
       textBlock =
           """
-          34	5	0	0	4	1 | c.scen:2: '0 0': expected a free cell of the map
-          34	6	4	1	20	2 | c.scen:2: '6': expected a whole number from 5 to 5
-          34	5	4	1	4	1 | c.scen:2: 'x4y3': expected two places that are not the same
+          34 5 0 0 4 1 | c.scen:2: '0 0': expected a free cell of the map
+          34 6 4 1 20 2 | c.scen:2: '6': expected a whole number from 5 to 5
+          34 5 4 1 4 1 | c.scen:2: 'x4y3': expected two places that are not the same
           """)
   void tripsThatDoNotFitTheMapAreRefused(String columns, String message) throws IOException {
-    Request request = corridor(1, "version 1\n0\tc.map\t" + columns + "\t0\n");
+    Request request = corridor(1, "version 1\n0 c.map " + columns + " 0\n");
     assertThatThrownBy(() -> DEMO.defaultSettings(request))
         .isInstanceOf(BadInput.class)
         .hasMessageEndingWith(message);
