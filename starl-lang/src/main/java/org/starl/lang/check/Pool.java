@@ -1,6 +1,7 @@
 package org.starl.lang.check;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -41,7 +42,7 @@ final class Pool {
           domain.mark(value, (type, at) -> type.equals(of.type()) && at == of.number() ? 1 : 0);
     }
     marks.add(each);
-    renamed.add(new int[each.length < 2 ? 0 : KEPT]);
+    renamed.add(new int[0]);
     return number;
   }
 
@@ -63,6 +64,10 @@ final class Pool {
       return number(domain.renamed(values.get(number), order));
     }
     int[] known = renamed.get(number);
+    if (known.length <= order.number) {
+      known = Arrays.copyOf(known, Math.min(KEPT, 2 * order.number));
+      renamed.set(number, known);
+    }
     if (known[order.number] == 0) {
       known[order.number] = 1 + number(domain.renamed(values.get(number), order));
     }

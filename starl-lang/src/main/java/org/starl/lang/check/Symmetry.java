@@ -65,7 +65,7 @@ final class Symmetry {
   /** For each element, the place of its type's first one. */
   private final int[] firstOf;
 
-  private final @Nullable Order unchanged;
+  private final Order unchanged;
   private final @Nullable Order[][] exchanges;
   private final Map<IntBuffer, Order> orders = new HashMap<>();
   private final SortedSet<String> tooMany = new TreeSet<>();
@@ -87,7 +87,8 @@ final class Symmetry {
     for (int e = 0; e < firstOf.length; e++) {
       firstOf[e] = e - identity[e];
     }
-    unchanged = order(identity);
+    unchanged = new Order(identity);
+    orders.put(IntBuffer.wrap(identity), unchanged);
     machine.parts().forEach(part -> pools.add(new Pool(part.domain(), elements)));
   }
 
@@ -103,10 +104,9 @@ final class Symmetry {
   }
 
   private Order order(int[] to) {
-    if (unchanged != null && Arrays.equals(to, identity)) {
-      return unchanged;
-    }
-    return orders.computeIfAbsent(IntBuffer.wrap(to), any -> new Order(to));
+    return Arrays.equals(to, identity)
+        ? unchanged
+        : orders.computeIfAbsent(IntBuffer.wrap(to), any -> new Order(to));
   }
 
   /** The types whose elements are renamed. */
