@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.fleet.files.NavGraphs;
 import org.starl.apps.fleet.robot.FleetFactory;
 import org.starl.input.BadInput;
 import org.starl.spec.SpecReport;
@@ -90,6 +91,19 @@ class FleetFilesTest {
       assertThat(spec.violations()).as("seed %s", seed).isEmpty();
       assertThat(plan.story().measures().completed()).isEqualTo(4);
     }
+  }
+
+  @Test
+  void gridMapsAreReadInTheFormsOfOtherToolsAndRefusedWithTheirSize() throws IOException {
+    Path narrow =
+        Files.writeString(folder.resolve("n.map"), "# a corridor\nwidth 3\nheight 1\nmap\n...\n");
+    assertThat(NavGraphs.read(narrow).vertices()).hasSize(3);
+    String wide = "type octile\nheight 6\nwidth 2000\nmap\n";
+    Path large =
+        Files.writeString(folder.resolve("l.map"), wide + (".".repeat(2000) + "\n").repeat(6));
+    assertThatThrownBy(() -> NavGraphs.read(large))
+        .isInstanceOf(BadInput.class)
+        .hasMessageEndingWith("l.map: 12000 free cells: expected at most 10000");
   }
 
   @ParameterizedTest

@@ -41,6 +41,12 @@ public final class GridMaps {
     this.lines = text.split("\r\n|\r|\n", -1);
   }
 
+  /** Whether a text begins as a map in this format does. */
+  public static boolean isMap(String text) {
+    GridMaps maps = new GridMaps("", text);
+    return maps.line(maps.after(0)).matches("(type|height|width)\\s.*");
+  }
+
   /**
    * Reads a file.
    *

@@ -31,7 +31,7 @@ public final class GridTrips {
 
   /** Whether a text is such a list. */
   public static boolean isList(String text) {
-    return text.strip().lines().findFirst().orElse("").matches("version\\s+1(\\.0)?\\s*");
+    return text.lines().findFirst().orElse("").strip().matches("version\\s+1(\\.0)?");
   }
 
   /**

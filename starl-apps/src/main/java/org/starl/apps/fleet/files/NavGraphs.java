@@ -20,7 +20,7 @@ import org.starl.sim.world.GridMaps;
 /**
  * Reads navigation graphs. The file's content decides its kind: a building of Open-RMF's traffic
  * editor has {@code levels:} ({@link BuildingMap}), a map of map_server or Nav2 has {@code image:}
- * ({@link OccupancyMap}), a grid map of the path-finding benchmarks begins with {@code type}.
+ * ({@link OccupancyMap}), a grid map of the path-finding benchmarks is as {@link GridMaps} has it.
  *
  * <p>A graph is the largest part in which each place can be reached from each other: a robot comes back
  * from each. It has at least two places.
@@ -29,8 +29,6 @@ public final class NavGraphs {
 
   private static final String EXPECTED =
       "expected a building of Open-RMF (levels:), a map of map_server or Nav2 (image:) or a grid map (type octile)";
-
-  private static final String GRID = "type ";
 
   /**
    * What is taken of a file.
@@ -62,7 +60,7 @@ public final class NavGraphs {
    */
   public static NavGraph read(Path file, Choice choice) {
     String text = TextFile.read(file, EXPECTED);
-    if (text.startsWith(GRID)) {
+    if (GridMaps.isMap(text)) {
       return OccupancyMap.read(file.toString(), GridMaps.parse(file.toString(), text), choice);
     }
     Node.Mapping document = DocumentReader.read(file.toString(), text, EXPECTED);
@@ -85,7 +83,7 @@ public final class NavGraphs {
   /** The grid map that a file has, if it is one. */
   public static Optional<GridMap> gridMap(Path file) {
     String text = TextFile.read(file, EXPECTED);
-    return text.startsWith(GRID)
+    return GridMaps.isMap(text)
         ? Optional.of(GridMaps.parse(file.toString(), text))
         : Optional.empty();
   }

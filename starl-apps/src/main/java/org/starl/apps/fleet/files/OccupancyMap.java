@@ -85,6 +85,10 @@ final class OccupancyMap {
 
   /** A place in each free cell of the map's largest connected part; a cell is as wide as the spacing. */
   static NavGraph read(String file, GridMap map, NavGraphs.Choice choice) {
+    if (map.freeCells() > MOST_PLACES) {
+      throw new BadInput(
+          file + ": " + map.freeCells() + " free cells: expected at most " + MOST_PLACES);
+    }
     OccupancyMap cells = new OccupancyMap(map, choice.clearanceMm() / choice.spacingMm());
     NavGraph grid = NavGraphs.largestPart(cells.grid(file, 1, 0, 0));
     return stationed(file, grid, choice, choice.spacingMm(), new Point(0, 0), 0);
