@@ -23,6 +23,11 @@ public record Parameter(String key, String defaultValue, String what, Form form)
     this(key, defaultValue, what, Form.TEXT);
   }
 
+  /** A parameter with one of these values; the first is the default. */
+  public static Parameter choice(String key, String what, String... values) {
+    return new Parameter(key, values[0], what, Form.choice(List.of(values)));
+  }
+
   /**
    * The value of a text, as {@link Form#value} has it.
    *

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
-import org.starl.input.Form;
 import org.starl.primitives.election.Election;
 import org.starl.primitives.election.ElectionSettings;
 import org.starl.primitives.election.ElectionSpec;
@@ -14,14 +13,9 @@ import org.starl.time.Time;
 /** In each round all robots take part in one more election. */
 final class ElectionClient extends Client {
 
-  private static final List<String> STRATEGIES = List.of("random", "bully");
-
   static final Parameter STRATEGY =
-      new Parameter(
-          "strategy",
-          STRATEGIES.get(0),
-          "how robots elect: random (ballots) or bully",
-          Form.choice(STRATEGIES));
+      Parameter.choice(
+          "strategy", "how robots elect: random (ballots) or bully", "random", "bully");
 
   static final long DEADLINE_MS = 10_000;
   private static final long THINK_MS = 1_000;

@@ -1,11 +1,9 @@
 package org.starl.workload;
 
-import java.util.List;
 import java.util.Optional;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.id.ProcessId;
-import org.starl.input.Form;
 import org.starl.primitives.ledger.Allocation;
 import org.starl.primitives.ledger.Auction;
 import org.starl.primitives.ledger.LedgerCall;
@@ -36,14 +34,12 @@ final class LedgerClient extends Client {
 
   static final String AUCTION = "auction";
 
-  private static final List<String> ALLOCATIONS = List.of("nearest", AUCTION);
-
   static final Parameter ALLOCATION =
-      new Parameter(
+      Parameter.choice(
           "allocation",
-          ALLOCATIONS.get(0),
           "whether a robot claims the nearest task at once (nearest) or bids for it first (auction)",
-          Form.choice(ALLOCATIONS));
+          "nearest",
+          AUCTION);
 
   private static final long BIDS_MS = 300;
 

@@ -39,39 +39,34 @@ final class MutexClient extends Client {
 
   static final String CHANGING = "changing";
 
-  private static final List<String> MEMBERSHIPS = List.of("registered", "fixed", CHANGING);
-
   static final Parameter SECTIONS =
       new Parameter("sections", "4", "how many sections there are", Form.whole(1, 26));
   static final Parameter MEMBERS =
-      new Parameter(
+      Parameter.choice(
           "members",
-          MEMBERSHIPS.get(0),
           "registered: the registered robots; changing: they also leave and come back;"
               + " fixed: all robots, which tolerates no crash",
-          Form.choice(MEMBERSHIPS));
+          "registered",
+          "fixed",
+          CHANGING);
 
   static final String SOON = "soon";
 
-  private static final List<String> SUSPICIONS = List.of("late", SOON);
-
   static final Parameter SUSPECT =
-      new Parameter(
+      Parameter.choice(
           "suspect",
-          SUSPICIONS.get(0),
           "whether a silent process is suspected of a crash after 10 s (late) or 2 s (soon)",
-          Form.choice(SUSPICIONS));
+          "late",
+          SOON);
 
   static final String SEQUENCE = "sequence";
 
-  private static final List<String> ORDERS = List.of("set", SEQUENCE);
-
   static final Parameter ORDER =
-      new Parameter(
+      Parameter.choice(
           "order",
-          ORDERS.get(0),
           "whether a robot asks for sections all at once (set) or one after another (sequence)",
-          Form.choice(ORDERS));
+          "set",
+          SEQUENCE);
 
   static final Parameter MODES =
       new Parameter(

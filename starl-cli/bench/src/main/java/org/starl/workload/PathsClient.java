@@ -1,12 +1,10 @@
 package org.starl.workload;
 
-import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Rectangle;
-import org.starl.input.Form;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.PathPlanner;
@@ -24,11 +22,8 @@ import org.starl.time.Time;
  */
 final class PathsClient extends Client {
 
-  private static final List<String> PLANNERS = List.of("optimal", "rrt");
-
   static final Parameter PLANNER =
-      new Parameter(
-          "planner", PLANNERS.get(0), "how paths are found: optimal or rrt", Form.choice(PLANNERS));
+      Parameter.choice("planner", "how paths are found: optimal or rrt", "optimal", "rrt");
 
   private static final long THINK_MS = 500;
   private static final long PROMPT_MS = 80_000;

@@ -5,7 +5,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.input.Form;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
@@ -28,14 +27,9 @@ final class RegistrationClient extends Client {
 
   static final String MOST = "most";
 
-  private static final List<String> VOTES = List.of("all", MOST);
-
   static final Parameter VOTERS =
-      new Parameter(
-          "voters",
-          VOTES.get(0),
-          "whether all robots vote (all), or more than half of them (most)",
-          Form.choice(VOTES));
+      Parameter.choice(
+          "voters", "whether all robots vote (all), or more than half of them (most)", "all", MOST);
 
   private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);

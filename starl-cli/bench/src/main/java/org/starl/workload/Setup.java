@@ -1,6 +1,5 @@
 package org.starl.workload;
 
-import java.util.List;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
@@ -10,7 +9,6 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.input.Form;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -40,14 +38,12 @@ record Setup(
 
   static final String SHORT = "short";
 
-  private static final List<String> PATIENCES = List.of("long", SHORT);
-
   static final Parameter PATIENCE =
-      new Parameter(
+      Parameter.choice(
           "patience",
-          PATIENCES.get(0),
           "whether a request is given up after all faults (long) or after 4 s (short)",
-          Form.choice(PATIENCES));
+          "long",
+          SHORT);
 
   private static final long SHORT_MS = 4_000;
 

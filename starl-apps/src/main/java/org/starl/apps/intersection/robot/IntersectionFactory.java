@@ -43,12 +43,13 @@ public final class IntersectionFactory implements AppFactory {
           "files", "", "folder of start.wpt, dest.wpt and obstacles.wpt, for scenario=legacy");
 
   public static final Parameter CAR =
-      new Parameter(
+      Parameter.choice(
           "car",
-          "flow",
           "the cars' program: flow, which keeps moving; paper, after the paper's Figure 4; or"
               + " program, after Figure 3",
-          Form.choice(List.of("flow", "paper", "program")));
+          "flow",
+          "paper",
+          "program");
 
   public static final String DRAWN = "drawn";
   public static final String FIGURE7 = "figure7";

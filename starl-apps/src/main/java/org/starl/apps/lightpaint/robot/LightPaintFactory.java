@@ -45,11 +45,7 @@ public final class LightPaintFactory implements AppFactory {
           Form.between(Quantity.DISTANCE, "100mm", "10m"));
 
   public static final Parameter FILLS =
-      new Parameter(
-          "fills",
-          "leave",
-          "outlines of shapes that are only filled",
-          Form.choice(List.of("leave", "outline")));
+      Parameter.choice("fills", "outlines of shapes that are only filled", "leave", "outline");
 
   /** Every painter votes on every tube and plans around all tubes. */
   private static final int MAX_PAINTERS = 200;
