@@ -108,7 +108,7 @@ class MatrixTest {
           "jump", Set.of("geocast", "motion", "paths"),
           "forge", names().collect(Collectors.toSet()));
 
-  /** Of those who missed a message; without a fault, nobody of these workloads has. */
+  /** It is about robots that missed a message. In these workloads, only a fault makes a robot miss one. */
   private static final Set<String> ONLY_WITH_FAULTS = Set.of("election.Behind");
 
   private static Plan plan(String name, String fault, long seed) {

@@ -51,8 +51,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final Deadlines progress;
   private final Deadlines removal;
   private final TellCheck tells = new TellCheck(INFORMED);
-  private final Map<ProcessKey, Delivered> heard = new LinkedHashMap<>();
   private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
+  private @Nullable Delivered heard;
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
   private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
 
@@ -107,12 +107,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   /**
    * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
    * registrations with these times. A call also fails, at once, if its robot has no room in the list.
-   * And that whoever decides a view tells all whom it concerns.
+   * Also requires that a robot which decides a view tells all robots that need to know it.
    */
   public RegistrationSpec patient(RegistrationSettings settings) {
     lemma(
         INFORMED,
-        "Who decides a view tells it at once to all acceptors, and to all whom it lists or removes.");
+        "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
     tells.begin();
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
@@ -181,11 +181,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     list.shows(variable, report);
     View view = variable.of(RegistrationFact.VIEW);
     if (view != null) {
-      Delivered last = heard.get(key);
-      // The vote that decides a view is the last message before the view.
-      if (last != null
-          && last.timeNs() == variable.timeNs()
-          && last.message() instanceof Accepted vote
+      // The vote that decides a view is the last message before the view: both are in one step.
+      if (heard != null
+          && heard.robot().equals(variable.robot())
+          && heard.channel().equals(variable.source())
+          && heard.timeNs() == variable.timeNs()
+          && heard.message() instanceof Accepted vote
           && vote.number() == view.number()) {
         mustInform(history, variable, view);
       }
@@ -232,7 +233,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
     if (event instanceof Delivered got && got.channel().kind().equals(RegistrationFact.PRIMITIVE)) {
-      heard.put(new ProcessKey(got.channel(), got.robot()), got);
+      heard = got;
     }
   }
 
