@@ -49,6 +49,7 @@ public final class Roads {
 
   private final NavGraph graph;
   private final double gapMm;
+  private final double squareMm; // a lane is in few squares, however long and narrow
   private final List<Integer> homes = new ArrayList<>();
   private final List<Integer> chargers = new ArrayList<>();
   private final List<Integer> stations;
@@ -76,6 +77,10 @@ public final class Roads {
   public Roads(NavGraph graph, double bodyMm, int robots) {
     this.graph = graph;
     gapMm = 2 * bodyMm + SLACK_MM;
+    squareMm =
+        graph.lanes().stream()
+            .mapToDouble(graph::lengthMm)
+            .reduce(Math.max(gapMm, SLACK_MM), Math::max);
     stations = graph.stations();
     for (int v = 0; v < graph.vertices().size(); v++) {
       lanesFrom.add(new ArrayList<>());
@@ -262,7 +267,7 @@ public final class Roads {
     }
   }
 
-  /** The squares, of a side of two gaps, around a line and a margin of it. */
+  /** The squares, each as large as the longest lane, around a line and a margin of it. */
   private List<Long> squares(Segment line, double marginMm) {
     Point a = line.from();
     Point b = line.to();
@@ -278,7 +283,7 @@ public final class Roads {
   }
 
   private long square(double mm) {
-    return (long) Math.floor(mm / (2 * gapMm));
+    return (long) Math.floor(mm / squareMm);
   }
 
   /** The sections that a robot needs on a line, those at its beginning first. */
