@@ -20,6 +20,8 @@ dependencies {
     api(libs.jspecify)
     implementation(libs.picocli)
     implementation(libs.jackson.databind)
+    implementation(libs.pitest)
+    implementation(libs.asm.tree)
     testImplementation(libs.jackson.dataformat.yaml)
     testImplementation(libs.archunit)
     testImplementation(libs.junit.platform.testkit)

@@ -73,6 +73,7 @@ public final class Main implements Runnable {
           RunCommand.class,
           CampaignCommand.class,
           CiCommand.class,
+          MutantsCommand.class,
           MergeCommand.class,
           SweepCommand.class,
           ExploreCommand.class,

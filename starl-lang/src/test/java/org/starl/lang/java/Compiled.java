@@ -30,7 +30,8 @@ final class Compiled {
   @SuppressWarnings("unchecked") // the class is not known before the test runs
   Compiled(String text) throws SourceErrors {
     try {
-      Path folder = Files.createTempDirectory("starl-java");
+      // Classes are loaded from it until the tests end.
+      Path folder = Files.createTempDirectory(Files.createDirectories(Path.of("target")), "java");
       List<String> files = new ArrayList<>();
       for (Map.Entry<String, String> file : files(text).entrySet()) {
         Path path = folder.resolve(file.getKey());

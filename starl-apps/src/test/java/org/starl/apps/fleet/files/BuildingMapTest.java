@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +12,7 @@ import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.lifecycle.AfterTry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,6 +27,15 @@ import org.starl.input.BadInput;
 class BuildingMapTest {
 
   @TempDir private Path folder = Path.of("");
+
+  /** Properties make folders of their own, which JUnit does not remove. */
+  @AfterTry
+  void removeFolder() throws IOException {
+    for (File file : folder.toFile().listFiles()) {
+      Files.delete(file.toPath());
+    }
+    Files.delete(folder);
+  }
 
   /** Two levels with lanes; 100 pixels are 5 m. Vertex 0 is of a wall. */
   static final String GOOD =

@@ -2,6 +2,7 @@ package org.starl.apps.fleet.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -86,5 +87,9 @@ class FilesFuzzTest {
     } catch (BadInput error) {
       assertThat(error.getMessage()).startsWith(folder.toString()).doesNotContain("\n");
     }
+    for (File made : folder.toFile().listFiles()) {
+      Files.delete(made.toPath());
+    }
+    Files.delete(folder);
   }
 }

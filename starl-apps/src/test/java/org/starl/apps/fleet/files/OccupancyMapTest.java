@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -18,6 +19,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.lifecycle.AfterTry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,6 +50,15 @@ class OccupancyMapTest {
   private static final NavGraphs.Choice EACH_PIXEL = new NavGraphs.Choice("", -1, 100, 0);
 
   @TempDir private Path folder = Path.of("");
+
+  /** Properties make folders of their own, which JUnit does not remove. */
+  @AfterTry
+  void removeFolder() throws IOException {
+    for (File file : folder.toFile().listFiles()) {
+      Files.delete(file.toPath());
+    }
+    Files.delete(folder);
+  }
 
   private NavGraph read(String yaml, NavGraphs.Choice choice) {
     try {
