@@ -11,10 +11,15 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.shape.JsonFormatException;
 
-/** Splits a stream into lines at {@code \n}; requires UTF-8 and a line end after the last line. */
+/**
+ * Splits a stream into lines at {@code \n}; requires UTF-8 and a line end after the last line. A byte order mark and {@code \r\n}, which
+ * other programs write on Windows, are read.
+ */
 final class LineSource implements Closeable {
 
   private static final int MAX_LINE_BYTES = 1 << 26;
+
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
 
   private final String file;
   private final InputStream in;
@@ -85,13 +90,18 @@ final class LineSource implements Closeable {
   }
 
   private String decode() throws JsonFormatException {
+    if (length > 0 && line[length - 1] == '\r') {
+      length--;
+    }
     try {
-      return StandardCharsets.UTF_8
-          .newDecoder()
-          .onMalformedInput(CodingErrorAction.REPORT)
-          .onUnmappableCharacter(CodingErrorAction.REPORT)
-          .decode(ByteBuffer.wrap(line, 0, length))
-          .toString();
+      String text =
+          StandardCharsets.UTF_8
+              .newDecoder()
+              .onMalformedInput(CodingErrorAction.REPORT)
+              .onUnmappableCharacter(CodingErrorAction.REPORT)
+              .decode(ByteBuffer.wrap(line, 0, length))
+              .toString();
+      return lineNumber == 1 && text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
     } catch (CharacterCodingException e) {
       throw new JsonFormatException(file, lineNumber, "expected text in UTF-8");
     }

@@ -42,6 +42,17 @@ class TraceReaderTest {
     }
   }
 
+  /** As Git and editors on Windows make of it. */
+  @Test
+  void aByteOrderMarkAndLineEndsOfWindowsAreRead() throws IOException {
+    byte[] bytes =
+        ("\uFEFF" + HEADER + LEFT).replace("\n", "\r\n").getBytes(StandardCharsets.UTF_8);
+    try (TraceReader reader = reader(bytes)) {
+      assertThat(reader.next()).isNotNull();
+      assertThat(reader.next()).isNull();
+    }
+  }
+
   @Test
   void anErrorNamesFileLineColumnAndWhatWasExpected() {
     assertThat(errorOf(HEADER + LEFT + "{\"kind\":\"left\",\"timeNs\":5, \"robot\":\"bot0\"}\n"))

@@ -159,6 +159,8 @@ final class SvgFile extends SAXSVGDocumentFactory {
     }
     if (!isShown) {
       note(line, "<" + local + "> is not painted");
+    } else if (local.equals("link") && "stylesheet".equals(attributes.getValue("rel"))) {
+      note(line, "a style sheet outside of the file is not applied");
     }
   }
 

@@ -225,7 +225,7 @@ class SvgDrawingTest {
   void whatIsNotPaintedIsNamed() {
     String svg =
         """
-        <!DOCTYPE svg [<!ENTITY red "#ff0000">]>
+        <?xml-stylesheet href="b.css" type="text/css"?><!DOCTYPE svg [<!ENTITY red "#ff0000">]>
         <svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">
         <style>@import url("https://example.org/a.css");</style>
         <image href="a.png"/>
@@ -233,6 +233,7 @@ class SvgDrawingTest {
         <rect width="5" height="5" fill="&red;"/> <circle r="5"/>
         <g clip-path="url(#c)"><line x2="5" stroke="red" stroke-dasharray="1 1"/></g>
         <line x2="5" stroke="red" stroke-width="0"/>
+        <link xmlns="http://www.w3.org/1999/xhtml" rel="stylesheet" href="a.css"/>
         </svg>\
         """;
     SvgDrawing drawing = drawing(svg, false, false);
@@ -243,6 +244,7 @@ class SvgDrawingTest {
             "a.svg:7: a clip is not applied: lines are painted whole",
             "a.svg:6: a fill is not painted, 2 times",
             "a.svg:8: a shape without a visible stroke or fill is not painted",
+            "a.svg:9: a style sheet outside of the file is not applied",
             "a.svg:7: dashes are painted without gaps",
             "a.svg:2: https://example.org/a.css is not applied");
     assertThat(drawing(svg, false, true).lines())
