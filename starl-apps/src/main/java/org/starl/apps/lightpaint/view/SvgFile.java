@@ -160,8 +160,19 @@ final class SvgFile extends SAXSVGDocumentFactory {
     if (!isShown) {
       note(line, "<" + local + "> is not painted");
     } else if (local.equals("link") && "stylesheet".equals(attributes.getValue("rel"))) {
-      note(line, "a style sheet outside of the file is not applied");
+      noteSheet();
     }
+  }
+
+  @Override
+  public void processingInstruction(String target, String data) {
+    if (target.equals("xml-stylesheet")) {
+      noteSheet();
+    }
+  }
+
+  private void noteSheet() {
+    note(locator.getLineNumber(), "a style sheet outside of the file is not applied");
   }
 
   @Override

@@ -244,7 +244,7 @@ class SvgDrawingTest {
             "a.svg:7: a clip is not applied: lines are painted whole",
             "a.svg:6: a fill is not painted, 2 times",
             "a.svg:8: a shape without a visible stroke or fill is not painted",
-            "a.svg:9: a style sheet outside of the file is not applied",
+            "a.svg:1: a style sheet outside of the file is not applied, 2 times",
             "a.svg:7: dashes are painted without gaps",
             "a.svg:2: https://example.org/a.css is not applied");
     assertThat(drawing(svg, false, true).lines())
