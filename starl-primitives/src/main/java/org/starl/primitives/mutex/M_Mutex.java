@@ -341,10 +341,12 @@ public final class M_Mutex implements PipelinePrim {
   public void release(Collection<String> sections) {
     requireOpen();
     SortedSet<String> given = Sections.copyOf(sections);
-    if (given.isEmpty() || !held().containsAll(given)) {
+    SortedSet<String> stands = current.stands();
+    if (given.isEmpty() || !Sections.union(held(), stands).containsAll(given)) {
       throw new IllegalArgumentException(
           source + ": release of " + given + " while holding " + held());
     }
+    current.leave(Sections.common(stands, given));
     release(lingering, given);
     release(current, given);
     settle();

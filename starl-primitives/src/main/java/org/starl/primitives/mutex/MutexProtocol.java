@@ -320,6 +320,17 @@ class MutexProtocol {
     }
   }
 
+  /** The sections in which the body is since before a restart, and that it does not request. */
+  SortedSet<String> stands() {
+    return Sections.without(resume.stands, want);
+  }
+
+  /** The body has left these of {@link #stands}. */
+  void leave(SortedSet<String> sections) {
+    resume = resume.without(sections);
+    answerPending();
+  }
+
   /** Ends waiting; what is held stays held. No effect without a waiting request. */
   void withdraw(MutexFailure why) {
     if (phase != Phase.TRYING) {
@@ -759,9 +770,10 @@ class MutexProtocol {
         && hasConsents(waiting.get(free))) {
       free++;
     }
-    // While the view has a ghost, a request that holds nothing is granted only as a whole: else it
-    // could hold a section and wait for the ghost's one.
-    boolean isAtOnce = !inOrder || (held.isEmpty() && !view.ghosts().isEmpty());
+    // While the view has another robot's ghost, a request that holds nothing is granted only as a
+    // whole: else it could hold a section and wait for the ghost's one. The body of a resuming
+    // robot is in a section anyway, and leaves it sooner part by part.
+    boolean isAtOnce = !inOrder || (held.isEmpty() && !resumes() && ghosts().findAny().isPresent());
     return isAtOnce && free < waiting.size() ? 0 : free;
   }
 

@@ -42,6 +42,10 @@ public interface PipelinePrim extends MutexPrim {
    * once. Call it before {@code do_register}; and again, while it holds nothing and waits for nothing, if
    * the body is in fewer sections than it seemed.
    *
+   * <p>No other robot gets a section of {@code stands}. So request only those ahead, and {@link #release}
+   * each of {@code stands} when the body has left it: a robot that asks for the section in which it stands
+   * may wait for one that waits for its body.
+   *
    * @param stands among {@code sections}, and held by the earlier program
    * @param sections the rest of the sequence
    */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -47,15 +48,35 @@ class ResumeSimTest {
         });
   }
 
+  @Test
+  void aRestartedRobotLeavesWhereItStandsBeforeItHasItsWholeWay() {
+    Plan first = new Plan(0, List.of("A", "B", "C"), Set.of("A"), "A");
+    Plan second = new Plan(0, List.of("C", "A"), Set.of("C"), "C");
+    finishes(
+        gvh -> new Leaver(gvh, first),
+        gvh -> new Leaver(gvh, second),
+        control -> {
+          control.crash(FIRST, S, Unsynced.KEPT);
+          control.crash(SECOND, 10 * S, Unsynced.KEPT); // until then the first one holds no more
+        });
+  }
+
   private static void finishes(Plan first, Plan second, Consumer<SimControl> fault) {
+    finishes(gvh -> new Car(gvh, first), gvh -> new Car(gvh, second), fault);
+  }
+
+  private static void finishes(
+      Function<GlobalVarHolder, LogicThread> first,
+      Function<GlobalVarHolder, LogicThread> second,
+      Consumer<SimControl> fault) {
     Simulation.Builder builder = Simulation.builder().seed(1);
     for (RobotId post : ROADSIDE) {
       builder.robot(new RobotSpec(post, new Pose(0, 0, 0), false, Post::new));
     }
     SimResult result =
         builder
-            .robot(new RobotSpec(FIRST, new Pose(0, 0, 0), false, gvh -> new Car(gvh, first)))
-            .robot(new RobotSpec(SECOND, new Pose(0, 0, 0), false, gvh -> new Car(gvh, second)))
+            .robot(new RobotSpec(FIRST, new Pose(0, 0, 0), false, first))
+            .robot(new RobotSpec(SECOND, new Pose(0, 0, 0), false, second))
             .monitor(() -> new MutexSpec(null).withSequences())
             .director(control -> control.at(5 * S, () -> fault.accept(control)))
             .build()
@@ -88,10 +109,10 @@ class ResumeSimTest {
   }
 
   /** Stands still with what its first program gets; the next one obtains the rest. */
-  private static final class Car extends LogicThread {
+  private static class Car extends LogicThread {
     private final Plan plan;
     private final Registration reg;
-    private final M_Mutex mux;
+    protected final M_Mutex mux;
 
     Car(GlobalVarHolder gvh, Plan plan) {
       super(gvh);
@@ -116,16 +137,45 @@ class ResumeSimTest {
 
     /** Asks until it holds {@code sections}, also after it was removed. */
     private void obtain(Set<String> sections) {
+      obtain(sections, plan.path());
+    }
+
+    protected final void obtain(Set<String> sections, List<String> path) {
       while (!mux.held().containsAll(sections)) {
         while (!reg.mayRequest()) {
           reg.do_register();
           await(() -> reg.mayRequest() || reg.failed().get());
         }
         if (mux.failed().get() || mux.held().isEmpty()) {
-          mux.doSequence(plan.path());
+          mux.doSequence(path);
         }
         await(() -> mux.held().containsAll(sections) || mux.failed().get());
       }
+    }
+  }
+
+  /** Its next program asks for the way ahead only, and leaves where it stands with the first part of it. */
+  private static final class Leaver extends Car {
+    private final Plan plan;
+
+    Leaver(GlobalVarHolder gvh, Plan plan) {
+      super(gvh, plan);
+      this.plan = plan;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      if (gvh.id.boot() == 1) {
+        obtain(plan.first(), List.copyOf(plan.first()));
+        sleep(120_000); // it crashes before
+      }
+      sleep(1_000);
+      List<String> ahead = plan.path().subList(1, plan.path().size());
+      obtain(Set.of(ahead.get(0)), ahead);
+      mux.release(plan.stands());
+      await(() -> mux.held().containsAll(ahead));
+      mux.release(ahead);
+      return returnResults();
     }
   }
 }
