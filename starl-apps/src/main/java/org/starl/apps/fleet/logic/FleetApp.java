@@ -142,7 +142,7 @@ public final class FleetApp extends LogicThread {
     every(500, this::addDue);
     await("a good fix", () -> gvh.gps.errorMm() < SURE_MM);
     battery = new Battery(gvh, rangeMm);
-    returnHome();
+    leaveLanes();
     await("the ledger", ledger.ready()::get);
     List<Object> done = new ArrayList<>();
     while (ledger.added(DELIVERIES) < deliveries.size() || !ledger.tasks().isEmpty()) {
@@ -326,28 +326,39 @@ public final class FleetApp extends LogicThread {
     return load.get().number() > 0 && !load.get().isDown();
   }
 
-  /** To its home, from where the body stands after a restart. */
-  private void returnHome() {
-    Point at = gvh.gps.pose().at();
-    if (at.distanceMm(roads.at(home)) < AT_HOME_MM) {
+  /**
+   * From where the body stands after a restart to a private vertex near by. The way home would be longer,
+   * over sections in which others stand that have restarted too and need those of this body.
+   */
+  private void leaveLanes() {
+    Point stands = gvh.gps.pose().at();
+    if (stands.distanceMm(roads.at(home)) < AT_HOME_MM) {
       if (gvh.id.boot() > 1) {
         floor.resume(List.of(), List.of());
         places.standsIn(List.of());
       }
       return;
     }
-    NavGraph.Lane first = roads.laneAt(at, home);
-    List<Integer> own = List.of(home, first.from(), first.to());
-    places.standsIn(own);
+    NavGraph.Lane lane = roads.laneAt(stands, home);
+    places.standsIn(List.of(lane.from(), lane.to()));
+    List<Integer> refuges = roads.refuges(stands, home);
+    int held = 0;
+    while (held < refuges.size() && !places.acquire(refuges.get(held), MOMENT_MS)) {
+      held++;
+    }
+    int end = refuges.get(Math.min(held, refuges.size() - 1));
+    NavGraph.Lane first = roads.laneAt(stands, end);
+    List<Integer> own = List.of(home, first.from(), first.to(), end);
     List<Integer> vertices = new ArrayList<>(List.of(first.from()));
-    // A way over a station ends there: it may come back to the section in which the body stands,
-    // which the robot holds until then.
-    int end = roads.isPrivate(first.to()) ? first.to() : home;
     vertices.addAll(roads.way(first.to(), List.of(end)));
     Journey journey = journey(vertices, own);
-    journey.resume(first, roads.occupied(at, gvh.gps.errorMm(), own));
+    journey.resume(first, roads.occupied(stands, gvh.gps.errorMm(), own.subList(0, 3)));
     drive(journey, journey.end());
-    driveOver(end, home);
+    if (held < refuges.size()) {
+      arrive(end);
+    } else {
+      driveOver(end, home); // it has the place of its lane from before the restart
+    }
     places.standsIn(List.of());
   }
 

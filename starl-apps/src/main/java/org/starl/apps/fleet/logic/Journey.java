@@ -49,6 +49,7 @@ final class Journey {
   private final List<Integer> vertices;
   private final List<Point> points = new ArrayList<>();
   private final List<List<String>> needs;
+  private final Set<String> stands = new TreeSet<>(); // since before a restart
   private final long begunNs;
   private int passed; // the robot is between this point and the next one
   private @Nullable Point goal;
@@ -86,21 +87,22 @@ final class Journey {
   /**
    * After a restart of the program on the first lane of this way. Call it before the first step.
    *
-   * @param stands the sections in which the body may be
+   * @param sections those in which the body may be: no other robot gets them, so it asks for none of them
    */
-  void resume(NavGraph.Lane first, List<String> stands) {
+  void resume(NavGraph.Lane first, List<String> sections) {
     points.set(0, gvh.gps.pose().at());
     needs.set(0, roads.needs(points.get(0), first));
-    List<String> rest = new ArrayList<>(stands);
-    needsFrom(0).stream().filter(section -> !stands.contains(section)).forEach(rest::add);
-    mutex.resume(stands, rest);
-    needs.set(0, List.copyOf(new LinkedHashSet<>(concat(stands, needs.get(0)))));
+    stands.addAll(sections);
+    Set<String> all = new LinkedHashSet<>(sections);
+    all.addAll(needsFrom(0));
+    mutex.resume(sections, List.copyOf(all));
   }
 
-  private static List<String> concat(List<String> one, List<String> other) {
-    List<String> both = new ArrayList<>(one);
-    both.addAll(other);
-    return both;
+  /** The sections that no other robot gets. */
+  private Set<String> mine() {
+    Set<String> mine = new TreeSet<>(mutex.held());
+    mine.addAll(stands);
+    return mine;
   }
 
   /** The sections that are still needed, from this point on, in the order of the way. */
@@ -128,7 +130,7 @@ final class Journey {
     advance(until);
     release();
     if (passed >= until) {
-      return until < end() || mutex.held().isEmpty();
+      return until < end() || mine().isEmpty();
     }
     drive(until);
     return false;
@@ -138,6 +140,7 @@ final class Journey {
   private void request() {
     long nowNs = gvh.plat.clock.nowNs();
     Set<String> rest = needsFrom(passed);
+    rest.removeAll(stands);
     boolean isOver = mutex.held().containsAll(rest);
     boolean isAsked = askAtNs > 0 && !mutex.failed().get();
     if (isOver || isAsked || nowNs < askAtNs || !mayAsk(rest, nowNs)) {
@@ -189,17 +192,18 @@ final class Journey {
   private void release() {
     Set<String> rest = needsFrom(passed);
     Point at = gvh.gps.pose().at();
-    Set<String> left = new TreeSet<>(mutex.held());
+    Set<String> left = mine();
     left.removeIf(
         section -> rest.contains(section) || !roads.isClear(section, at, gvh.gps.errorMm(), own));
     if (!left.isEmpty()) {
       mutex.release(left);
+      stands.removeAll(left);
     }
   }
 
   private void drive(int until) {
     int reach = passed;
-    while (reach < until && mutex.held().containsAll(needs.get(reach)) && isStraight(reach + 1)) {
+    while (reach < until && mine().containsAll(needs.get(reach)) && isStraight(reach + 1)) {
       reach++;
     }
     if (gvh.plat.moat.motionflag().get() == MotionFlag.FAIL && goal != null) {

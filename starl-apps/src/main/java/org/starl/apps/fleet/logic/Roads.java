@@ -45,6 +45,7 @@ public final class Roads {
   private static final double AT_VERTEX_MM = 20;
 
   private static final int MOST_MERGED = 8;
+  private static final int MOST_REFUGES = 8;
   private static final int NONE = -1;
 
   private final NavGraph graph;
@@ -352,17 +353,36 @@ public final class Roads {
     return all.size() <= Sections.MAX_COUNT;
   }
 
-  /** The lane on which a robot is that stands here; of several, that of the shortest way home. */
-  Lane laneAt(Point at, int home) {
+  /** The lane on which a robot is that stands here; of several, that of the shortest way to this end. */
+  Lane laneAt(Point at, int end) {
     double nearestMm =
         graph.lanes().stream().mapToDouble(lane -> segment(lane).distanceMm(at)).min().orElse(0);
     return graph.lanes().stream()
         .filter(lane -> segment(lane).distanceMm(at) <= nearestMm + AT_VERTEX_MM)
-        .filter(lane -> lane.to() == home || !homes.contains(lane.to()))
-        .min(
-            Comparator.comparingDouble(
-                lane -> at.distanceMm(at(lane.to())) + lengthMm(way(lane.to(), home))))
+        .filter(lane -> lane.to() == end || !homes.contains(lane.to()))
+        .min(Comparator.comparingDouble(lane -> awayMm(at, lane, end)))
         .orElseThrow();
+  }
+
+  private double awayMm(Point at, Lane lane, int end) {
+    return at.distanceMm(at(lane.to())) + lengthMm(way(lane.to(), end));
+  }
+
+  /**
+   * Private vertices for a robot that stands here on a lane, the nearest first: some near ones, up to its
+   * home, or the one to which the lane leads.
+   */
+  List<Integer> refuges(Point at, int home) {
+    int ahead = laneAt(at, home).to();
+    if (isPrivate(ahead)) {
+      return List.of(ahead);
+    }
+    List<Integer> ends = new ArrayList<>(shared);
+    ends.sort(Comparator.comparingDouble(end -> at.distanceMm(at(end))));
+    ends.subList(Math.min(MOST_REFUGES, ends.size()), ends.size()).clear();
+    ends.add(home);
+    ends.sort(Comparator.comparingDouble(end -> awayMm(at, laneAt(at, end), end)));
+    return ends.subList(0, ends.indexOf(home) + 1);
   }
 
   /** The shortest way over all stops, of which the last one is the end. */

@@ -108,6 +108,15 @@ class RoadsTest {
   }
 
   @Test
+  void aRestartedRobotLeavesTheLanesAtTheNearestPrivateVertex() {
+    Roads roads = new Roads(corridor(true), BODY_MM, 2);
+    assertThat(roads.refuges(new Point(1_500, 0), 3)).containsExactly(4, 3);
+    assertThat(roads.refuges(new Point(2_400, 0), 3)).containsExactly(3);
+    assertThat(roads.refuges(new Point(1_300, 600), 0)).containsExactly(4, 0);
+    assertThat(roads.refuges(new Point(200, 0), 0)).containsExactly(0);
+  }
+
+  @Test
   void aMapWithoutRoomForAllRobotsIsRefused() {
     assertThatThrownBy(() -> new Roads(corridor(true), BODY_MM, 3))
         .isInstanceOf(IllegalArgumentException.class)
