@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.Request;
@@ -85,12 +84,11 @@ class FleetTest {
 
   /**
    * Each robot crashes three times while all drive, and is down for less or more time than others wait for
-   * it. In these runs robots waited in a circle: for a body in whose section a robot stood that was
-   * granted nothing (8), and for ways home that led through each other's section (15).
+   * it. In this run robots waited in a circle: their ways home led through each other's sections.
    */
-  @ParameterizedTest
-  @ValueSource(longs = {8, 15})
-  void noRobotWaitsForEverAfterManyCrashes(long seed) {
+  @Test
+  void noRobotWaitsForEverAfterManyCrashes() {
+    long seed = 15;
     int robots = 6;
     Rng rng = new Rng(seed).fork("storm");
     List<String> faults = new ArrayList<>();

@@ -1,3 +1,6 @@
+// Longer than 500 lines because sections and ways follow from one graph: its halves of lanes,
+// private
+// vertices and trees are tables that both use.
 package org.starl.apps.fleet.logic;
 
 import java.util.ArrayList;
