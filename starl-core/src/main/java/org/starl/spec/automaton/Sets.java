@@ -1,11 +1,13 @@
 package org.starl.spec.automaton;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
-/** Immutable finite sets as values of a theory, under the names of the prelude's functions. */
+/** Immutable finite sets, and lists, as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
 
   private Sets() {}
@@ -32,6 +34,13 @@ public final class Sets {
     SortedSet<T> less = new TreeSet<>(set);
     less.remove(x);
     return Collections.unmodifiableSortedSet(less);
+  }
+
+  /** The list of the elements of both. */
+  public static <T> List<T> append(List<? extends T> a, List<? extends T> b) {
+    List<T> both = new ArrayList<>(a);
+    both.addAll(b);
+    return Collections.unmodifiableList(both);
   }
 
   /** The set of {@code elements}. */

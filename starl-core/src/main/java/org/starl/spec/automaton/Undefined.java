@@ -39,6 +39,14 @@ public final class Undefined extends IllegalStateException {
     return of.subList(1, of.size());
   }
 
+  /** {@code of(n)}: the element that has {@code n} before it. */
+  public static <T> T nth(String place, List<T> of, long n) {
+    if (n >= of.size()) {
+      throw new Undefined(place, "the list has " + of.size() + " elements, and none at " + n);
+    }
+    return of.get((int) n);
+  }
+
   /** {@code of}, which must have the form that has this field. */
   public static <T> T form(String place, String field, Class<T> form, Object of) {
     if (!form.isInstance(of)) {

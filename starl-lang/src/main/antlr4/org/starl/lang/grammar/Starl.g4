@@ -126,7 +126,7 @@ expression
     | expression '(' (expression (',' expression)*)? ')'                # apply
     | '-' expression                                                    # negative
     | expression op=('*' | '/') expression                              # product
-    | expression op=('+' | '-' | UNION | MINUS | INTERSECT) expression  # sum
+    | expression op=('+' | '++' | '-' | UNION | MINUS | INTERSECT) expression  # sum
     | expression op=('=' | '!=' | '<' | '<=' | '>' | '>=' | IN | SUBSET | DISJOINT) expression # comparison
     | expression IS name=id                                             # isOf
     | NOT expression                                                    # not

@@ -516,6 +516,7 @@ final class Compiler {
           return new Row(Arrays.copyOfRange(list.items(), 1, list.size()));
         };
       }
+      case LENGTH -> frame -> Num.of(((Row) of.of(frame)).size());
       case ELEMENTS -> {
         Domain element = ((Domain.Sets) domains.of(builtIn.type())).element;
         yield frame -> {
@@ -571,6 +572,13 @@ final class Compiler {
       case UNION -> frame -> set(left, frame).or(set(right, frame));
       case MINUS -> frame -> set(left, frame).andNot(set(right, frame));
       case INTERSECT -> frame -> set(left, frame).and(set(right, frame));
+      case JOIN ->
+          frame -> {
+            List<Object> both = new ArrayList<>(List.of(((Row) left.of(frame)).items()));
+            both.addAll(List.of(((Row) right.of(frame)).items()));
+            return Row.of(both);
+          };
+      case NTH -> nth(binary.pos(), left, right);
       case PLUS -> arithmetic(binary, left, right, Num::plus);
       case TIMES -> arithmetic(binary, left, right, Num::times);
       case LESS_BY -> lessBy(binary, left, right);
@@ -637,6 +645,18 @@ final class Compiler {
 
   private EvalError tooLong(Expr at) {
     return error(at.pos(), "numbers become too long here; expected at most 18 digits");
+  }
+
+  private Code nth(Pos pos, Code of, Code number) {
+    partial = true;
+    return frame -> {
+      Row list = (Row) of.of(frame);
+      Num n = (Num) number.of(frame);
+      if (n.compareTo(Num.of(list.size())) >= 0) {
+        throw error(pos, "the list has %d elements, and none at %s".formatted(list.size(), n));
+      }
+      return list.get((int) n.over());
+    };
   }
 
   private Code lessBy(Expr.Binary at, Code left, Code right) {

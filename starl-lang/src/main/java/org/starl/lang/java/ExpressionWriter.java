@@ -318,6 +318,7 @@ final class ExpressionWriter {
       case HEAD -> tells ? told("head", at.pos(), of) : of.then("get", Code.name("0"));
       case TAIL ->
           tells ? told("tail", at.pos(), of) : of.then("subList", Code.name("1"), of.then("size"));
+      case LENGTH -> new Code.Prefix("(long) ", of.then("size"));
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
       case DISTINCT ->
           Code.infix(
@@ -346,6 +347,18 @@ final class ExpressionWriter {
       }
       case IN -> in(at.left(), at.right());
       case SUBSET, DISJOINT, UNION, MINUS, INTERSECT -> sets(at);
+      case JOIN ->
+          Code.call(
+              types.use("org.starl.spec.automaton.Sets") + ".append",
+              of(at.left()),
+              of(at.right()));
+      case NTH -> {
+        Code list = of(at.left());
+        Code n = of(at.right());
+        yield tells
+            ? told("nth", at.pos(), list, n)
+            : list.then("get", new Code.Prefix("(int) ", Code.strong(n, Code.UNARY)));
+      }
     };
   }
 
@@ -427,7 +440,7 @@ final class ExpressionWriter {
   private boolean isBoxed(Expr at) {
     return own.apply(at) != null
         || !(at instanceof Expr.Numeral
-            || at instanceof Expr.Binary
+            || (at instanceof Expr.Binary of && of.operator() != Operator.NTH)
             || at instanceof Expr.Component
             || at instanceof Expr.Call
             || at instanceof Expr.Get);
@@ -437,6 +450,7 @@ final class ExpressionWriter {
   private boolean isObject(Expr at) {
     return own.apply(at) != null
         || at instanceof Expr.At
+        || (at instanceof Expr.Binary b && b.operator() == Operator.NTH)
         || (at instanceof Expr.BuiltIn of
             && (of.name() == Expr.BuiltIn.Name.THE || of.name() == Expr.BuiltIn.Name.HEAD));
   }

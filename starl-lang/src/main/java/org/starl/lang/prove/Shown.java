@@ -105,7 +105,7 @@ final class Shown {
       case Type.Bool bool -> Smt.not(value);
       case Type.Num number -> Smt.equal(value, number == Type.Num.NAT ? "0" : "0.0");
       case Type.OptionOf option -> "((_ is none) " + value + ")";
-      case Type.ListOf list -> "((_ is nil) " + value + ")";
+      case Type.ListOf list -> Smt.not(sorts.isCons(value));
       case Type.Sum sum ->
           "((_ is " + sorts.form(sum, sum.constructors().getFirst()) + ") " + value + ")";
       case Type.Rec rec ->
@@ -238,9 +238,9 @@ final class Shown {
       case Type.ListOf list -> {
         List<String> elements = new ArrayList<>();
         String rest = value;
-        while (solver.isTrue("((_ is cons) " + rest + ")")) {
-          elements.add(part(list.element(), Smt.call("head", rest)));
-          rest = Smt.call("tail", rest);
+        while (solver.isTrue(sorts.isCons(rest))) {
+          elements.add(part(list.element(), sorts.head(rest)));
+          rest = sorts.tail(rest);
         }
         yield "[" + String.join(", ", elements) + "]";
       }

@@ -7,13 +7,18 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
 import org.starl.lang.tree.Type.Field;
 
 /**
  * Types as sorts: an opaque type is a sort of its own, or one with so many elements as {@code size} says;
- * records, sums, options and lists are datatypes; sets and maps inside these are arrays.
+ * records, sums, options and lists are datatypes; sets and maps inside these are arrays. Lists are Z3's
+ * sequences where they are joined, or asked for their length or an element: of these it knows the
+ * laws. Datatypes are faster elsewhere.
  */
 final class Sorts {
 
@@ -30,6 +35,7 @@ final class Sorts {
   private final Map<String, List<String>> opaque = new LinkedHashMap<>();
   private final boolean isFinite;
   private final boolean isRecursive;
+  private final boolean hasSequences;
 
   /**
    * @param size elements of each opaque type; 0 if any number
@@ -38,6 +44,7 @@ final class Sorts {
     this.automaton = automaton;
     isFinite = size > 0;
     isRecursive = isRecursive(automaton);
+    hasSequences = hasSequences(automaton);
     for (String type : automaton.typeParameters()) {
       List<String> names = new ArrayList<>();
       for (int i = 0; i < size; i++) {
@@ -60,6 +67,25 @@ final class Sorts {
   static boolean isRecursive(Automaton automaton) {
     return automaton.functions().stream().anyMatch(f -> f.measure().isPresent())
         || automaton.uses().values().stream().anyMatch(Sorts::isRecursive);
+  }
+
+  private static boolean hasSequences(Automaton of) {
+    return of.expressions().anyMatch(Sorts::isOfSequences)
+        || of.uses().values().stream().anyMatch(Sorts::hasSequences);
+  }
+
+  private static boolean isOfSequences(Expr at) {
+    return switch (at) {
+      case Expr.BuiltIn of when of.name() == Expr.BuiltIn.Name.LENGTH -> true;
+      case Expr.Binary of when of.operator() == Operator.JOIN || of.operator() == Operator.NTH ->
+          true;
+      default -> Exprs.parts(at).stream().anyMatch(Sorts::isOfSequences);
+    };
+  }
+
+  /** Whether lists are sequences of Z3. */
+  boolean hasSequences() {
+    return hasSequences;
   }
 
   /** Whether natural numbers end with {@link #MOST_NUMBER}: then Z3 can work recursive functions out. */
@@ -174,7 +200,7 @@ final class Sorts {
       case Type.Rec rec -> owned(rec.owner(), rec.name());
       case Type.Sum sum -> owned(sum.owner(), sum.name());
       case Type.OptionOf option -> Smt.call("option", inner(option.element()));
-      case Type.ListOf list -> Smt.call("list", inner(list.element()));
+      case Type.ListOf list -> Smt.call(hasSequences ? "Seq" : "list", inner(list.element()));
       case Type.SetOf set -> Smt.call("Array", sort(set.element()), "Bool");
       case Type.MapOf map -> {
         List<String> sorts = new ArrayList<>();
@@ -186,6 +212,30 @@ final class Sorts {
           throw new Unprovable("the state of " + state.automaton().name() + " as a value");
       case Type.Alias alias -> throw new IllegalStateException(alias.name());
     };
+  }
+
+  String emptyList(Type type) {
+    return "(as " + (hasSequences ? "seq.empty " : "nil ") + sort(type) + ")";
+  }
+
+  String cons(String head, String tail) {
+    return hasSequences
+        ? Smt.call("seq.++", Smt.call("seq.unit", head), tail)
+        : Smt.call("cons", head, tail);
+  }
+
+  String isCons(String list) {
+    return hasSequences ? "(> (seq.len " + list + ") 0)" : "((_ is cons) " + list + ")";
+  }
+
+  String head(String list) {
+    return hasSequences ? Smt.call("seq.nth", list, "0") : Smt.call("head", list);
+  }
+
+  String tail(String list) {
+    return hasSequences
+        ? "(seq.extract %1$s 1 (- (seq.len %1$s) 1))".formatted(list)
+        : Smt.call("tail", list);
   }
 
   /** All values of a type, if they are few; empty if they are not, or any number. */

@@ -228,10 +228,18 @@ final class Translator {
               some(smt(value)),
               inside(option.element(), of(Smt.call("the", smt(value)), option.element())));
       case Type.ListOf list -> {
-        if (!inside(list.element(), of("x", list.element())).equals(Smt.TRUE)) {
-          throw new Unprovable("the type " + list + ": lists of numbers are not translated");
+        String n = "n$" + bound++;
+        String element = Smt.call("seq.nth", smt(value), n);
+        String inside = inside(list.element(), of(element, list.element()));
+        if (inside.equals(Smt.TRUE)) {
+          yield Smt.TRUE;
         }
-        yield Smt.TRUE;
+        if (!sorts.hasSequences()) {
+          throw new Unprovable(
+              "the type " + list + ": lists of numbers are not translated without '++' or length");
+        }
+        String within = "(and (<= 0 " + n + ") (< " + n + " " + length(smt(value)) + "))";
+        yield Smt.quantified(true, List.of("(" + n + " Int)"), Smt.implies(within, inside));
       }
       default -> Smt.TRUE;
     };
@@ -482,9 +490,9 @@ final class Translator {
       }
       case Expr.ListOf list -> {
         Type element = ((Type.ListOf) list.type().base()).element();
-        String all = "(as nil " + sorts.sort(list.type()) + ")";
+        String all = sorts.emptyList(list.type());
         for (Expr each : list.elements().reversed()) {
-          all = Smt.call("cons", termAs(element, each, scope), all);
+          all = sorts.cons(termAs(element, each, scope), all);
         }
         yield new Term(all);
       }
@@ -497,9 +505,9 @@ final class Translator {
         String of = smt(value(builtIn.of(), scope));
         switch (builtIn.name()) {
           case THE -> oblige(some(of), "has no value: the(none)", builtIn.pos());
-          case HEAD -> oblige("((_ is cons) " + of + ")", "has no value: head([])", builtIn.pos());
-          case TAIL -> oblige("((_ is cons) " + of + ")", "has no value: tail([])", builtIn.pos());
-          case ELEMENTS, DISTINCT -> {
+          case HEAD -> oblige(sorts.isCons(of), "has no value: head([])", builtIn.pos());
+          case TAIL -> oblige(sorts.isCons(of), "has no value: tail([])", builtIn.pos());
+          case LENGTH, ELEMENTS, DISTINCT -> {
             // These have values for all lists.
           }
         }
@@ -568,21 +576,26 @@ final class Translator {
   private Val builtIn(Expr.BuiltIn builtIn, String of) {
     return switch (builtIn.name()) {
       case THE -> of(Smt.call("the", of), builtIn.type());
-      case HEAD -> of(Smt.call("head", of), builtIn.type());
-      case TAIL -> new Term(Smt.call("tail", of));
-      case ELEMENTS -> {
-        String name = elements(((Type.ListOf) builtIn.of().type().base()).element());
-        yield new Fn(
-            Sorts.map(builtIn.type()), x -> new Term(Smt.call(name, of, x.getFirst())), null);
-      }
+      case HEAD -> of(sorts.head(of), builtIn.type());
+      case TAIL -> new Term(sorts.tail(of));
+      case LENGTH -> new Term(length(of));
+      case ELEMENTS ->
+          new Fn(
+              Sorts.map(builtIn.type()),
+              x ->
+                  new Term(
+                      sorts.hasSequences()
+                          ? Smt.call("seq.contains", of, Smt.call("seq.unit", x.getFirst()))
+                          : Smt.call(elements(builtIn.of()), of, x.getFirst())),
+              null);
       case DISTINCT ->
-          new Term(Smt.call(distinct(((Type.ListOf) builtIn.of().type().base()).element()), of));
+          new Term(sorts.hasSequences() ? distinctNth(of) : Smt.call(distinct(builtIn.of()), of));
     };
   }
 
   /** The function whether a list has an element. Z3 unfolds calls below {@code ite} as needed, others always. */
-  private String elements(Type element) {
-    String sort = sorts.sort(element);
+  private String elements(Expr list) {
+    String sort = sorts.sort(((Type.ListOf) list.type().base()).element());
     String name = "has." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
     if (names.putIfAbsent(name, name) == null) {
       script.line(
@@ -594,16 +607,30 @@ final class Translator {
   }
 
   /** The function whether no element of a list is in it twice. */
-  private String distinct(Type element) {
-    String has = elements(element);
+  private String distinct(Expr list) {
+    String has = elements(list);
     String name = "distinct" + has.substring("has".length());
     if (names.putIfAbsent(name, name) == null) {
       script.line(
-          "(define-fun-rec %s ((l (list %s))) Bool".formatted(name, sorts.sort(element))
+          "(define-fun-rec %s ((l %s)) Bool".formatted(name, sorts.sort(list.type()))
               + " (ite ((_ is cons) l) (ite (%s (tail l) (head l)) false (%s (tail l))) true))"
                   .formatted(has, name));
     }
     return name;
+  }
+
+  private static String length(String list) {
+    return Smt.call("seq.len", list);
+  }
+
+  /** That no element of a sequence is in it twice. */
+  private String distinctNth(String list) {
+    String i = "n$" + bound++;
+    String j = "n$" + bound++;
+    String within = "(and (<= 0 %1$s) (< %1$s %2$s) (< %2$s %3$s))".formatted(i, j, length(list));
+    String equal = Smt.equal(Smt.call("seq.nth", list, i), Smt.call("seq.nth", list, j));
+    return Smt.quantified(
+        true, List.of("(" + i + " Int)", "(" + j + " Int)"), Smt.implies(within, Smt.not(equal)));
   }
 
   private Val get(Expr.Get get, Scope scope) {
@@ -713,6 +740,13 @@ final class Translator {
       case UNION -> combined(binary, scope, (a, b) -> Smt.or(List.of(a, b)));
       case MINUS -> combined(binary, scope, (a, b) -> Smt.and(List.of(a, Smt.not(b))));
       case INTERSECT -> combined(binary, scope, (a, b) -> Smt.and(List.of(a, b)));
+      case JOIN -> new Term(Smt.call("seq.++", smt(value(left, scope)), smt(value(right, scope))));
+      case NTH -> {
+        String list = smt(value(left, scope));
+        String n = smt(value(right, scope));
+        oblige(Smt.call("<", n, length(list)), "has no value: no such element", binary.pos());
+        yield of(Smt.call("seq.nth", list, n), binary.type());
+      }
     };
   }
 

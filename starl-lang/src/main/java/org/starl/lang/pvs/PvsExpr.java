@@ -160,7 +160,7 @@ final class PvsExpr {
       case LESS, AT_MOST, GREATER, AT_LEAST -> COMPARISON;
       case PLUS, LESS_BY -> SUM;
       case TIMES, DIVIDED_BY -> PRODUCT;
-      case IN, SUBSET, DISJOINT, UNION, MINUS, INTERSECT -> ATOM;
+      case IN, SUBSET, DISJOINT, UNION, MINUS, INTERSECT, JOIN, NTH -> ATOM;
     };
   }
 
@@ -314,6 +314,7 @@ final class PvsExpr {
       case THE -> "down";
       case HEAD -> "car";
       case TAIL -> "cdr";
+      case LENGTH -> "length";
       case ELEMENTS -> "list2set";
       case DISTINCT -> "distinct?";
     };
@@ -342,6 +343,8 @@ final class PvsExpr {
       case SUBSET -> apply("subset?", left, right);
       case DISJOINT -> apply("disjoint?", left, right);
       case INTERSECT -> apply("intersection", left, right);
+      case JOIN -> apply("append", left, right);
+      case NTH -> apply("nth", left, right);
       case UNION ->
           single(right).isEmpty()
               ? apply("union", left, right)

@@ -350,7 +350,8 @@ final class AutomatonReader extends PartsReader {
                   + SourceText.of(place)
                   + "': this is of type "
                   + type
-                  + "; expected a map before '('");
+                  + "; expected a map before '('"
+                  + (type.base() instanceof Type.ListOf ? ", or a whole list as the value" : ""));
         }
         List<Field> parameters =
             map.arguments().stream().map(argument -> new Field("", argument)).toList();

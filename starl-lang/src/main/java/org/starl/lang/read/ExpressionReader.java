@@ -44,7 +44,10 @@ final class ExpressionReader {
 
   /** An expression of type {@code wanted}. */
   Expr read(ExpressionContext at, Type wanted) {
-    Expr expr = any(at, wanted);
+    return required(any(at, wanted), at, wanted);
+  }
+
+  private Expr required(Expr expr, ExpressionContext at, Type wanted) {
     if (!expr.type().isA(wanted)) {
       throw wrong(at, "'" + text(at) + "' is of type " + expr.type() + "; expected " + wanted);
     }
@@ -305,6 +308,11 @@ final class ExpressionReader {
       }
     }
     Expr map = any(called, null);
+    if (map.type().base() instanceof Type.ListOf list) {
+      List<Field> place = List.of(new Field("", Num.NAT));
+      Expr n = arguments(text(called), place, given, at).getFirst();
+      return new Expr.Binary(Operator.NTH, map, n, list.element(), pos);
+    }
     if (!(map.type().base() instanceof Type.MapOf type)) {
       throw wrong(
           at,
@@ -312,7 +320,7 @@ final class ExpressionReader {
               + text(called)
               + "' is of type "
               + map.type()
-              + " and takes no arguments; expected a function or a map");
+              + " and takes no arguments; expected a function, a map or a list");
     }
     List<Field> parameters = new ArrayList<>();
     type.arguments().forEach(argument -> parameters.add(new Field("", argument)));
@@ -378,6 +386,7 @@ final class ExpressionReader {
     return switch (name) {
       case "head" -> new BuiltIn(BuiltIn.Name.HEAD, of, list.element(), pos);
       case "tail" -> new BuiltIn(BuiltIn.Name.TAIL, of, of.type(), pos);
+      case "length" -> new BuiltIn(BuiltIn.Name.LENGTH, of, Num.NAT, pos);
       case "distinct" -> new BuiltIn(BuiltIn.Name.DISTINCT, of, Type.Bool.BOOL, pos);
       default -> new BuiltIn(BuiltIn.Name.ELEMENTS, of, new Type.SetOf(list.element()), pos);
     };
@@ -517,11 +526,44 @@ final class ExpressionReader {
       }
       return new Expr.Binary(operator, both.get(0), both.get(1), type, pos);
     }
-    Expr left = read(sides.get(0), Num.REAL);
-    Expr right = read(sides.get(1), Num.REAL);
+    if (operator == Operator.JOIN) {
+      return joined(sides.get(0), sides.get(1), hint, pos);
+    }
+    Expr left = number(sides.get(0), operator);
+    Expr right = number(sides.get(1), operator);
     Type wider = left.type().isA(right.type()) ? right.type() : left.type();
     boolean staysNatural = operator != Operator.DIVIDED_BY || !wider.base().equals(Num.NAT);
     return new Expr.Binary(operator, left, right, staysNatural ? wider.base() : Num.TIME, pos);
+  }
+
+  private Expr joined(
+      ExpressionContext left, ExpressionContext right, @Nullable Type hint, Pos pos) {
+    Type known = hint == null && isBare(left) ? any(right, null).type() : hint;
+    Expr list = any(left, known);
+    if (!(list.type().base() instanceof Type.ListOf of)) {
+      throw wrong(left, "'" + text(left) + "' is of type " + list.type() + "; expected a list");
+    }
+    Expr more = any(right, list.type());
+    if (!more.type().isA(list.type())) {
+      boolean isElement = more.type().isA(of.element());
+      throw wrong(
+          right,
+          "'"
+              + text(right)
+              + "' is of type "
+              + more.type()
+              + "; expected "
+              + (isElement ? "a list of it, [" + text(right) + "]" : list.type().toString()));
+    }
+    return new Expr.Binary(Operator.JOIN, list, more, list.type(), pos);
+  }
+
+  private Expr number(ExpressionContext at, Operator operator) {
+    Expr expr = any(at, Num.REAL);
+    if (operator == Operator.PLUS && expr.type().base() instanceof Type.ListOf) {
+      throw wrong(at, "'" + text(at) + "' is a list; expected '++' between two lists");
+    }
+    return required(expr, at, Num.REAL);
   }
 
   private Expr is(StarlParser.IsOfContext at, Pos pos) {

@@ -6,7 +6,8 @@ import java.util.List;
 final class Language {
 
   /** Functions of any type of option or list. */
-  static final List<String> WORDS = List.of("some", "the", "head", "tail", "elements", "distinct");
+  static final List<String> WORDS =
+      List.of("some", "the", "head", "tail", "length", "elements", "distinct");
 
   private Language() {}
 }

@@ -118,4 +118,20 @@ public record Automaton(
   public Optional<Function> function(String wanted) {
     return functions.stream().filter(f -> f.signature().name().equals(wanted)).findFirst();
   }
+
+  /** All its expressions. */
+  public Stream<Expr> expressions() {
+    return Stream.of(
+            functions().stream().map(Function::body),
+            start().stream(),
+            Stream.concat(actions().stream(), sides().stream())
+                .flatMap(action ->
+                    Stream.concat(
+                        action.pre().stream().map(Action.Conjunct::condition),
+                        action.eff().stream().flatMap(effect -> effect.parts().stream()))),
+            Stream.of(assumptions(), invariants(), ends())
+                .flatMap(List::stream)
+                .map(Invariant::condition))
+        .flatMap(of -> of);
+  }
 }

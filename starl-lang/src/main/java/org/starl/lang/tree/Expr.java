@@ -138,8 +138,8 @@ public sealed interface Expr {
   record Some(Expr of, Type type, Pos pos) implements Expr {}
 
   /**
-   * A function of the language: {@code the}, {@code head}, {@code tail}, {@code elements}, {@code
-   * distinct}.
+   * A function of the language: {@code the}, {@code head}, {@code tail}, {@code length}, {@code
+   * elements}, {@code distinct}.
    */
   record BuiltIn(Name name, Expr of, Type type, Pos pos) implements Expr {
 
@@ -151,6 +151,8 @@ public sealed interface Expr {
       HEAD,
       /** A list that is not empty, without its first element. */
       TAIL,
+      /** The number of a list's elements. */
+      LENGTH,
       /** The set of a list's elements. */
       ELEMENTS,
       /** Whether no element of a list is in it twice. */
@@ -176,6 +178,10 @@ public sealed interface Expr {
     UNION("union"),
     MINUS("minus"),
     INTERSECT("intersect"),
+    /** Of lists. */
+    JOIN("++"),
+    /** {@code l(n)}: the element of a list that has {@code n} before it. */
+    NTH("()"),
     PLUS("+"),
     LESS_BY("-"),
     TIMES("*"),

@@ -92,11 +92,12 @@ public final class Exprs {
           case Expr.BuiltIn e ->
               switch (e.name()) {
                 case THE, HEAD, TAIL -> true;
-                case ELEMENTS, DISTINCT -> false;
+                case LENGTH, ELEMENTS, DISTINCT -> false;
               };
           case Expr.Get e -> e.of().type().base() instanceof Type.Sum;
           case Expr.Binary e ->
               e.operator() == Expr.Operator.DIVIDED_BY
+                  || e.operator() == Expr.Operator.NTH
                   || (e.operator() == Expr.Operator.LESS_BY && e.type().base() != Type.Num.REAL);
           default -> false;
         };

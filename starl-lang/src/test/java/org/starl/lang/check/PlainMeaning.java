@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Action.Selector;
@@ -55,6 +56,10 @@ final class PlainMeaning {
       case Expr.Not not -> !(Boolean) value(not.of(), state, variables);
       case Expr.None none -> Optional.empty();
       case Expr.Some some -> Optional.of(value(some.of(), state, variables));
+      case Expr.ListOf list ->
+          list.elements().stream().map(each -> value(each, state, variables)).toList();
+      case Expr.BuiltIn length when length.name() == Expr.BuiltIn.Name.LENGTH ->
+          ((List<?>) value(length.of(), state, variables)).size();
       case Expr.BuiltIn the ->
           ((Optional<?>) value(the.of(), state, variables)).orElseThrow(Undefined::new);
       case Expr.SetOf set -> {
@@ -121,6 +126,13 @@ final class PlainMeaning {
         }
         yield (Integer) left - (Integer) right;
       }
+      case JOIN -> Stream.concat(((List<?>) left).stream(), ((List<?>) right).stream()).toList();
+      case NTH -> {
+        if ((Integer) right >= ((List<?>) left).size()) {
+          throw new Undefined();
+        }
+        yield ((List<?>) left).get((Integer) right);
+      }
       case IN -> ((Set<Object>) right).contains(left);
       case SUBSET -> ((Set<Object>) right).containsAll((Set<Object>) left);
       case UNION -> {
@@ -159,7 +171,8 @@ final class PlainMeaning {
     for (Effect effect : action.eff()) {
       Effect.Assign assign = (Effect.Assign) effect;
       Object value = value(assign.value(), state, arguments);
-      if (value instanceof Integer number && number > nat) {
+      if ((value instanceof Integer number && number > nat)
+          || (value instanceof List<?> list && list.size() > nat)) {
         return Optional.empty();
       }
       if (assign.selectors().isEmpty()) {
@@ -184,6 +197,8 @@ final class PlainMeaning {
     return switch (value) {
       case Set<?> set ->
           "{" + String.join(", ", set.stream().map(PlainMeaning::text).toList()) + "}";
+      case List<?> list ->
+          "[" + String.join(", ", list.stream().map(PlainMeaning::text).toList()) + "]";
       case Optional<?> option -> option.map(of -> "some(" + text(of) + ")").orElse("none");
       case Map<?, ?> map ->
           "["
@@ -205,6 +220,7 @@ final class PlainMeaning {
         set.forEach(each -> renamed.add(renamed(each, names)));
         yield renamed;
       }
+      case List<?> list -> list.stream().map(each -> renamed(each, names)).toList();
       case Optional<?> option -> option.map(of -> renamed(of, names));
       case Map<?, ?> map -> {
         Map<Object, Object> renamed = new java.util.TreeMap<>();

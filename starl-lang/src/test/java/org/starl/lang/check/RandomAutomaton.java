@@ -13,7 +13,7 @@ final class RandomAutomaton {
     this.random = random;
   }
 
-  /** Its components are a set, a number, an option and a map; its actions have an id, or a number. */
+  /** Its components are a set, a number, an option, a map and a list; its actions have an id, or a number. */
   String source() {
     StringBuilder text =
         new StringBuilder(
@@ -24,8 +24,9 @@ final class RandomAutomaton {
               n: nat
               o: option[PIDS]
               m: [PIDS -> set[PIDS]]
+              l: list[PIDS]
             """);
-    text.append("start n = 0");
+    text.append("start n = 0, l = []");
     text.append(random.nextInt(4) > 0 ? ", s = {}" : "");
     text.append(random.nextInt(4) > 0 ? ", o = none" : "");
     text.append(", forall k: PIDS :: m(k) = {}\n");
@@ -58,6 +59,9 @@ final class RandomAutomaton {
     if (!ids.isEmpty() && (all.isEmpty() || random.nextBoolean())) {
       all.add("m(" + pick(ids) + ") := " + set(1, ids, nats));
     }
+    if (!ids.isEmpty() && random.nextInt(8) == 0) {
+      all.add("l := " + (random.nextInt(3) > 0 ? "l ++ [" + pick(ids) + "]" : "[]"));
+    }
     return all.isEmpty() ? List.of("n := n + 1") : all;
   }
 
@@ -67,13 +71,16 @@ final class RandomAutomaton {
 
   private String id(List<String> ids) {
     // An operation that may have no value is rare: else few runs would go beyond it.
-    return ids.isEmpty() || random.nextInt(30) == 0 ? "the(o)" : pick(ids);
+    return ids.isEmpty() || random.nextInt(30) == 0
+        ? (random.nextBoolean() ? "the(o)" : "l(n)")
+        : pick(ids);
   }
 
   private String nat(List<String> ids, List<String> nats) {
-    return switch (random.nextInt(6)) {
+    return switch (random.nextInt(7)) {
       case 0 -> "0";
       case 1 -> "1";
+      case 6 -> "length(l)";
       case 2 -> pick(nats) + " + 1";
       case 3 -> "(if " + bool(1, ids, nats) + " then " + pick(nats) + " else 2)";
       case 4 -> random.nextInt(5) == 0 ? pick(nats) + " - 1" : pick(nats);

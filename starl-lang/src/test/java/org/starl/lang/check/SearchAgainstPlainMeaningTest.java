@@ -138,6 +138,7 @@ class SearchAgainstPlainMeaningTest {
           state.put("n", 0);
           state.put("o", option);
           state.put("m", empty);
+          state.put("l", List.of());
           all.add(state);
         }
       }

@@ -61,6 +61,7 @@ class ObligationsTest {
           n := the(o) | 13:32: the(none) has no value | `n := down(s`o_)
           m(t) := if head(l) = t then 1 else 2 | 13:38: head([]) has no value | IF car(s`l) = t
           l := tail(l) | 13:32: tail([]) has no value | `l := cdr(s`l)
+          m(t) := if l(n) = t then 1 else 2 | 13:38: the list has 0 elements, and none at 0 | IF nth(s`l, s`n) = t
           n := f.at | 13:32: 'at' of none_yet, which has no such field | `n := at(s`f)
           n := n - 1 | 13:32: 0 - 1 is below 0 | `n := s`n - 1
           w := w - 1 | 13:32: 0.0 - 1.0 is below 0 | `w := s`w - 1

@@ -110,18 +110,20 @@ final class RandomSource {
   }
 
   private String id(int depth, Scope scope) {
-    return switch (depth == 0 ? 9 : random.nextInt(12)) {
+    return switch (depth == 0 ? 9 : random.nextInt(13)) {
       case 0 -> "(if q = [] then " + id(0, scope) + " else head(q))";
       case 1 -> "(if e.owner = none then " + id(0, scope) + " else the(e.owner))";
       case 2 -> "(match p { idle -> " + id(0, scope) + ", busy -> i, failed(w, k) -> w })";
       case 3 -> "(if " + bool(0, scope) + " then " + id(0, scope) + " else j)";
+      case 4 -> "(if n < length(q) then q(n) else " + id(0, scope) + ")";
       default -> pick(scope.ids);
     };
   }
 
   private String nat(int depth, Scope scope) {
     if (depth == 0) {
-      return switch (random.nextInt(7)) {
+      return switch (random.nextInt(8)) {
+        case 7 -> "length(q)";
         case 0 -> "n";
         case 1 -> "m(" + pick(scope.ids) + ")";
         case 2 -> "e.gen";
@@ -199,7 +201,9 @@ final class RandomSource {
   }
 
   private String list(Scope scope) {
-    return switch (random.nextInt(5)) {
+    return switch (random.nextInt(7)) {
+      case 5 -> "(q ++ [" + id(0, scope) + "])";
+      case 6 -> "([i] ++ q)";
       case 0 -> "[]";
       case 1 -> "(if q = [] then [i] else tail(q))";
       case 2 -> "(if " + bool(0, scope) + " then q else [j])";

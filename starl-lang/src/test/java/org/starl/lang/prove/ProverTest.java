@@ -76,6 +76,31 @@ class ProverTest {
   }
 
   @Test
+  void lengthsAndElementsOfListsAreDecided() {
+    String channel =
+        """
+        automaton Channel[T, most: nat]
+        state
+          q: list[nat]
+          got: list[T]
+        start q = [], got = []
+        action send(n: nat)
+          pre length(q) < most, n > 0
+          eff q := q ++ [n]
+        action receive(t: T)
+          pre q != []
+          eff q := tail(q), got := got ++ [t]
+        invariant Short: length(q) <= most
+        """;
+    assertThat(proved(channel).lines())
+        .contains("Channel: Short holds, for any number of T", "Channel: receive can happen");
+    String wrong = channel + "invariant First: q != [] => q(0) = 1\n";
+    assertThat(proved(wrong).lines())
+        .contains("Channel: First is not kept by send", "  after   q = [2]")
+        .doesNotContain("Channel: First holds, for any number of T");
+  }
+
+  @Test
   void stepOfAUsedAutomatonChangesNothingIfItsConditionFails() {
     String room =
         """
