@@ -63,8 +63,8 @@ final class CheckCommand extends SourceCommand {
       names = "--nat",
       paramLabel = "N",
       description =
-          "The largest natural number, and the largest length of a list (default:"
-              + " ${DEFAULT-VALUE}). Steps beyond it are not taken.")
+          "The largest natural number and int, of which -N is the least, and the largest length of"
+              + " a list (default: ${DEFAULT-VALUE}). Steps beyond it are not taken.")
   private String nat = "2";
 
   @Option(

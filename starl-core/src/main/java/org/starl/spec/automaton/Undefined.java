@@ -41,7 +41,7 @@ public final class Undefined extends IllegalStateException {
 
   /** {@code of(n)}: the element that has {@code n} before it. */
   public static <T> T nth(String place, List<T> of, long n) {
-    if (n >= of.size()) {
+    if (n < 0 || n >= of.size()) {
       throw new Undefined(place, "the list has " + of.size() + " elements, and none at " + n);
     }
     return of.get((int) n);

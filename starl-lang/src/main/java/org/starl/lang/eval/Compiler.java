@@ -652,7 +652,7 @@ final class Compiler {
     return frame -> {
       Row list = (Row) of.of(frame);
       Num n = (Num) number.of(frame);
-      if (n.compareTo(Num.of(list.size())) >= 0) {
+      if (n.compareTo(Num.of(list.size())) >= 0 || n.compareTo(Num.of(0)) < 0) {
         throw error(pos, "the list has %d elements, and none at %s".formatted(list.size(), n));
       }
       return list.get((int) n.over());
@@ -661,7 +661,7 @@ final class Compiler {
 
   private Code lessBy(Expr.Binary at, Code left, Code right) {
     Code real = arithmetic(at, left, right, (a, b) -> a.plus(b.negative()));
-    if (at.type().base() == Type.Num.REAL) {
+    if (Type.isNumber(at.type(), Type.Num::hasNegative)) {
       return real;
     }
     partial = true;

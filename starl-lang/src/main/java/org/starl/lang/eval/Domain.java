@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Type;
@@ -95,7 +96,7 @@ public abstract sealed class Domain {
     return isOpen;
   }
 
-  /** Values beyond the bounds: of numbers the next one, and one that stands for all after it. */
+  /** Values beyond the bounds: of numbers the next one, and one that stands for all after it; also below. */
   List<Object> others() {
     return List.of();
   }
@@ -240,13 +241,17 @@ public abstract sealed class Domain {
 
     @Override
     boolean hasMore() {
-      return type() != Type.Num.NAT;
+      return !Type.isNumber(type(), Type.Num::isWhole);
     }
 
     @Override
     List<Object> others() {
-      long next = most.over() + 1;
-      return hasMore() ? List.of() : List.of(Num.of(next), Num.above(next));
+      Num next = Num.of(most.over() + 1);
+      List<Object> above = List.of(next, Num.above(next.over()));
+      List<Object> below = List.of(next.negative(), Num.above(next.over()).negative());
+      return hasMore()
+          ? List.of()
+          : type() == Type.Num.NAT ? above : Stream.of(above, below).flatMap(List::stream).toList();
     }
 
     @Override

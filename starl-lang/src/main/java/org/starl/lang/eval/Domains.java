@@ -62,6 +62,7 @@ final class Domains {
       case Type.Num num ->
           switch (num) {
             case NAT -> new Domain.Numbers(num, 0, sizes.nat());
+            case INT -> new Domain.Numbers(num, -sizes.nat(), sizes.nat());
             case TIME -> new Domain.Numbers(num, 0, sizes.time());
             case REAL -> new Domain.Numbers(num, -sizes.time(), sizes.time());
           };

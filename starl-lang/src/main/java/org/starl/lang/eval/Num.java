@@ -4,11 +4,11 @@ import java.math.BigDecimal;
 import java.math.BigInteger;
 
 /**
- * An exact fraction in lowest terms; or any number above a bound, of which {@link Beyond} is what its
- * bound does not decide.
+ * An exact fraction in lowest terms; or any number above or below a bound, of which {@link Beyond} is
+ * what its bound does not decide.
  *
  * @param over what is divided; or the bound
- * @param under what it is divided by, above 0; 0 for any number above the bound
+ * @param under what it is divided by, above 0; 0 for any number above the bound, -1 for any below it
  */
 public record Num(long over, long under) implements Comparable<Num> {
 
@@ -54,7 +54,15 @@ public record Num(long over, long under) implements Comparable<Num> {
   }
 
   private boolean isAny() {
+    return under <= 0;
+  }
+
+  private boolean isAbove() {
     return under == 0;
+  }
+
+  private boolean isBelow() {
+    return under < 0;
   }
 
   private void requireOne() {
@@ -68,6 +76,12 @@ public record Num(long over, long under) implements Comparable<Num> {
   }
 
   Num plus(Num other) {
+    if (isBelow() || other.isBelow()) {
+      if (isAbove() || other.isAbove()) {
+        throw new Beyond();
+      }
+      return negative().plus(other.negative()).negative();
+    }
     if (isAny() || other.isAny()) {
       if (Math.max(under, other.under) > 1) {
         throw new Beyond();
@@ -80,14 +94,20 @@ public record Num(long over, long under) implements Comparable<Num> {
   }
 
   Num negative() {
-    requireOne();
+    if (isAny()) {
+      return new Num(Math.negateExact(over), isBelow() ? 0 : -1);
+    }
     return of(Math.negateExact(over), under);
   }
 
   Num times(Num other) {
     if (isAny() || other.isAny()) {
       boolean isZero = (over == 0 && !isAny()) || (other.over == 0 && !other.isAny());
-      if (!isZero && (Math.min(over, other.over) < 0 || Math.max(under, other.under) > 1)) {
+      if (!isZero
+          && (isBelow()
+              || other.isBelow()
+              || Math.min(over, other.over) < 0
+              || Math.max(under, other.under) > 1)) {
         throw new Beyond();
       }
       return isZero ? of(0) : above(Math.multiplyExact(over, other.over));
@@ -104,6 +124,15 @@ public record Num(long over, long under) implements Comparable<Num> {
 
   @Override
   public int compareTo(Num other) {
+    if (isBelow() && other.isAbove() && over <= other.over) {
+      return -1;
+    }
+    if (isBelow() && other.isAny()) {
+      throw new Beyond();
+    }
+    if (isBelow() || other.isBelow()) {
+      return other.negative().compareTo(negative());
+    }
     if (isAny()) {
       other.requireOne();
       if (other.compareTo(of(over)) > 0) {
@@ -138,6 +167,8 @@ public record Num(long over, long under) implements Comparable<Num> {
 
   @Override
   public String toString() {
-    return isAny() ? ">" + over : under == 1 ? Long.toString(over) : over + "/" + under;
+    return isAny()
+        ? (isBelow() ? "<" : ">") + over
+        : under == 1 ? Long.toString(over) : over + "/" + under;
   }
 }

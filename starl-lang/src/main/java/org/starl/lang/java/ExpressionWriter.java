@@ -369,7 +369,9 @@ final class ExpressionWriter {
     if (tells && at.operator() == Operator.DIVIDED_BY) {
       return told("quotient", at.pos(), left, right);
     }
-    return tells && at.operator() == Operator.LESS_BY && at.type().base() != Type.Num.REAL
+    return tells
+            && at.operator() == Operator.LESS_BY
+            && !Type.isNumber(at.type(), Type.Num::hasNegative)
         ? told("difference", at.pos(), left, right)
         : Code.infix(at.operator().text(), left, right);
   }

@@ -147,7 +147,7 @@ final class JavaTypes {
     return switch (type) {
       case Type.Alias alias -> of(alias.target(), isBoxed, pos);
       case Type.Bool bool -> isBoxed ? "Boolean" : "boolean";
-      case Type.Num number when number == Type.Num.NAT -> isBoxed ? "Long" : "long";
+      case Type.Num number when number.isWhole() -> isBoxed ? "Long" : "long";
       case Type.Num number ->
           throw new NotExecutable(
               pos,

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.starl.lang.prove.Val.Cells;
 import org.starl.lang.prove.Val.Fn;
 import org.starl.lang.tree.Action;
@@ -103,7 +104,7 @@ final class Shown {
   private String usual(Type type, String value) {
     return switch (type.base()) {
       case Type.Bool bool -> Smt.not(value);
-      case Type.Num number -> Smt.equal(value, number == Type.Num.NAT ? "0" : "0.0");
+      case Type.Num number -> Smt.equal(value, number.isWhole() ? "0" : "0.0");
       case Type.OptionOf option -> "((_ is none) " + value + ")";
       case Type.ListOf list -> Smt.not(sorts.isCons(value));
       case Type.Sum sum ->
@@ -190,6 +191,11 @@ final class Shown {
       List<String> values = sorts.elements(type);
       if (type.base() == Type.Num.NAT) {
         values = numbers.stream().map(String::valueOf).toList();
+      } else if (type.base() == Type.Num.INT) {
+        values =
+            numbers.stream()
+                .flatMap(n -> n == 0 ? Stream.of("0") : Stream.of("" + n, "(- " + n + ")"))
+                .toList();
       }
       List<List<String>> longer = new ArrayList<>();
       for (List<String> one : all) {

@@ -182,20 +182,22 @@ final class Sorts {
   /** Whether arrays of this type have values outside their domain: at negative numbers. */
   boolean hasNumericDomain(Type type) {
     return switch (type.base()) {
-      case Type.SetOf set ->
-          set.element().base() instanceof Type.Num || hasNumericDomain(set.element());
+      case Type.SetOf set -> isNonNegative(set.element()) || hasNumericDomain(set.element());
       case Type.MapOf map ->
-          map.arguments().stream()
-                  .anyMatch(a -> a.base() instanceof Type.Num || hasNumericDomain(a))
+          map.arguments().stream().anyMatch(a -> isNonNegative(a) || hasNumericDomain(a))
               || hasNumericDomain(map.result());
       default -> false;
     };
   }
 
+  private static boolean isNonNegative(Type type) {
+    return Type.isNumber(type, number -> !number.hasNegative());
+  }
+
   String sort(Type type) {
     return switch (type.base()) {
       case Type.Bool bool -> "Bool";
-      case Type.Num number -> number == Type.Num.NAT ? "Int" : "Real";
+      case Type.Num number -> number.isWhole() ? "Int" : "Real";
       case Type.Opaque of -> named(of.name());
       case Type.Rec rec -> owned(rec.owner(), rec.name());
       case Type.Sum sum -> owned(sum.owner(), sum.name());

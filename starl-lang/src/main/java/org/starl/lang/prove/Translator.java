@@ -199,7 +199,7 @@ final class Translator {
   String inside(Type type, Val value) {
     return switch (type.base()) {
       case Num number ->
-          number == Num.REAL
+          number.hasNegative()
               ? Smt.TRUE
               : Smt.call(">=", smt(value), number == Num.NAT ? "0" : "0.0");
       case Type.SetOf set -> Smt.TRUE;
@@ -395,7 +395,8 @@ final class Translator {
   Val as(Type wanted, Expr expr, Scope scope) {
     Val value = value(expr, scope);
     boolean widens =
-        wanted.base() instanceof Num number && number != Num.NAT && expr.type().base() == Num.NAT;
+        Type.isNumber(wanted, number -> !number.isWhole())
+            && Type.isNumber(expr.type(), Num::isWhole);
     return widens ? new Term(Smt.call("to_real", smt(value))) : value;
   }
 
@@ -453,7 +454,7 @@ final class Translator {
       case Expr.Match match -> match(match, scope);
       case Expr.Not not -> new Term(Smt.not(bool(not.of(), scope)));
       case Expr.Negative negative ->
-          new Term(Smt.call("-", smt(as(Num.REAL, negative.of(), scope))));
+          new Term(Smt.call("-", smt(as(negative.type(), negative.of(), scope))));
       case Binary binary -> binary(binary, scope);
       case Expr.Quantified quantified ->
           new Term(
@@ -712,15 +713,15 @@ final class Translator {
       }
       case IFF -> new Term(Smt.equal(bool(left, scope), bool(right, scope)));
       case EQUAL, UNEQUAL -> {
-        Type wider = left.type().isA(right.type()) ? right.type() : left.type();
+        Type wider = Type.wider(left.type(), right.type());
         String equal = equal(wider, as(wider, left, scope), as(wider, right, scope));
         yield new Term(operator == Operator.EQUAL ? equal : Smt.not(equal));
       }
       case LESS, AT_MOST, GREATER, AT_LEAST, PLUS, LESS_BY, TIMES -> {
-        Type wider = left.type().isA(right.type()) ? right.type() : left.type();
+        Type wider = Type.wider(left.type(), right.type());
         String a = termAs(wider, left, scope);
         String b = termAs(wider, right, scope);
-        if (operator == Operator.LESS_BY && binary.type().base() != Num.REAL) {
+        if (operator == Operator.LESS_BY && !Type.isNumber(binary.type(), Num::hasNegative)) {
           oblige(Smt.call(">=", a, b), "makes a number negative", binary.pos());
         }
         yield new Term(Smt.call(operator.text(), a, b));
@@ -744,7 +745,8 @@ final class Translator {
       case NTH -> {
         String list = smt(value(left, scope));
         String n = smt(value(right, scope));
-        oblige(Smt.call("<", n, length(list)), "has no value: no such element", binary.pos());
+        String within = Smt.and(List.of("(<= 0 " + n + ")", Smt.call("<", n, length(list))));
+        oblige(within, "has no value: no such element", binary.pos());
         yield of(Smt.call("seq.nth", list, n), binary.type());
       }
     };

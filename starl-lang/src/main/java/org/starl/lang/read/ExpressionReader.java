@@ -70,7 +70,7 @@ final class ExpressionReader {
       case StarlParser.RecordOfContext made -> record(made, pos);
       case StarlParser.NotContext not -> new Expr.Not(bool(not.expression()), pos);
       case StarlParser.NegativeContext minus ->
-          new Expr.Negative(read(minus.expression(), Num.REAL), pos);
+          new Expr.Negative(read(minus.expression(), whole(hint)), pos);
       case StarlParser.AndContext and -> logic(Operator.AND, and.expression(), pos);
       case StarlParser.OrContext or -> logic(Operator.OR, or.expression(), pos);
       case StarlParser.ImpliesContext implies -> logic(Operator.IMPLIES, implies.expression(), pos);
@@ -309,7 +309,7 @@ final class ExpressionReader {
     }
     Expr map = any(called, null);
     if (map.type().base() instanceof Type.ListOf list) {
-      List<Field> place = List.of(new Field("", Num.NAT));
+      List<Field> place = List.of(new Field("", Num.INT));
       Expr n = arguments(text(called), place, given, at).getFirst();
       return new Expr.Binary(Operator.NTH, map, n, list.element(), pos);
     }
@@ -473,9 +473,11 @@ final class ExpressionReader {
         List<Expr> both = alike(left, right, null);
         yield new Expr.Binary(operator, both.get(0), both.get(1), Type.Bool.BOOL, pos);
       }
-      default ->
-          new Expr.Binary(
-              operator, read(left, Num.REAL), read(right, Num.REAL), Type.Bool.BOOL, pos);
+      default -> {
+        Expr a = required(any(left, Num.REAL), left, Num.REAL);
+        Expr b = required(any(right, whole(a.type())), right, Num.REAL);
+        yield new Expr.Binary(operator, again(a, left, b), b, Type.Bool.BOOL, pos);
+      }
     };
   }
 
@@ -503,7 +505,18 @@ final class ExpressionReader {
               + a.type()
               + "; expected two of one type");
     }
-    return List.of(a, b);
+    return List.of(again(a, left, b), b);
+  }
+
+  /** What is read for the numbers of a type: a difference of naturals may be an {@code int}. */
+  private static Type whole(@Nullable Type hint) {
+    return hint != null && hint.base() == Num.INT ? Num.INT : Num.REAL;
+  }
+
+  /** The left side, where the right one is an {@code int}. */
+  private Expr again(Expr a, ExpressionContext left, Expr b) {
+    boolean isInt = b.type().base() == Num.INT && a.type().base() == Num.NAT;
+    return isInt ? any(left, Num.INT) : a;
   }
 
   /** Whether {@code at} has no type of itself. */
@@ -529,11 +542,18 @@ final class ExpressionReader {
     if (operator == Operator.JOIN) {
       return joined(sides.get(0), sides.get(1), hint, pos);
     }
-    Expr left = number(sides.get(0), operator);
-    Expr right = number(sides.get(1), operator);
-    Type wider = left.type().isA(right.type()) ? right.type() : left.type();
-    boolean staysNatural = operator != Operator.DIVIDED_BY || !wider.base().equals(Num.NAT);
-    return new Expr.Binary(operator, left, right, staysNatural ? wider.base() : Num.TIME, pos);
+    Type of = operator == Operator.DIVIDED_BY ? Num.REAL : whole(hint);
+    Expr first = number(sides.get(0), operator, of);
+    Expr right = number(sides.get(1), operator, of == Num.INT ? of : whole(first.type()));
+    Expr left = again(first, sides.get(0), right);
+    Type wider = Type.wider(left.type(), right.type()).base();
+    Type type =
+        switch (operator) {
+          case DIVIDED_BY -> wider == Num.NAT ? Num.TIME : wider == Num.INT ? Num.REAL : wider;
+          case LESS_BY -> wider == Num.NAT && of == Num.INT ? Num.INT : wider;
+          default -> wider;
+        };
+    return new Expr.Binary(operator, left, right, type, pos);
   }
 
   private Expr joined(
@@ -558,8 +578,8 @@ final class ExpressionReader {
     return new Expr.Binary(Operator.JOIN, list, more, list.type(), pos);
   }
 
-  private Expr number(ExpressionContext at, Operator operator) {
-    Expr expr = any(at, Num.REAL);
+  private Expr number(ExpressionContext at, Operator operator, Type hint) {
+    Expr expr = any(at, hint);
     if (operator == Operator.PLUS && expr.type().base() instanceof Type.ListOf) {
       throw wrong(at, "'" + text(at) + "' is a list; expected '++' between two lists");
     }

@@ -101,7 +101,7 @@ public sealed interface Expr {
   record Negative(Expr of, Pos pos) implements Expr {
     @Override
     public Type type() {
-      return Type.Num.REAL;
+      return Type.isNumber(of.type(), Type.Num::isWhole) ? Type.Num.INT : Type.Num.REAL;
     }
   }
 

@@ -98,7 +98,8 @@ public final class Exprs {
           case Expr.Binary e ->
               e.operator() == Expr.Operator.DIVIDED_BY
                   || e.operator() == Expr.Operator.NTH
-                  || (e.operator() == Expr.Operator.LESS_BY && e.type().base() != Type.Num.REAL);
+                  || (e.operator() == Expr.Operator.LESS_BY
+                      && !Type.isNumber(e.type(), Type.Num::hasNegative));
           default -> false;
         };
     return isPartial || parts(at).stream().anyMatch(Exprs::isPartial);

@@ -3,6 +3,7 @@ package org.starl.lang.tree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /** A type of the language. Aliases are kept: two types are the same if their {@link #base}s are equal. */
 public sealed interface Type {
@@ -18,10 +19,12 @@ public sealed interface Type {
     }
   }
 
-  /** Numbers, each kind a part of the next one. */
+  /** Numbers. A {@code nat} is an {@code int} and a {@code time}; each of these is a {@code real}. */
   enum Num implements Type {
     /** 0, 1, 2 and so on. */
     NAT("nat"),
+    /** Whole numbers, also below 0. */
+    INT("int"),
     /** Real numbers that are not negative. */
     TIME("time"),
     /** Real numbers. */
@@ -31,6 +34,20 @@ public sealed interface Type {
 
     Num(String text) {
       this.text = text;
+    }
+
+    /** Whether its values are whole numbers. */
+    public boolean isWhole() {
+      return this == NAT || this == INT;
+    }
+
+    /** Whether it has values below 0. */
+    public boolean hasNegative() {
+      return this == INT || this == REAL;
+    }
+
+    private boolean isA(Num other) {
+      return this == other || this == NAT || other == REAL;
     }
 
     @Override
@@ -159,10 +176,20 @@ public sealed interface Type {
     };
   }
 
+  /** The type of values of two types; of an {@code int} and a {@code time}, {@code real}. */
+  static Type wider(Type a, Type b) {
+    return a.isA(b) ? b : b.isA(a) ? a : Num.REAL;
+  }
+
+  /** Whether it is a type of such numbers. */
+  static boolean isNumber(Type type, Predicate<Num> of) {
+    return type.base() instanceof Num number && of.test(number);
+  }
+
   /** Whether every value of this type is one of {@code other}. */
   default boolean isA(Type other) {
     Type mine = base();
     Type its = other.base();
-    return (mine instanceof Num a && its instanceof Num b) ? a.compareTo(b) <= 0 : mine.equals(its);
+    return (mine instanceof Num a && its instanceof Num b) ? a.isA(b) : mine.equals(its);
   }
 }

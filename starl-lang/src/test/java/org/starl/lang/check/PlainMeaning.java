@@ -54,6 +54,7 @@ final class PlainMeaning {
           ((Map<?, ?>) value(at.map(), state, variables))
               .get(value(at.arguments().getFirst(), state, variables));
       case Expr.Not not -> !(Boolean) value(not.of(), state, variables);
+      case Expr.Negative minus -> -(Integer) value(minus.of(), state, variables);
       case Expr.None none -> Optional.empty();
       case Expr.Some some -> Optional.of(value(some.of(), state, variables));
       case Expr.ListOf list ->
@@ -121,7 +122,7 @@ final class PlainMeaning {
       case LESS -> (Integer) left < (Integer) right;
       case PLUS -> (Integer) left + (Integer) right;
       case LESS_BY -> {
-        if ((Integer) left < (Integer) right) {
+        if (at.type() != Type.Num.INT && (Integer) left < (Integer) right) {
           throw new Undefined();
         }
         yield (Integer) left - (Integer) right;
@@ -171,7 +172,7 @@ final class PlainMeaning {
     for (Effect effect : action.eff()) {
       Effect.Assign assign = (Effect.Assign) effect;
       Object value = value(assign.value(), state, arguments);
-      if ((value instanceof Integer number && number > nat)
+      if ((value instanceof Integer number && Math.abs(number) > nat)
           || (value instanceof List<?> list && list.size() > nat)) {
         return Optional.empty();
       }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.starl.lang.eval.Machine;
@@ -12,6 +13,7 @@ import org.starl.lang.prove.Prover;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Type.Field;
 import org.starl.lang.verdict.Verdict;
 
 /** Models that others have published have the numbers of states that they tell. */
@@ -24,9 +26,21 @@ class PublishedModelsTest {
     return new SourceReader().read(file.toAbsolutePath()).getLast();
   }
 
-  private static Search.Result checked(Automaton automaton, Sizes sizes, boolean isSymmetric) {
+  /** With values of parameters, such as {@code last} and {@code 1}. */
+  private static Search.Result checked(
+      Automaton automaton, Sizes sizes, boolean isSymmetric, String... values) throws SourceErrors {
     Machine machine = new Machine(automaton, sizes);
-    Search.Result result = new Search(machine, sizes, Map.of(), isSymmetric, 1_000_000).run();
+    Map<String, Object> given = new LinkedHashMap<>();
+    for (int i = 0; i < values.length; i += 2) {
+      Field parameter = machine.parameters().get(i / 2);
+      assertThat(parameter.name()).isEqualTo(values[i]);
+      given.put(
+          values[i],
+          machine.value(
+              SourceReader.readExpression(
+                  automaton, machine.elements(), parameter.type(), "value", values[i + 1])));
+    }
+    Search.Result result = new Search(machine, sizes, given, isSymmetric, 1_000_000).run();
     assertThat(result.finding()).isEmpty();
     return result;
   }
@@ -39,5 +53,23 @@ class PublishedModelsTest {
     assertThat(result.verdict()).isEqualTo(Verdict.HOLDS);
     assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines())
         .contains("ReadersWriters: Safety holds, for any number of Actors");
+  }
+
+  @Test
+  void votersBeginBelowTheFirstBallot() throws IOException, SourceErrors {
+    Automaton automaton = model("Voting");
+    Search.Result result =
+        checked(
+            automaton,
+            new Sizes(Map.of("Acceptor", 3, "Value", 2), 1, 1),
+            true,
+            "Quorum",
+            "{{bot0, bot1}, {bot0, bot2}, {bot1, bot2}}",
+            "last",
+            "1");
+    assertThat(result.states()).isEqualTo(77);
+    assertThat(result.verdict()).isEqualTo(Verdict.HOLDS);
+    assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines())
+        .contains("Voting: Votes holds, for any number of Acceptor and Value");
   }
 }

@@ -13,7 +13,7 @@ final class RandomAutomaton {
     this.random = random;
   }
 
-  /** Its components are a set, a number, an option, a map and a list; its actions have an id, or a number. */
+  /** Its components are a set, a number, an option, a map, a list and an int; its actions have an id, or a number. */
   String source() {
     StringBuilder text =
         new StringBuilder(
@@ -25,8 +25,9 @@ final class RandomAutomaton {
               o: option[PIDS]
               m: [PIDS -> set[PIDS]]
               l: list[PIDS]
+              z: int
             """);
-    text.append("start n = 0, l = []");
+    text.append("start n = 0, l = [], z = 0");
     text.append(random.nextInt(4) > 0 ? ", s = {}" : "");
     text.append(random.nextInt(4) > 0 ? ", o = none" : "");
     text.append(", forall k: PIDS :: m(k) = {}\n");
@@ -61,6 +62,9 @@ final class RandomAutomaton {
     }
     if (!ids.isEmpty() && random.nextInt(8) == 0) {
       all.add("l := " + (random.nextInt(3) > 0 ? "l ++ [" + pick(ids) + "]" : "[]"));
+    }
+    if (random.nextInt(8) == 0) {
+      all.add("z := " + pick(List.of("z - 1", "n - 2", "-z", "z + n")));
     }
     return all.isEmpty() ? List.of("n := n + 1") : all;
   }
@@ -108,7 +112,9 @@ final class RandomAutomaton {
 
   private String bool(int depth, List<String> ids, List<String> nats) {
     if (depth == 0) {
-      return switch (random.nextInt(6)) {
+      return switch (random.nextInt(8)) {
+        case 6 -> "z < " + pick(nats);
+        case 7 -> pick(nats) + " - 2 = z";
         case 0 -> "o = none";
         case 1 -> pick(nats) + " < 2";
         case 2 -> pick(nats) + " != 0";

@@ -139,6 +139,7 @@ class SearchAgainstPlainMeaningTest {
           state.put("o", option);
           state.put("m", empty);
           state.put("l", List.of());
+          state.put("z", 0);
           all.add(state);
         }
       }

@@ -143,6 +143,30 @@ class SearchTest {
   }
 
   @Test
+  void intsBelowTheBoundAreInstancesAndNoStates() throws SourceErrors {
+    String ints =
+        """
+        automaton Ints[P]
+        state
+          z: int
+          n: nat
+        start z = 0 and n = 0
+        action down eff z := n - 1
+        action less eff z := z - 1
+        action more eff z := z + 1
+        invariant Least: exists i: int :: i < z
+        invariant Most: exists i: int :: i > z and -i < z - 1
+        """;
+    Search.Result result = result(ints, 2, true);
+    assertThat(result.states()).isEqualTo(5); // from -2 to 2
+    assertThat(result.beyond()).isEqualTo(2);
+    assertThat(result.unevaluated()).isEmpty();
+    assertThat(result.finding()).isEmpty();
+    String wrong = ints + "invariant Not: forall i: int :: i >= -3\n";
+    assertThat(result(wrong, 2, true).finding().orElseThrow().name()).isEqualTo("Not");
+  }
+
+  @Test
   void invariantThatNeedsMoreThanTheBoundIsToldUnlessItIsFalse() throws SourceErrors {
     String invariant =
         """

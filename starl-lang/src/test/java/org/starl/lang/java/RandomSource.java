@@ -28,8 +28,11 @@ final class RandomSource {
         r: [T -> Entry]
         p: Phase
         q: list[T]
+        z: int
+        v: [T -> int]
       start flag = false, n = 1, those = {}, forall t: T :: m(t) = 0, forall t: T :: g(t) = {},
         e.gen = 0, e.owner = none, e.mode = low, p = idle, q = [],
+        z = 0, forall t: T :: v(t) = -1,
         forall t: T :: r(t).gen = 1 and r(t).owner = none and r(t).mode = high
       """;
 
@@ -91,7 +94,9 @@ final class RandomSource {
             () -> all.add("r(i).owner := " + option(scope)),
             () -> all.add("r(" + id(1, scope) + ") := " + entry(1, scope)),
             () -> all.add("p := " + phase(scope)),
-            () -> all.add("q := " + list(scope)));
+            () -> all.add("q := " + list(scope)),
+            () -> all.add("z := " + integer(scope)),
+            () -> all.add("v(" + id(1, scope) + ") := " + integer(scope)));
     boolean hasEntry = false;
     boolean hasRow = false;
     for (int kind = 0; kind < kinds.size(); kind++) {
@@ -141,6 +146,18 @@ final class RandomSource {
       case 3 -> "(match p { idle -> 0, busy -> " + left + ", failed(w, k) -> k })";
       case 4 -> "(" + nat(0, scope) + " * " + right + ")";
       default -> left;
+    };
+  }
+
+  private String integer(Scope scope) {
+    String nat = nat(0, scope);
+    return switch (random.nextInt(6)) {
+      case 0 -> "-z";
+      case 1 -> "(" + nat + " - " + nat(0, scope) + ")";
+      case 2 -> "(z - " + nat + ")";
+      case 3 -> "(v(" + id(0, scope) + ") + " + nat + ")";
+      case 4 -> "(if " + bool(0, scope) + " then v(i) else -" + nat + ")";
+      default -> nat;
     };
   }
 
@@ -213,7 +230,9 @@ final class RandomSource {
 
   private String bool(int depth, Scope scope) {
     if (depth == 0) {
-      return switch (random.nextInt(12)) {
+      return switch (random.nextInt(14)) {
+        case 12 -> "z" + pick(List.of(" < ", " >= ", " = ")) + integer(scope);
+        case 13 -> integer(scope) + pick(List.of(" != ", " = ")) + "v(" + id(0, scope) + ")";
         case 0 -> "flag";
         case 1 -> nat(0, scope) + pick(List.of(" < ", " <= ", " = ", " != ")) + nat(0, scope);
         case 2 -> id(0, scope) + " = " + id(0, scope);

@@ -107,13 +107,13 @@ class SourceReaderTest {
           shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 13 names
           by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]
           by := some(i) | bi := some(i) | 12:7: 'bi' is no component of the state; expected one of [by, shows]
-          shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, time, real, PIDS, Color; is it Color?
+          shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, int, time, real, PIDS, Color; is it Color?
           pre free? | pre free?(i) | 11:7: 'free?' has 1 arguments here; expected 0
           pre free? | pre 3 | 11:7: '3' is of type nat; expected bool
           pre by = some(i) | pre [i] + [i] = [i] | 14:7: '[i]' is a list; expected '++' between two lists
           pre by = some(i) | pre [i] ++ i = [i] | 14:14: 'i' is of type PIDS; expected a list of it, [i]
           pre by = some(i) | pre by ++ [i] = [i] | 14:7: 'by' is of type option[PIDS]; expected a list
-          pre by = some(i) | pre [i](0, 1) = i | 14:7: '[i]' has 2 arguments here; expected 1: nat
+          pre by = some(i) | pre [i](0, 1) = i | 14:7: '[i]' has 2 arguments here; expected 1: int
           action change(i: PIDS) | action change(i, the: PIDS) | 13:18: 'the' is a function of the language already; expected a new name
           action change(i | action take(i | 2:1: action 'take' is here twice; expected different names
           then green else red | then green | 16:1: found the end of the file; expected 'else'
