@@ -135,6 +135,7 @@ expression
     | <assoc=right> expression '=>' expression                          # implies
     | expression '<=>' expression                                       # iff
     | quantifier=(FORALL | EXISTS) binderGroup (',' binderGroup)* '::' expression    # quantified
+    | LET name=id '=' expression '::' expression                        # let
     | IF expression THEN expression ELSE expression                     # conditional
     | MATCH expression '{' matchCase (',' matchCase)* '}'               # match
     | '{' name=id ':' type '|' expression '}'                           # comprehension
@@ -155,7 +156,7 @@ namedArgument: name=id ':=' expression;
 // Words that are names where they cannot be anything else.
 id
     : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
-    | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS
+    | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET
     ;
 
 AUTOMATON: 'automaton';
@@ -207,6 +208,7 @@ AND: 'and';
 OR: 'or';
 FORALL: 'forall';
 EXISTS: 'exists';
+LET: 'let';
 IF: 'if';
 THEN: 'then';
 ELSE: 'else';

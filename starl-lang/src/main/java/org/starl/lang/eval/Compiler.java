@@ -516,6 +516,7 @@ final class Compiler {
           return new Row(Arrays.copyOfRange(list.items(), 1, list.size()));
         };
       }
+      case CARD -> frame -> Num.of(set(of, frame).bitCount());
       case LENGTH -> frame -> Num.of(((Row) of.of(frame)).size());
       case ELEMENTS -> {
         Domain element = ((Domain.Sets) domains.of(builtIn.type())).element;

@@ -318,7 +318,15 @@ final class ExpressionWriter {
       case HEAD -> tells ? told("head", at.pos(), of) : of.then("get", Code.name("0"));
       case TAIL ->
           tells ? told("tail", at.pos(), of) : of.then("subList", Code.name("1"), of.then("size"));
-      case LENGTH -> new Code.Prefix("(long) ", of.then("size"));
+      case CARD, LENGTH -> {
+        if (at.name() == Expr.BuiltIn.Name.CARD
+            && types.form(at.of().type()) != JavaTypes.Sets.FINITE) {
+          throw new NotExecutable(
+              at.pos(),
+              "a " + at.of().type() + " may be infinite in Java; expected no 'card' of it");
+        }
+        yield new Code.Prefix("(long) ", of.then("size"));
+      }
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
       case DISTINCT ->
           Code.infix(

@@ -311,6 +311,10 @@ final class Question {
 
   // --- answers -----------------------------------------------------------------------------------
 
+  boolean isApproximate() {
+    return translator.isApproximate();
+  }
+
   /** The text for Z3. */
   String text() {
     translator.unfold(fields, values);

@@ -50,14 +50,10 @@ final class Shown {
   /** Asks for few and small values, first of {@code variables}, then of the state. */
   void minimise(List<Field> fields, List<Val> variables, Scope state) {
     for (int i = 0; i < fields.size(); i++) {
-      if (fields.get(i).type().base() == Type.Num.NAT) {
-        small(smt(variables.get(i)));
-      }
+      small(fields.get(i).type(), variables.get(i));
     }
     for (Place place : places(state.automaton(), "", state.cells())) {
-      if (place.type().base() == Type.Num.NAT) {
-        small(smt(place.value()));
-      }
+      small(place.type(), place.value());
     }
     for (int i = 0; i < fields.size(); i++) {
       if (solver.hasModel() && fields.get(i).type().base() == Type.Num.NAT) {
@@ -76,7 +72,11 @@ final class Shown {
     }
   }
 
-  private void small(String number) {
+  private void small(Type type, Val value) {
+    if (!Type.isNumber(type, Type.Num::isWhole)) {
+      return;
+    }
+    String number = type.base() == Type.Num.INT ? Smt.call("abs", smt(value)) : smt(value);
     for (int most = 0; most < MOST_NUMBER; most++) {
       String low = Smt.call("<=", number, String.valueOf(most));
       solver.prefer(low);

@@ -56,6 +56,7 @@ final class Translator {
   private List<String> path = new ArrayList<>();
   private List<String> binders = new ArrayList<>();
   private int bound;
+  private boolean isApproximate;
   private int depth;
 
   Translator(Sorts sorts, Script script) {
@@ -502,13 +503,15 @@ final class Translator {
         Type element = ((Type.OptionOf) some.type().base()).element();
         yield new Term(Smt.call("some", termAs(element, some.of(), scope)));
       }
+      case Expr.BuiltIn builtIn when builtIn.name() == Expr.BuiltIn.Name.CARD ->
+          card(builtIn, (Fn) value(builtIn.of(), scope));
       case Expr.BuiltIn builtIn -> {
         String of = smt(value(builtIn.of(), scope));
         switch (builtIn.name()) {
           case THE -> oblige(some(of), "has no value: the(none)", builtIn.pos());
           case HEAD -> oblige(sorts.isCons(of), "has no value: head([])", builtIn.pos());
           case TAIL -> oblige(sorts.isCons(of), "has no value: tail([])", builtIn.pos());
-          case LENGTH, ELEMENTS, DISTINCT -> {
+          case LENGTH, CARD, ELEMENTS, DISTINCT -> {
             // These have values for all lists.
           }
         }
@@ -580,6 +583,7 @@ final class Translator {
       case HEAD -> of(sorts.head(of), builtIn.type());
       case TAIL -> new Term(sorts.tail(of));
       case LENGTH -> new Term(length(of));
+      case CARD -> throw new IllegalStateException(of);
       case ELEMENTS ->
           new Fn(
               Sorts.map(builtIn.type()),
@@ -618,6 +622,35 @@ final class Translator {
                   .formatted(has, name));
     }
     return name;
+  }
+
+  /** Whether a symbol stands for what is known in part alone: then Z3's examples are none. */
+  boolean isApproximate() {
+    return isApproximate;
+  }
+
+  /** Of few elements, a sum; else a number that is 0 for the empty set alone, and the same for equal sets. */
+  private Term card(Expr.BuiltIn at, Fn set) {
+    Type.MapOf map = set.type();
+    Type element = map.arguments().getFirst();
+    List<String> all = sorts.elements(element);
+    if (!all.isEmpty()) {
+      List<String> ones = new ArrayList<>(List.of("0"));
+      all.forEach(each -> ones.add(Smt.ite(smt(set.at().apply(List.of(each))), "1", "0")));
+      return new Term(Smt.call("+", ones));
+    }
+    isApproximate = true;
+    if (!element.isFinite()) {
+      oblige(Smt.FALSE, "has no value: card of an infinite set", at.pos());
+    }
+    String sort = sorts.sort(map);
+    String name = "card." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
+    if (names.putIfAbsent(name, name) == null) {
+      script.declare(name, List.of(sort), "Int");
+    }
+    String number = Smt.call(name, term(set, map));
+    String isEmpty = each(map.arguments(), x -> Smt.not(smt(set.at().apply(x))));
+    return new Term(Smt.ite(isEmpty, "0", Smt.ite("(>= " + number + " 1)", number, "1")));
   }
 
   private static String length(String list) {

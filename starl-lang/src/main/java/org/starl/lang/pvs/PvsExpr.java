@@ -315,6 +315,7 @@ final class PvsExpr {
       case HEAD -> "car";
       case TAIL -> "cdr";
       case LENGTH -> "length";
+      case CARD -> "card";
       case ELEMENTS -> "list2set";
       case DISTINCT -> "distinct?";
     };

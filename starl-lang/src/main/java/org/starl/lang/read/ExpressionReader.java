@@ -7,6 +7,7 @@ import static org.starl.lang.read.Problems.pos;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -22,6 +23,7 @@ import org.starl.lang.tree.Expr.BuiltIn;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Signature;
+import org.starl.lang.tree.Substitution;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
 import org.starl.lang.tree.Type.Field;
@@ -83,6 +85,7 @@ final class ExpressionReader {
           arithmetic(operator(product.op.getText()), product.expression(), hint, pos);
       case StarlParser.IsOfContext is -> is(is, pos);
       case StarlParser.QuantifiedContext quantified -> quantified(quantified, pos);
+      case StarlParser.LetContext let -> let(let, hint);
       case StarlParser.ConditionalContext conditional -> conditional(conditional, hint, pos);
       case StarlParser.MatchContext match -> match(match, hint, pos);
       case StarlParser.ComprehensionContext set -> comprehension(set, pos);
@@ -379,6 +382,9 @@ final class ExpressionReader {
       }
       return new BuiltIn(BuiltIn.Name.THE, of, option.element(), pos);
     }
+    if (name.equals("card")) {
+      return new BuiltIn(BuiltIn.Name.CARD, set(of, argument), Num.NAT, pos);
+    }
     if (!(of.type().base() instanceof Type.ListOf list)) {
       throw wrong(
           argument, "'" + text(argument) + "' is of type " + of.type() + "; expected a list");
@@ -454,20 +460,14 @@ final class ExpressionReader {
     ExpressionContext right = sides.get(1);
     return switch (operator) {
       case IN -> {
-        Expr set = any(right, null);
-        if (!(set.type().base() instanceof Type.SetOf of)) {
-          throw wrong(right, "'" + text(right) + "' is of type " + set.type() + "; expected a set");
-        }
-        yield new Expr.Binary(operator, read(left, of.element()), set, Type.Bool.BOOL, pos);
+        Expr set = set(any(right, null), right);
+        Type element = ((Type.SetOf) set.type().base()).element();
+        yield new Expr.Binary(operator, read(left, element), set, Type.Bool.BOOL, pos);
       }
       case SUBSET, DISJOINT -> {
         List<Expr> both = alike(left, right, null);
-        if (!(both.getFirst().type().base() instanceof Type.SetOf)) {
-          throw wrong(
-              left,
-              "'" + text(left) + "' is of type " + both.getFirst().type() + "; expected a set");
-        }
-        yield new Expr.Binary(operator, both.get(0), both.get(1), Type.Bool.BOOL, pos);
+        Expr first = set(both.get(0), left);
+        yield new Expr.Binary(operator, first, both.get(1), Type.Bool.BOOL, pos);
       }
       case EQUAL, UNEQUAL -> {
         List<Expr> both = alike(left, right, null);
@@ -479,6 +479,13 @@ final class ExpressionReader {
         yield new Expr.Binary(operator, again(a, left, b), b, Type.Bool.BOOL, pos);
       }
     };
+  }
+
+  private Expr set(Expr expr, ExpressionContext at) {
+    if (!(expr.type().base() instanceof Type.SetOf)) {
+      throw wrong(at, "'" + text(at) + "' is of type " + expr.type() + "; expected a set");
+    }
+    return expr;
   }
 
   /** Two expressions, one of whose types is that of both. */
@@ -532,12 +539,8 @@ final class ExpressionReader {
         || operator == Operator.MINUS
         || operator == Operator.INTERSECT) {
       List<Expr> both = alike(sides.get(0), sides.get(1), hint);
-      Type type = both.getFirst().type();
-      if (!(type.base() instanceof Type.SetOf)) {
-        throw wrong(
-            sides.get(0), "'" + text(sides.get(0)) + "' is of type " + type + "; expected a set");
-      }
-      return new Expr.Binary(operator, both.get(0), both.get(1), type, pos);
+      Expr first = set(both.get(0), sides.get(0));
+      return new Expr.Binary(operator, first, both.get(1), first.type(), pos);
     }
     if (operator == Operator.JOIN) {
       return joined(sides.get(0), sides.get(1), hint, pos);
@@ -610,6 +613,19 @@ final class ExpressionReader {
     List<Field> variables = types.fields(at.binderGroup(), false);
     Expr body = under(variables, () -> bool(at.expression()));
     return new Expr.Quantified(at.quantifier.getType() == StarlParser.FORALL, variables, body, pos);
+  }
+
+  /** The variable stands for the value: the tools see that in its place. */
+  private Expr let(StarlParser.LetContext at, @Nullable Type hint) {
+    String name = at.name.getText();
+    Optional<String> taken = scope.taken(name);
+    if (taken.isPresent()) {
+      throw wrong(at.name, "'" + name + "' is " + taken.get() + " already; expected a new name");
+    }
+    Expr value = any(at.expression(0), null);
+    scope.places.put(name, pos(at.name));
+    Expr body = under(List.of(new Field(name, value.type())), () -> any(at.expression(1), hint));
+    return new Substitution().replace(body, Map.of(name, value));
   }
 
   private Expr conditional(StarlParser.ConditionalContext at, @Nullable Type hint, Pos pos) {

@@ -7,7 +7,7 @@ final class Language {
 
   /** Functions of any type of option or list. */
   static final List<String> WORDS =
-      List.of("some", "the", "head", "tail", "length", "elements", "distinct");
+      List.of("some", "the", "head", "tail", "length", "card", "elements", "distinct");
 
   private Language() {}
 }

@@ -139,7 +139,7 @@ public sealed interface Expr {
 
   /**
    * A function of the language: {@code the}, {@code head}, {@code tail}, {@code length}, {@code
-   * elements}, {@code distinct}.
+   * card}, {@code elements}, {@code distinct}.
    */
   record BuiltIn(Name name, Expr of, Type type, Pos pos) implements Expr {
 
@@ -153,6 +153,8 @@ public sealed interface Expr {
       TAIL,
       /** The number of a list's elements. */
       LENGTH,
+      /** The number of elements of a finite set. */
+      CARD,
       /** The set of a list's elements. */
       ELEMENTS,
       /** Whether no element of a list is in it twice. */

@@ -176,6 +176,22 @@ public sealed interface Type {
     };
   }
 
+  /** Whether it has finitely many values, if each opaque type has. */
+  default boolean isFinite() {
+    return switch (base()) {
+      case Num number -> false;
+      case ListOf list -> false;
+      case Rec rec -> rec.fields.stream().allMatch(field -> field.type.isFinite());
+      case Sum sum ->
+          sum.constructors.stream()
+              .allMatch(c -> c.fields.stream().allMatch(field -> field.type.isFinite()));
+      case SetOf set -> set.element.isFinite();
+      case OptionOf option -> option.element.isFinite();
+      case MapOf map -> map.arguments.stream().allMatch(Type::isFinite) && map.result.isFinite();
+      default -> true;
+    };
+  }
+
   /** The type of values of two types; of an {@code int} and a {@code time}, {@code real}. */
   static Type wider(Type a, Type b) {
     return a.isA(b) ? b : b.isA(a) ? a : Num.REAL;

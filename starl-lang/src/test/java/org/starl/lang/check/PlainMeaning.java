@@ -61,6 +61,8 @@ final class PlainMeaning {
           list.elements().stream().map(each -> value(each, state, variables)).toList();
       case Expr.BuiltIn length when length.name() == Expr.BuiltIn.Name.LENGTH ->
           ((List<?>) value(length.of(), state, variables)).size();
+      case Expr.BuiltIn card when card.name() == Expr.BuiltIn.Name.CARD ->
+          ((Set<?>) value(card.of(), state, variables)).size();
       case Expr.BuiltIn the ->
           ((Optional<?>) value(the.of(), state, variables)).orElseThrow(Undefined::new);
       case Expr.SetOf set -> {

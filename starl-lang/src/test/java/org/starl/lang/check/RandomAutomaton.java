@@ -9,12 +9,16 @@ final class RandomAutomaton {
 
   private final Random random;
 
+  /** The one of m, l and z that changes: with all of them there would be too many states. */
+  private String changing = "m";
+
   RandomAutomaton(Random random) {
     this.random = random;
   }
 
   /** Its components are a set, a number, an option, a map, a list and an int; its actions have an id, or a number. */
   String source() {
+    changing = pick(List.of("m", "m", "l", "z"));
     StringBuilder text =
         new StringBuilder(
             """
@@ -57,13 +61,13 @@ final class RandomAutomaton {
     if (!ids.isEmpty() && random.nextBoolean()) {
       all.add("o := " + (random.nextInt(3) > 0 ? "some(" + pick(ids) + ")" : "none"));
     }
-    if (!ids.isEmpty() && (all.isEmpty() || random.nextBoolean())) {
+    if (!ids.isEmpty() && changing.equals("m") && (all.isEmpty() || random.nextBoolean())) {
       all.add("m(" + pick(ids) + ") := " + set(1, ids, nats));
     }
-    if (!ids.isEmpty() && random.nextInt(8) == 0) {
+    if (!ids.isEmpty() && changing.equals("l") && random.nextBoolean()) {
       all.add("l := " + (random.nextInt(3) > 0 ? "l ++ [" + pick(ids) + "]" : "[]"));
     }
-    if (random.nextInt(8) == 0) {
+    if (changing.equals("z") && random.nextBoolean()) {
       all.add("z := " + pick(List.of("z - 1", "n - 2", "-z", "z + n")));
     }
     return all.isEmpty() ? List.of("n := n + 1") : all;
@@ -81,13 +85,14 @@ final class RandomAutomaton {
   }
 
   private String nat(List<String> ids, List<String> nats) {
-    return switch (random.nextInt(7)) {
+    return switch (random.nextInt(8)) {
+      case 7 -> "card(" + set(1, ids, nats) + ")";
       case 0 -> "0";
       case 1 -> "1";
       case 6 -> "length(l)";
       case 2 -> pick(nats) + " + 1";
       case 3 -> "(if " + bool(1, ids, nats) + " then " + pick(nats) + " else 2)";
-      case 4 -> random.nextInt(5) == 0 ? pick(nats) + " - 1" : pick(nats);
+      case 4 -> random.nextInt(5) == 0 ? "n - 1" : pick(nats);
       default -> pick(nats);
     };
   }
@@ -113,8 +118,8 @@ final class RandomAutomaton {
   private String bool(int depth, List<String> ids, List<String> nats) {
     if (depth == 0) {
       return switch (random.nextInt(8)) {
-        case 6 -> "z < " + pick(nats);
-        case 7 -> pick(nats) + " - 2 = z";
+        case 6 -> "z < n"; // c may be beyond the bound, where the plain meaning has none
+        case 7 -> "n - 2 = z";
         case 0 -> "o = none";
         case 1 -> pick(nats) + " < 2";
         case 2 -> pick(nats) + " != 0";

@@ -15,6 +15,7 @@ import org.starl.lang.pvs.PvsTheory;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.verdict.Verdict;
 import org.starl.spec.automaton.Undefined;
 
 /** The table of docs/language.md: each tool asks that operations have values, and that effects are some. */
@@ -82,6 +83,20 @@ class ObligationsTest {
     assertAsked(text, "13:38: 'go' changes one place twice; expected one effect on it");
     assertThat(PvsTheory.of(last(text), "x.starl"))
         .contains("go(t, u): s WITH [ `m(t) := 1, `m(u) := 2 ]");
+  }
+
+  @Test
+  void cardOfASetThatIsNotKnownToBeFiniteIsNotDecided() throws SourceErrors {
+    String text = SOURCE.replace("EFFECT", "n := card({k: nat | k > n})");
+    assertThat(checked(last(text)).verdict()).isEqualTo(Verdict.NOT_DECIDED);
+    assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines())
+        .contains(
+            "Partial: go perhaps has no value: card of an infinite set: not decided", "  at 13:32");
+    assertThat(PvsTheory.of(last(text), "x.starl"))
+        .containsSubsequence("IF enabled(a, s) THEN", "`n := card({k | k > s`n})", "ELSE s ENDIF");
+    assertThatThrownBy(() -> JavaSources.of(last(text), "x.starl"))
+        .isInstanceOf(SourceErrors.class)
+        .hasMessageStartingWith("x.starl:13:47: the values of 'k' that matter here");
   }
 
   @Test

@@ -128,7 +128,7 @@ final class RandomSource {
   private String nat(int depth, Scope scope) {
     if (depth == 0) {
       return switch (random.nextInt(8)) {
-        case 7 -> "length(q)";
+        case 7 -> random.nextBoolean() ? "length(q)" : "card(those)";
         case 0 -> "n";
         case 1 -> "m(" + pick(scope.ids) + ")";
         case 2 -> "e.gen";

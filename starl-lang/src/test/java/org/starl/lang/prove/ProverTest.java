@@ -101,6 +101,38 @@ class ProverTest {
   }
 
   @Test
+  void cardsAreExactForFewRobots() {
+    String votes =
+        """
+        automaton Votes[P]
+        type Ballot = record(n: nat, by: P)
+        state
+          yes: set[P]
+          no: set[P]
+          all: set[Ballot]
+        start yes = {}, no = {}, all = {}
+        action vote(i: P)
+          pre let both = yes union no :: not i in both and card(both) < 3
+          eff yes := yes union {i}
+        action against(i: P, b: Ballot)
+          pre not i in yes union no
+          eff no := no union {i}, all := all union {b}
+        invariant Apart: yes disjoint no
+        invariant Sum: card(yes union no) = card(yes) + card(no)
+        invariant Empty: card(yes) = 0 <=> yes = {}
+        """;
+    assertThat(proved(votes).lines())
+        .contains(
+            "Votes: Empty holds, for any number of P",
+            "Votes: Sum holds for 1 to 5 of P; for more it is not decided",
+            "Votes: vote can happen");
+    assertThat(proved(votes + "invariant One: card(yes) <= 1\n").lines())
+        .contains("Votes: One is not kept by vote", "  after   yes = {bot0, bot1}");
+    assertThat(proved(votes + "invariant None: card(all) = card(yes)\n").lines())
+        .contains("Votes: None is not decided for vote");
+  }
+
+  @Test
   void stepOfAUsedAutomatonChangesNothingIfItsConditionFails() {
     String room =
         """

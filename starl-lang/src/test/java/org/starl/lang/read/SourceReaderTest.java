@@ -104,7 +104,7 @@ class SourceReaderTest {
       delimiter = '|',
       textBlock =
           """
-          shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 13 names
+          shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 14 names
           by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]
           by := some(i) | bi := some(i) | 12:7: 'bi' is no component of the state; expected one of [by, shows]
           shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, int, time, real, PIDS, Color; is it Color?
@@ -113,6 +113,9 @@ class SourceReaderTest {
           pre by = some(i) | pre [i] + [i] = [i] | 14:7: '[i]' is a list; expected '++' between two lists
           pre by = some(i) | pre [i] ++ i = [i] | 14:14: 'i' is of type PIDS; expected a list of it, [i]
           pre by = some(i) | pre by ++ [i] = [i] | 14:7: 'by' is of type option[PIDS]; expected a list
+          pre by = some(i) | pre card(by) = 1 | 14:12: 'by' is of type option[PIDS]; expected a set
+          pre by = some(i) | pre let red = 1 :: red = 1 | 14:11: 'red' is a value of Color already; expected a new name
+          pre by = some(i) | pre let x = 1 in {1} | 15:3: found 'eff'; expected '::'
           pre by = some(i) | pre [i](0, 1) = i | 14:7: '[i]' has 2 arguments here; expected 1: int
           action change(i: PIDS) | action change(i, the: PIDS) | 13:18: 'the' is a function of the language already; expected a new name
           action change(i | action take(i | 2:1: action 'take' is here twice; expected different names
