@@ -263,7 +263,7 @@ public final class Main implements Runnable {
     ArgSpec at = error.getArgSpec();
     return switch (error) {
       case UnmatchedArgumentException more ->
-          BadInput.quote(String.join(" ", more.getUnmatched())) + ": " + hint(more);
+          BadInput.quote(more.getUnmatched().getFirst()) + ": " + hint(more);
       case MissingParameterException less when !less.getMissing().isEmpty() ->
           "expected "
               + less.getMissing().stream()

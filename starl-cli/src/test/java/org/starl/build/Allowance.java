@@ -107,6 +107,18 @@ record Allowance(String rule, String path, String reason) {
             "a signal asks from another thread how far the work is"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-cli" + MAIN + "cli/mutants/BugProcess.java",
+            "a bug may never end: after a time, its process is ended"),
+        new Allowance(
+            "wall clock",
+            "starl-cli" + MAIN + "cli/mutants/BugWorker.java",
+            "tells how long runs without a bug take; only bugs that never end depend on it"),
+        new Allowance(
+            "writing to the console",
+            "starl-cli" + MAIN + "cli/mutants/BugWorker.java",
+            "the standard output of the second process is for its answers"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-cli" + MAIN + "cli/UntilStopped.java",
             "the process is stopped from outside, and its wheels first"),
         new Allowance(

@@ -23,7 +23,7 @@ public final class Probes {
 
   private static final String OWN_NAME = Type.getInternalName(Probes.class);
 
-  private static volatile boolean[] isRun = new boolean[1 << 16];
+  private static boolean[] isRun = new boolean[1 << 16];
 
   /** The number of each line, by file and line; from 0. */
   private final SortedMap<String, SortedMap<Integer, Integer>> numbers = new TreeMap<>();

@@ -106,7 +106,7 @@ final class Shown {
       case Type.Bool bool -> Smt.not(value);
       case Type.Num number -> Smt.equal(value, number.isWhole() ? "0" : "0.0");
       case Type.OptionOf option -> "((_ is none) " + value + ")";
-      case Type.ListOf list -> Smt.not(sorts.isCons(value));
+      case Type.ListOf list -> Smt.not(sorts.notEmpty(value));
       case Type.Sum sum ->
           "((_ is " + sorts.form(sum, sum.constructors().getFirst()) + ") " + value + ")";
       case Type.Rec rec ->
@@ -244,7 +244,7 @@ final class Shown {
       case Type.ListOf list -> {
         List<String> elements = new ArrayList<>();
         String rest = value;
-        while (solver.isTrue(sorts.isCons(rest))) {
+        while (solver.isTrue(sorts.notEmpty(rest))) {
           elements.add(part(list.element(), sorts.head(rest)));
           rest = sorts.tail(rest);
         }

@@ -226,7 +226,7 @@ final class Sorts {
         : Smt.call("cons", head, tail);
   }
 
-  String isCons(String list) {
+  String notEmpty(String list) {
     return hasSequences ? "(> (seq.len " + list + ") 0)" : "((_ is cons) " + list + ")";
   }
 

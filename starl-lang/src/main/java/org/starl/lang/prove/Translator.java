@@ -509,8 +509,8 @@ final class Translator {
         String of = smt(value(builtIn.of(), scope));
         switch (builtIn.name()) {
           case THE -> oblige(some(of), "has no value: the(none)", builtIn.pos());
-          case HEAD -> oblige(sorts.isCons(of), "has no value: head([])", builtIn.pos());
-          case TAIL -> oblige(sorts.isCons(of), "has no value: tail([])", builtIn.pos());
+          case HEAD -> oblige(sorts.notEmpty(of), "has no value: head([])", builtIn.pos());
+          case TAIL -> oblige(sorts.notEmpty(of), "has no value: tail([])", builtIn.pos());
           case LENGTH, CARD, ELEMENTS, DISTINCT -> {
             // These have values for all lists.
           }
