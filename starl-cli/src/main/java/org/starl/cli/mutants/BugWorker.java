@@ -33,7 +33,7 @@ public final class BugWorker {
     this.runs = runs;
   }
 
-  /** Answers on the standard output, where nobody else may print. */
+  /** Answers on the standard output. All else is printed to the standard error. */
   public static void serve(String classes, Runs runs) throws IOException, InterruptedException {
     System.setOut(System.err);
     BugWorker worker = new BugWorker(new Bugs(classes), runs);

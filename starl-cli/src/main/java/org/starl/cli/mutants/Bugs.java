@@ -8,7 +8,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -116,6 +115,6 @@ final class Bugs {
   /** The class with the bug. */
   Map<String, byte[]> planted(int bug) {
     byte[] bytes = mutater.getMutation(details.get(bug).getId()).getBytes();
-    return new TreeMap<>(Map.of(className(bug), bytes));
+    return Map.of(className(bug), bytes);
   }
 }

@@ -60,9 +60,14 @@ public final class Probes {
             numbers
                 .computeIfAbsent(file, any -> new TreeMap<>())
                 .computeIfAbsent(line.line, any -> count++);
-        method.insertBefore(next, new LdcInsnNode(number));
-        method.insertBefore(
-            next, new MethodInsnNode(Opcodes.INVOKESTATIC, OWN_NAME, "reached", "(I)V"));
+        InsnList call = new InsnList();
+        call.add(new LdcInsnNode(number));
+        call.add(new MethodInsnNode(Opcodes.INVOKESTATIC, OWN_NAME, "reached", "(I)V"));
+        if (next.getOpcode() == Opcodes.NEW) {
+          method.insert(next, call); // later frames name its place
+        } else {
+          method.insertBefore(next, call);
+        }
       }
     }
   }

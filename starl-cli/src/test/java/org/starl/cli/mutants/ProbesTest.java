@@ -23,8 +23,8 @@ class ProbesTest {
   }
 
   private static final class Loader extends ClassLoader {
-    Class<?> define(byte[] bytes) {
-      return defineClass(Sample.class.getName(), bytes, 0, bytes.length);
+    Class<?> define(String name, byte[] bytes) {
+      return defineClass(name, bytes, 0, bytes.length);
     }
   }
 
@@ -37,10 +37,28 @@ class ProbesTest {
   @Test
   void aLineThatNoRunReachesIsNamed() throws Exception {
     Probes probes = new Probes();
-    Class<?> probed = new Loader().define(probes.probed(bytes()));
+    Class<?> probed = new Loader().define(Sample.class.getName(), probes.probed(bytes()));
     assertThat(probes.neverRun()).singleElement().asString().startsWith("ProbesTest.java: 7 of 7");
     assertThat(probed.getMethod("sum", int.class).invoke(null, 4)).isEqualTo(6);
     assertThat(probes.neverRun()).containsExactly("ProbesTest.java: 2 of 7 lines: 12, 17");
     assertThat(probes.isRun("ProbesTest.java", 19)).isTrue();
+  }
+
+  /** Its line begins with an object, of which a frame says that it has no value yet. */
+  public static final class Chosen {
+    public static String text(int number) {
+      return new StringBuilder(number > 2 ? "many" : "few").toString();
+    }
+  }
+
+  @Test
+  void aLineMayBeginWithANewObject() throws Exception {
+    Probes probes = new Probes();
+    byte[] bytes;
+    try (InputStream in = Chosen.class.getResourceAsStream("ProbesTest$Chosen.class")) {
+      bytes = probes.probed(in.readAllBytes());
+    }
+    Class<?> probed = new Loader().define(Chosen.class.getName(), bytes);
+    assertThat(probed.getMethod("text", int.class).invoke(null, 3)).isEqualTo("many");
   }
 }
