@@ -16,7 +16,7 @@ class MutantsTest {
         Cli.run("mutants", "hello", "--seeds", "1..2", "--classes", "org.starl.apps.hello.logic.*");
     assertThat(cli.status()).as("%s", cli).isZero();
     List<String> lines = cli.out();
-    // Where hello drives is nobody's rule; that it ends is.
+    // No specification says where hello drives.
     assertThat(lines).anyMatch(line -> line.matches("survived: Hello.java:\\d+: .*doMove.*"));
     assertThat(lines.getLast()).matches("\\d+ bugs tried with seeds 1..2: [1-9].* 0 refused.*");
   }
