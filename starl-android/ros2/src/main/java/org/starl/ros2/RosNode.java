@@ -5,6 +5,10 @@ import com.eprosima.xmlschemas.fastrtps_profiles.HistoryQosKindPolicyType;
 import com.eprosima.xmlschemas.fastrtps_profiles.ReliabilityQosKindPolicyType;
 import java.io.IOException;
 import java.nio.BufferUnderflowException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
@@ -29,6 +33,7 @@ import us.ihmc.pubsub.participant.Participant;
 import us.ihmc.pubsub.publisher.Publisher;
 import us.ihmc.pubsub.subscriber.Subscriber;
 import us.ihmc.pubsub.subscriber.SubscriberListener;
+import us.ihmc.tools.nativelibraries.NativeLibraryLoader;
 
 /**
  * A participant of ROS 2's network. Tells within three seconds which topic has no other end, or one with
@@ -78,13 +83,28 @@ final class RosNode implements AutoCloseable {
             .name(name)
             .useBuiltinTransports(true);
     try {
-      Domain domain = DomainFactory.getDefaultDomain();
+      Domain domain = domain();
       domain.setLogLevel(LogLevel.ERROR);
       RosNode node = new RosNode(domain, domain.createParticipant(profile), name, clock, log);
       node.watcher.start();
       return node;
     } catch (LinkageError | RuntimeException e) {
       throw new IOException("ROS 2 cannot start on this machine: " + e, e);
+    }
+  }
+
+  /**
+   * The library copies its native part into the user's home when it first starts there, and takes a file that exists for a whole
+   * one: a second process must wait until the first has copied.
+   */
+  private static synchronized Domain domain() throws IOException {
+    Path folder = Files.createDirectories(Path.of(NativeLibraryLoader.LIBRARY_LOCATION));
+    Path file = folder.resolve("starl.lock");
+    try (FileChannel channel =
+        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      // Until the file is closed.
+      channel.lock();
+      return DomainFactory.getDefaultDomain();
     }
   }
 
