@@ -115,16 +115,17 @@ begin_attack() {
   answers[$1]=$answer
 }
 # insist COMMAND MS LINE: the attack again and again, until the log or trace of each robot has that line. A
-# robot between two rounds is off the floor: it believes no pose, and has nothing to tell.
+# robot between two rounds is off the floor: it believes no pose, and has nothing to tell. It comes onto the floor only while
+# the others drive: so each attack waits until a round has ended after the one before.
 insist() {
   begin_attack "$1" "$2"
-  until_ "$limit" told_by_all "$@"
+  until_ $((2 * limit)) told_by_all "$@"
 }
 told_by_all() {
-  all_noticed "$3" && return
-  sleep 3
+  until_ 3 all_noticed "$3" && return
+  until_ 30 more_rounds "$run" $((rounds_before[$1] + 1))
   begin_attack "$1" "$2"
-  all_noticed "$3"
+  until_ 3 all_noticed "$3"
 }
 crossing() {
   until_ "$limit" more_rounds "$run" $((rounds_before[$1] + 1))

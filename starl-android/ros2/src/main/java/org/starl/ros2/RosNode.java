@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -36,8 +38,11 @@ import us.ihmc.pubsub.subscriber.SubscriberListener;
 import us.ihmc.tools.nativelibraries.NativeLibraryLoader;
 
 /**
- * A participant of ROS 2's network. Tells within three seconds which topic has no other end, or one with
+ * Ends of topics on ROS 2's network. Tells within three seconds which topic has no other end, or one with
  * another quality of service or type, and what to set. From any thread.
+ *
+ * <p>All nodes of a process are one participant of DDS. With several, Fast DDS may block for ever when an end is
+ * removed (<a href="https://github.com/eProsima/Fast-DDS/issues/6193">its issue 6193</a>), and no node receives more.
  */
 final class RosNode implements AutoCloseable {
 
@@ -45,8 +50,13 @@ final class RosNode implements AutoCloseable {
   private static final int MOST_DOMAIN = 232;
   private static final long WATCH_NS = 100 * Time.NS_PER_MS;
 
+  private static @Nullable Participant shared;
+  private static int users;
+
   private final Domain domain;
   private final Participant participant;
+  private final Set<Publisher> publishers = ConcurrentHashMap.newKeySet();
+  private final Set<Subscriber<?>> subscribers = ConcurrentHashMap.newKeySet();
   private final Clock clock;
   private final LogSink log;
   private final List<TopicWatch> watches = new CopyOnWriteArrayList<>();
@@ -77,19 +87,36 @@ final class RosNode implements AutoCloseable {
    * @throws IOException if there is no library for this machine, or no such domain; one line
    */
   static RosNode open(String name, Clock clock, LogSink log) throws IOException {
-    ParticipantProfile profile =
-        ParticipantProfile.create()
-            .domainId(domainId(System.getenv("ROS_DOMAIN_ID")))
-            .name(name)
-            .useBuiltinTransports(true);
+    int domainId = domainId(System.getenv("ROS_DOMAIN_ID"));
     try {
       Domain domain = domain();
-      domain.setLogLevel(LogLevel.ERROR);
-      RosNode node = new RosNode(domain, domain.createParticipant(profile), name, clock, log);
+      RosNode node = new RosNode(domain, join(domain, domainId), name, clock, log);
       node.watcher.start();
       return node;
     } catch (LinkageError | RuntimeException e) {
       throw new IOException("ROS 2 cannot start on this machine: " + e, e);
+    }
+  }
+
+  private static synchronized Participant join(Domain domain, int domainId) throws IOException {
+    if (shared == null) {
+      domain.setLogLevel(LogLevel.ERROR);
+      shared =
+          domain.createParticipant(
+              ParticipantProfile.create()
+                  .domainId(domainId)
+                  .name("starl")
+                  .useBuiltinTransports(true));
+    }
+    users++;
+    return shared;
+  }
+
+  private static synchronized void leave(Domain domain, Participant participant) {
+    users--;
+    if (users == 0) {
+      domain.removeParticipant(participant);
+      shared = null;
     }
   }
 
@@ -150,7 +177,9 @@ final class RosNode implements AutoCloseable {
       guard.signal();
     });
     Daemons.join(watcher, 0);
-    domain.removeParticipant(participant);
+    publishers.forEach(this::remove);
+    subscribers.forEach(this::remove);
+    leave(domain, participant);
   }
 
   private interface Opening {
@@ -204,18 +233,31 @@ final class RosNode implements AutoCloseable {
     RosType type = RosType.of(topic.type());
     if (isPublisher) {
       Publisher publisher = publisher(topic, type, matched);
-      return () -> domain.removePublisher(publisher);
+      return () -> remove(publisher);
     }
     Subscriber<?> subscriber = subscriber(topic, type, message -> {}, matched);
-    return () -> domain.removeSubscriber(subscriber);
+    return () -> remove(subscriber);
+  }
+
+  private void remove(Publisher publisher) {
+    publishers.remove(publisher);
+    domain.removePublisher(publisher);
+  }
+
+  private void remove(Subscriber<?> subscriber) {
+    subscribers.remove(subscriber);
+    domain.removeSubscriber(subscriber);
   }
 
   private Publisher publisher(RosTopic topic, RosType type, Consumer<Boolean> matched)
       throws IOException {
-    return domain.createPublisher(
-        participant,
-        attributes(PublisherAttributes.create(), topic, type),
-        (publisher, info) -> matched.accept(isMatch(info)));
+    Publisher publisher =
+        domain.createPublisher(
+            participant,
+            attributes(PublisherAttributes.create(), topic, type),
+            (matching, info) -> matched.accept(isMatch(info)));
+    publishers.add(publisher);
+    return publisher;
   }
 
   // The library's interface for creating a subscriber has no type parameters.
@@ -238,10 +280,13 @@ final class RosNode implements AutoCloseable {
             matched.accept(isMatch(info));
           }
         };
-    return domain.createSubscriber(
-        participant,
-        attributes(SubscriberAttributes.create(), topic, type),
-        (SubscriberListener) listener);
+    Subscriber<byte[][]> subscriber =
+        domain.createSubscriber(
+            participant,
+            attributes(SubscriberAttributes.create(), topic, type),
+            (SubscriberListener) listener);
+    subscribers.add(subscriber);
+    return subscriber;
   }
 
   private void take(RosTopic topic, Consumer<Cdr> consumer, byte[] bytes) {
