@@ -7,10 +7,12 @@ a second. It stops 0.5 s after the last command.
 import math
 import sys
 import time
+from contextlib import suppress
 
 import rclpy
 from geometry_msgs.msg import PoseStamped, Twist
 from nav_msgs.msg import Odometry
+from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 
@@ -72,4 +74,5 @@ class Base(Node):
 
 
 rclpy.init()
-rclpy.spin(Base(sys.argv[1], *map(float, sys.argv[2:5]), sys.argv[5:]))
+with suppress(ExternalShutdownException):  # the signal that ends it
+    rclpy.spin(Base(sys.argv[1], *map(float, sys.argv[2:5]), sys.argv[5:]))

@@ -1,9 +1,11 @@
 """Receives what StarL shows of a robot, with the types of RViz.   usage: display.py NAME"""
 import json
 import sys
+from contextlib import suppress
 
 import rclpy
 from nav_msgs.msg import Path
+from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
 
@@ -32,4 +34,5 @@ node = rclpy.create_node("display")
 for kind, type_ in (("events", String), ("path", Path), ("markers", MarkerArray)):
     node.create_subscription(type_, f"/{sys.argv[1]}/starl/{kind}", take(kind), 10)
 print("subscribed", flush=True)
-rclpy.spin(node)
+with suppress(ExternalShutdownException):  # the signal that ends it
+    rclpy.spin(node)

@@ -7,6 +7,7 @@ import math
 import sys
 import tempfile
 import time
+from contextlib import suppress
 
 import irsim
 import numpy
@@ -14,6 +15,7 @@ import rclpy
 from geometry_msgs.msg import PoseWithCovarianceStamped, TwistStamped
 from nav_msgs.msg import Odometry
 from rclpy.duration import Duration
+from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import Bool
 
 PERIOD_S = 0.05
@@ -97,4 +99,5 @@ def tick():
 
 node.create_timer(PERIOD_S / 5, tick)
 print("ready", flush=True)
-rclpy.spin(node)
+with suppress(ExternalShutdownException):  # the signal that ends it
+    rclpy.spin(node)
