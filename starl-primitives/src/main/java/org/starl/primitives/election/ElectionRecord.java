@@ -96,12 +96,31 @@ final class ElectionRecord {
    * or stands in it and does not know the leader that the robot knows; else 0.
    */
   long termDue(RobotId robot, ElectionMessage message) {
-    long term = terms.getOrDefault(robot, 0L);
+    long term = term(robot);
     boolean knows = shownBy(robot) instanceof Leader.Name name && name.term() == term;
     boolean asks = message instanceof ElectionMessage.Candidacy && knows;
     boolean isBehind = message.term() < term || (message.term() == term && asks);
     // What a dead program has sent is ignored.
     return isBehind && message.from().equals(ids.get(message.from().robot())) ? term : 0;
+  }
+
+  /**
+   * The term in which the robot must stand when it hears this message: a later one than its own, or the next one, as
+   * the message is of a later program of its leader; else 0.
+   */
+  long termCalled(RobotId robot, ElectionMessage message) {
+    ProcessId from = message.from();
+    if (!callers.contains(robot) || !from.equals(ids.get(from.robot()))) {
+      return 0;
+    }
+    long term = term(robot);
+    boolean isLeaderDead =
+        shownBy(robot) instanceof Leader.Name name
+            && name.term() == term
+            && name.id().robot().equals(from.robot())
+            && name.id().inc() < from.inc();
+    boolean isLater = message instanceof ElectionMessage.Candidacy && message.term() > term;
+    return isLater ? message.term() : isLeaderDead ? term + 1 : 0;
   }
 
   void stood(long term, ProcessId id) {
@@ -153,6 +172,10 @@ final class ElectionRecord {
           List.of(variable.robot()),
           source + ", term " + term + ": " + leader + " did not stand for election");
     }
+  }
+
+  long term(RobotId robot) {
+    return terms.getOrDefault(robot, 0L);
   }
 
   Leader shownBy(RobotId robot) {

@@ -3,9 +3,13 @@ package org.starl.primitives.election;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
 import org.starl.primitives.agreement.SynodSpec;
+import org.starl.primitives.election.ElectionMessage.Candidacy;
+import org.starl.primitives.election.ElectionMessage.Elected;
 import org.starl.primitives.suspicion.SuspicionCheck;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
@@ -18,12 +22,13 @@ import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of elections, after the package's contract: {@code Agreement}, {@code Soundness},
- * where bounds are given, {@code Elected} and {@code Told}, and with {@link #patient} {@code Suspected} and {@code
- * Behind}.
+ * where bounds are given, {@code Elected} and {@code Told}, and with {@link #patient} {@code Suspected}, {@code
+ * Behind}, {@code Says} and {@code Turn}.
  */
 public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
@@ -33,12 +38,17 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String ELECTED = "election.Elected";
   static final String TOLD = "election.Told";
   static final String SUSPECTED = "election.Suspected";
+  static final String SAYS = "election.Says";
+  static final String TURN = "election.Turn";
   static final String BEHIND = "election.Behind";
   static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
+  private @Nullable TurnCheck turns;
+  private @Nullable Delivered heard;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
   private final TellCheck tells = new TellCheck(BEHIND);
+  private final TellCheck says = new TellCheck(SAYS);
   private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
   private final Deadlines elected;
   private final Deadlines told;
@@ -89,15 +99,21 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   }
 
   /**
-   * Also requires that no robot suspects a leader, or fails, before these times; and that a robot which
-   * is behind is told.
+   * Also requires that no robot suspects a leader, fails, or proposes before these times; and that robots tell
+   * each other at once.
    */
   public ElectionSpec patient(ElectionSettings settings) {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
     lemma(
         BEHIND,
         "A robot that hears one of an earlier term, or without its leader, tells it at once.");
+    lemma(
+        SAYS,
+        "A robot that stands, or decides a term, broadcasts it at once; one that hears of a later term, or of a later program of its leader, stands.");
+    lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
     tells.begin();
+    says.begin();
+    turns = new TurnCheck(settings, faults);
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     told.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -127,6 +143,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         silence.heard(action.source(), action, created.i());
       }
       case ElectionAction.do_election call -> {
+        if (turns != null && ballots.shownBy(action.robot()) instanceof Leader.Fail) {
+          turns.stands(key(action), ballots.term(action.robot()), action.timeNs());
+        }
         ballots.called(action.robot());
         allow(ballots, action, action.source(), 0, report);
       }
@@ -141,6 +160,15 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
           silence.suspectsNobody(report); // it knows no leader of the term before
         }
         ballots.stood(stands.n(), stands.i());
+        if (turns != null) {
+          turns.stands(key(action), stands.n(), action.timeNs());
+        }
+        says.observe(action, report); // ends the step before
+        says.owes(
+            action,
+            Sent.ALL,
+            "its candidacy in term " + stands.n(),
+            told -> told instanceof Candidacy m && m.term() == stands.n());
         allow(ballots, action, action.source(), stands.n(), report);
       }
       default -> {}
@@ -156,14 +184,42 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       shown.shows(variable, report);
       if (leader instanceof Leader.Name name) {
         silence.heard(variable.source(), variable, name.id());
+        if (hasDecided(variable, name.term())) {
+          says.owes(
+              variable,
+              Sent.ALL,
+              "the leader of term " + name.term(),
+              told -> told instanceof Elected m && m.term() == name.term());
+        }
       }
       allow(ballots, variable, variable.source(), 0, report);
     }
   }
 
+  /** Whether the robot has shown this after the vote that decides: both are in one step. */
+  private boolean hasDecided(Variable variable, long term) {
+    return heard != null
+        && heard.robot().equals(variable.robot())
+        && heard.channel().owner().equals(variable.source())
+        && heard.timeNs() == variable.timeNs()
+        && heard.message() instanceof Accepted vote
+        && vote.number() == term;
+  }
+
+  private static ProcessKey key(TraceEvent.Action action) {
+    return new ProcessKey(action.source(), action.robot());
+  }
+
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
+    says.observe(event, report);
+    if (turns != null) {
+      turns.observe(event, report);
+    }
+    if (event instanceof Delivered got && got.channel().kind().equals(ElectionFact.SYNOD)) {
+      heard = got;
+    }
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
       ElectionRecord ballots = instance(got.channel());
@@ -174,6 +230,14 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
             got.from().name(),
             "term " + due,
             told -> told instanceof ElectionMessage m && m.term() >= due);
+      }
+      long called = ballots.termCalled(got.robot(), message);
+      if (called > 0) {
+        says.owes(
+            got,
+            Sent.ALL,
+            "its candidacy in term " + called,
+            told -> told instanceof Candidacy m && m.term() >= called);
       }
     }
   }
@@ -203,6 +267,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void ended(RobotId robot) {
     instances().values().forEach(ballots -> ballots.ended(robot));
     silence.ended(robot);
+    if (turns != null) {
+      turns.ended(robot);
+    }
   }
 
   @Override

@@ -49,10 +49,10 @@ public enum ElectionStrategy {
   };
 
   /** Message delays until all candidates know each other. */
-  private static final int LISTEN = 2;
+  static final int LISTEN = 2;
 
   /** Message delays from a proposal until other robots know the decision, plus one. */
-  private static final int DECIDE = 6;
+  static final int DECIDE = 6;
 
   /** The plan now. It is asked again at the end of a {@link Wait}. */
   abstract Plan plan(Candidates poll, long nowNs);

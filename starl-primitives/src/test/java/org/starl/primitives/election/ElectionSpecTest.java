@@ -214,6 +214,90 @@ class ElectionSpecTest {
   }
 
   @Test
+  void aCandidacyThatIsNotBroadcastViolatesSays() {
+    for (TraceEvent then :
+        List.of(
+            Seen.says(5, A, new ElectionMessage.Candidacy(id(A), 2, 1)),
+            Seen.says(5, A, new ElectionMessage.Candidacy(id(A), 1, 1)),
+            Seen.tells(5, A, B, new ElectionMessage.Candidacy(id(A), 2, 1)),
+            Seen.says(6, A, new ElectionMessage.Candidacy(id(A), 2, 1)))) {
+      Monitors patient = patient();
+      patient.observe(Seen.stands(5, A, 2, id(A)));
+      boolean isSaid = then.equals(Seen.says(5, A, new ElectionMessage.Candidacy(id(A), 2, 1)));
+      assertThat(says(patient, then)).as(then.toString()).isEqualTo(isSaid ? 0 : 1);
+    }
+  }
+
+  @Test
+  void whoHearsOfALaterTermOrALaterProgramOfItsLeaderStands() {
+    ProcessId again = ProcessId.first(B, 2);
+    TraceEvent stands = Seen.says(5, A, new ElectionMessage.Candidacy(id(A), 2, 1));
+    TraceEvent nothing = new Fault(5, C, Fault.CRASH, "");
+    for (ElectionMessage heard :
+        List.of(
+            new ElectionMessage.Candidacy(id(C), 2, 1),
+            new ElectionMessage.Candidacy(again, 1, 1))) {
+      for (TraceEvent then : List.of(stands, nothing)) {
+        Monitors patient = patient();
+        patient.observe(Seen.shows(2, A, leader(1, B)));
+        patient.observe(Seen.exists(3, 3, heard.from()));
+        patient.observe(Seen.hears(5, A, heard));
+        assertThat(says(patient, then)).isEqualTo(then.equals(stands) ? 0 : 1);
+      }
+    }
+    Monitors patient = patient();
+    patient.observe(Seen.shows(2, A, leader(1, B)));
+    patient.observe(Seen.hears(5, A, new ElectionMessage.Candidacy(id(C), 1, 1)));
+    assertThat(says(patient, nothing)).isZero();
+  }
+
+  @Test
+  void whoDecidesATermBroadcastsItsLeader() {
+    TraceEvent told = Seen.says(5, A, new ElectionMessage.Elected(id(A), 1, id(B)));
+    TraceEvent nothing = new Fault(5, C, Fault.CRASH, "");
+    for (TraceEvent then : List.of(told, nothing)) {
+      Monitors patient = patient();
+      patient.observe(Seen.hearsVote(5, A, B, 1));
+      patient.observe(Seen.shows(5, A, leader(1, B)));
+      assertThat(says(patient, then)).isEqualTo(then.equals(told) ? 0 : 1);
+    }
+  }
+
+  /** What the lemma says after all that was said at one time. */
+  private static long says(Monitors patient, TraceEvent then) {
+    patient.observe(then);
+    patient.observe(Seen.tells(9, B, A, new ElectionMessage.Elected(id(B), 2, id(B))));
+    return patient.report().violations(ElectionSpec.SAYS);
+  }
+
+  /** With a message delay of 1 ms; A has the lowest id, and stands since 0. */
+  @Test
+  void aProposalBeforeTheStrategyPutsItFirstViolatesTurn() {
+    long ms = 1_000_000;
+    for (ElectionStrategy strategy : ElectionStrategy.values()) {
+      assertThat(turns(strategy, 2 * ms)).as("listened").isZero();
+      assertThat(turns(strategy, ms)).as("too early").isEqualTo(1);
+    }
+    ElectionMessage lower = new ElectionMessage.Candidacy(id(C), 1, 1);
+    ElectionMessage higher = new ElectionMessage.Candidacy(id(C), 1, 3);
+    assertThat(turns(ElectionStrategy.BULLY, 2 * ms, lower)).as("a higher id").isEqualTo(1);
+    assertThat(turns(ElectionStrategy.BULLY, 10 * ms, lower)).as("silent since").isZero();
+    assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 2 * ms, lower)).isZero();
+    assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 3 * ms, higher)).isEqualTo(1);
+    assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 8 * ms, higher)).isZero();
+  }
+
+  private static long turns(ElectionStrategy strategy, long atNs, ElectionMessage... heard) {
+    Monitors patient = patient(strategy);
+    for (ElectionMessage message : heard) {
+      patient.observe(Seen.hears(1_500_000, A, message));
+    }
+    patient.observe(Seen.prepares(atNs, A, 1));
+    assertThat(patient.report().checks(ElectionSpec.TURN)).isEqualTo(1);
+    return patient.report().violations(ElectionSpec.TURN);
+  }
+
+  @Test
   void aLeaderThatIsBackAsAnotherIncarnationIsDeposedAtOnce() {
     Monitors patient = patient();
     patient.observe(Seen.shows(0, A, leader(1, B)));
@@ -237,14 +321,18 @@ class ElectionSpecTest {
 
   /** A silence of 2 ms, a deadline of 3 ms; all take part. */
   private static Monitors patient() {
-    ElectionSettings settings =
-        new ElectionSettings(ElectionStrategy.BULLY, SynodTiming.DEFAULT, 1, 1, 2, 3);
+    return patient(ElectionStrategy.BULLY);
+  }
+
+  private static Monitors patient(ElectionStrategy strategy) {
+    ElectionSettings settings = new ElectionSettings(strategy, SynodTiming.DEFAULT, 1, 1, 2, 3);
     Monitors patient =
         new Monitors(List.of(new ElectionSpec(10_000_000, 10_000_000).patient(settings)));
     for (RobotId robot : List.of(A, B, C)) {
       patient.observe(Seen.exists(0, 3, id(robot)));
       patient.observe(Seen.calls(0, robot, id(robot)));
       patient.observe(Seen.stands(0, robot, 1, id(robot)));
+      patient.observe(Seen.says(0, robot, new ElectionMessage.Candidacy(id(robot), 1, 2)));
     }
     return patient;
   }

@@ -2,6 +2,9 @@ package org.starl.primitives.election;
 
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Ballot;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.Value;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
@@ -12,6 +15,8 @@ import org.starl.trace.TraceEvent.Variable;
 final class Seen {
 
   static final Instance SOURCE = Instance.of(ElectionFact.PRIMITIVE, "x");
+
+  private static final Instance SYNOD = Instance.of(ElectionFact.SYNOD, "x");
 
   private Seen() {}
 
@@ -38,6 +43,22 @@ final class Seen {
 
   static Sent tells(long timeNs, RobotId robot, RobotId to, ElectionMessage message) {
     return new Sent(timeNs, robot, to.name(), SOURCE, 1, 1, ElectionMessage.SHAPE, message);
+  }
+
+  static Sent says(long timeNs, RobotId robot, ElectionMessage message) {
+    return new Sent(timeNs, robot, Sent.ALL, SOURCE, 1, 1, ElectionMessage.SHAPE, message);
+  }
+
+  /** An acceptor's vote comes that decides, perhaps. */
+  static Delivered hearsVote(long timeNs, RobotId robot, RobotId from, long term) {
+    SynodMessage vote = new SynodMessage.Accepted(term, new Ballot(1, ProcessId.first(robot, 1)));
+    return new Delivered(timeNs, robot, from, SYNOD, 1, SynodMessage.SHAPE, vote);
+  }
+
+  static Sent prepares(long timeNs, RobotId robot, long term) {
+    SynodMessage asks =
+        new SynodMessage.Prepare(term, new Ballot(1, ProcessId.first(robot, 1)), Value.EMPTY);
+    return new Sent(timeNs, robot, robot.name(), SYNOD, 1, 1, SynodMessage.SHAPE, asks);
   }
 
   static Variable shows(long timeNs, RobotId robot, Leader leader) {

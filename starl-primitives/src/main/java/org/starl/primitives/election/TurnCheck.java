@@ -1,0 +1,116 @@
+package org.starl.primitives.election;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.election.ElectionMessage.Candidacy;
+import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FaultState;
+import org.starl.spec.Monitor.Report;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
+
+/**
+ * Checks that no robot begins to propose before its strategy says so, by the candidates that it has heard. Only
+ * the first proposal of a candidacy is checked: later ones are repetitions.
+ */
+final class TurnCheck {
+
+  private final ElectionStrategy strategy;
+  private final FaultState faults;
+  private final long deltaNs;
+
+  /** A robot's candidacy: since when, and which other candidates it has heard. */
+  private static final class Turn {
+    private final long term;
+    private final long beganNs;
+    private final Map<ProcessId, Candidacy> heard = new TreeMap<>();
+    private final Map<ProcessId, Long> heardAtNs = new TreeMap<>();
+    private long draw;
+    private boolean hasProposed;
+
+    Turn(long term, long beganNs) {
+      this.term = term;
+      this.beganNs = beganNs;
+    }
+  }
+
+  private final Map<ProcessKey, Turn> turns = new LinkedHashMap<>();
+
+  TurnCheck(ElectionSettings settings, FaultState faults) {
+    this.faults = faults;
+    strategy = settings.strategy();
+    deltaNs = settings.deltaMs() * Time.NS_PER_MS;
+  }
+
+  /** The robot stands in this term, with no candidate heard. */
+  void stands(ProcessKey key, long term, long nowNs) {
+    turns.put(key, new Turn(term, nowNs));
+  }
+
+  void ended(RobotId robot) {
+    turns.keySet().removeIf(key -> key.robot().equals(robot));
+  }
+
+  void observe(TraceEvent event, Report report) {
+    if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
+      Turn turn = turns.get(new ProcessKey(got.channel(), got.robot()));
+      if (turn != null) {
+        // An earlier program of the sender is dead.
+        turn.heard
+            .keySet()
+            .removeIf(
+                id -> id.robot().equals(message.from().robot()) && id.inc() < message.from().inc());
+        if (message instanceof Candidacy candidacy && candidacy.term() == turn.term) {
+          turn.heard.put(candidacy.from(), candidacy);
+          turn.heardAtNs.put(candidacy.from(), got.timeNs());
+        }
+      }
+    } else if (event instanceof Sent sent) {
+      Turn turn = turns.get(new ProcessKey(sent.channel().owner(), sent.robot()));
+      if (turn != null && sent.message() instanceof Candidacy own) {
+        turn.draw = own.draw();
+      } else if (turn != null
+          && !turn.hasProposed
+          && sent.message() instanceof Prepare prepare
+          && prepare.number() == turn.term) {
+        turn.hasProposed = true;
+        judge(turn, prepare.ballot().proposer(), sent, report);
+      }
+    }
+  }
+
+  private void judge(Turn turn, ProcessId me, Sent sent, Report report) {
+    if (!faults.isClockRight(sent.robot(), turn.beganNs)) {
+      return;
+    }
+    report.checked(ElectionSpec.TURN);
+    boolean isBully = strategy == ElectionStrategy.BULLY;
+    long heardSinceNs =
+        sent.timeNs() - deltaNs * (isBully ? ElectionStrategy.LISTEN : ElectionStrategy.DECIDE);
+    long before =
+        turn.heard.values().stream()
+            .filter(other -> turn.heardAtNs.getOrDefault(other.from(), 0L) > heardSinceNs)
+            .filter(other -> isBully ? other.from().compareTo(me) > 0 : other.draw() > turn.draw)
+            .count();
+    long waitNs = deltaNs * (ElectionStrategy.LISTEN + before * ElectionStrategy.DECIDE);
+    if (sent.timeNs() - turn.beganNs < waitNs || (isBully && before > 0)) {
+      report.violated(
+          ElectionSpec.TURN,
+          sent.timeNs(),
+          List.of(sent.robot()),
+          sent.channel()
+              + ": proposes in term "
+              + turn.term
+              + " before "
+              + before
+              + " candidates that come first");
+    }
+  }
+}
