@@ -93,13 +93,14 @@ final class ElectionRecord {
 
   /**
    * The term of which the robot must tell the sender of this message: its own, if the sender is behind,
-   * or stands in it and does not know the leader that the robot knows; else 0.
+   * or stands in it and does not know the leader that the robot knows, or is a new candidate; else 0.
    */
-  long termDue(RobotId robot, ElectionMessage message) {
+  long termDue(RobotId robot, ElectionMessage message, boolean isNewCandidate) {
     long term = term(robot);
     boolean knows = shownBy(robot) instanceof Leader.Name name && name.term() == term;
     boolean asks = message instanceof ElectionMessage.Candidacy && knows;
-    boolean isBehind = message.term() < term || (message.term() == term && asks);
+    boolean isBehind =
+        message.term() < term || (message.term() == term && (asks || isNewCandidate));
     // What a dead program has sent is ignored.
     return isBehind && message.from().equals(ids.get(message.from().robot())) ? term : 0;
   }

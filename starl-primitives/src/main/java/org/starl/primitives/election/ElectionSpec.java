@@ -106,7 +106,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
     lemma(
         BEHIND,
-        "A robot that hears one of an earlier term, or without its leader, tells it at once.");
+        "A robot that hears one of an earlier term, one without its leader, or a new candidate, tells it at once.");
     lemma(
         SAYS,
         "A robot that stands, or decides a term, broadcasts it at once; one that hears of a later term, or of a later program of its leader, stands.");
@@ -214,6 +214,11 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
     says.observe(event, report);
+    boolean isNewCandidate =
+        turns != null
+            && event instanceof Delivered got
+            && got.message() instanceof ElectionMessage message
+            && turns.isNew(got, message);
     if (turns != null) {
       turns.observe(event, report);
     }
@@ -223,7 +228,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
       ElectionRecord ballots = instance(got.channel());
-      long due = ballots.termDue(got.robot(), message);
+      long due = ballots.termDue(got.robot(), message, isNewCandidate);
       if (due > 0) {
         tells.owes(
             got,

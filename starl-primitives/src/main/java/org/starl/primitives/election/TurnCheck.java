@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
@@ -41,6 +42,7 @@ final class TurnCheck {
     }
   }
 
+  private @Nullable Delivered latest;
   private final Map<ProcessKey, Turn> turns = new LinkedHashMap<>();
 
   TurnCheck(ElectionSettings settings, FaultState faults) {
@@ -49,9 +51,26 @@ final class TurnCheck {
     deltaNs = settings.deltaMs() * Time.NS_PER_MS;
   }
 
-  /** The robot stands in this term, with no candidate heard. */
+  /** The robot stands in this term. It has heard no candidate, but for one that makes it stand. */
   void stands(ProcessKey key, long term, long nowNs) {
-    turns.put(key, new Turn(term, nowNs));
+    Turn turn = new Turn(term, nowNs);
+    turns.put(key, turn);
+    Delivered cause = latest;
+    if (cause != null
+        && cause.timeNs() == nowNs
+        && key.equals(new ProcessKey(cause.channel(), cause.robot()))) {
+      hears(turn, cause);
+    }
+  }
+
+  /** Whether the robot hears another candidate of its term for the first time. */
+  boolean isNew(Delivered got, ElectionMessage message) {
+    Turn turn = turns.get(new ProcessKey(got.channel(), got.robot()));
+    return turn != null
+        && message instanceof Candidacy
+        && message.term() == turn.term
+        && !message.from().robot().equals(got.robot())
+        && !turn.heard.containsKey(message.from());
   }
 
   void ended(RobotId robot) {
@@ -59,18 +78,11 @@ final class TurnCheck {
   }
 
   void observe(TraceEvent event, Report report) {
-    if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
+    if (event instanceof Delivered got && got.message() instanceof ElectionMessage) {
+      latest = got;
       Turn turn = turns.get(new ProcessKey(got.channel(), got.robot()));
       if (turn != null) {
-        // An earlier program of the sender is dead.
-        turn.heard
-            .keySet()
-            .removeIf(
-                id -> id.robot().equals(message.from().robot()) && id.inc() < message.from().inc());
-        if (message instanceof Candidacy candidacy && candidacy.term() == turn.term) {
-          turn.heard.put(candidacy.from(), candidacy);
-          turn.heardAtNs.put(candidacy.from(), got.timeNs());
-        }
+        hears(turn, got);
       }
     } else if (event instanceof Sent sent) {
       Turn turn = turns.get(new ProcessKey(sent.channel().owner(), sent.robot()));
@@ -82,6 +94,18 @@ final class TurnCheck {
           && prepare.number() == turn.term) {
         turn.hasProposed = true;
         judge(turn, prepare.ballot().proposer(), sent, report);
+      }
+    }
+  }
+
+  private static void hears(Turn turn, Delivered got) {
+    if (got.message() instanceof ElectionMessage message) {
+      ProcessId from = message.from();
+      // An earlier program of the sender is dead.
+      turn.heard.keySet().removeIf(id -> id.robot().equals(from.robot()) && id.inc() < from.inc());
+      if (message instanceof Candidacy candidacy && candidacy.term() == turn.term) {
+        turn.heard.put(from, candidacy);
+        turn.heardAtNs.put(from, got.timeNs());
       }
     }
   }

@@ -29,6 +29,8 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String DEADLINE = "geocast.deadline";
   static final String ONCE = "geocast.once";
   static final String ACKNOWLEDGED = "geocast.acknowledged";
+  static final String ANSWERED = "geocast.answered";
+  static final String GCASTFLAG = "geocast.Gcastflag";
 
   /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;
@@ -37,6 +39,7 @@ public final class GeocastSpec extends LemmaMonitor {
   private final GeocastSettings settings;
   private final long delayNs;
   private final Casts casts;
+  private final CompletionCheck completion;
   private final FaultState faults = new FaultState();
 
   /** For a world without clock skew, and with position errors below 50 mm. */
@@ -61,6 +64,7 @@ public final class GeocastSpec extends LemmaMonitor {
     this.positionErrorMm = positionErrorMm;
     this.settings = settings;
     this.delayNs = delayNs;
+    completion = new CompletionCheck(settings);
     casts = new Casts(2 * positionErrorMm, this::judge);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
@@ -71,6 +75,10 @@ public final class GeocastSpec extends LemmaMonitor {
     lemma(DEADLINE, "No robot gets the message after its interval is over.");
     lemma(ONCE, "No robot gets the message twice.");
     lemma(ACKNOWLEDGED, "A robot acknowledges only a message that it has got.");
+    lemma(ANSWERED, "A robot that has the message acknowledges each copy of it at once.");
+    lemma(
+        GCASTFLAG,
+        "The variable Gcastflag is true if all others have acknowledged the robot's messages, or their intervals are over, and only then.");
   }
 
   @Override
@@ -82,6 +90,7 @@ public final class GeocastSpec extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     casts.observe(event, report);
     faults.observe(event);
+    completion.observe(event, report);
     switch (event) {
       case Action action -> acted(action, report);
       case Sent sent -> sent(sent, report);
@@ -123,6 +132,7 @@ public final class GeocastSpec extends LemmaMonitor {
       String detail = "delivers " + cast.id + " again";
       report.violated(ONCE, action.timeNs(), List.of(robot), detail);
     }
+    completion.mustAnswer(action, cast);
   }
 
   private void sent(Sent sent, Report report) {
@@ -159,6 +169,9 @@ public final class GeocastSpec extends LemmaMonitor {
         && !cast.originRestarted
         && delivered.timeNs() <= surelyOpenUntilNs(cast)) {
       cast.reached(delivered.robot());
+      if (cast.hasDelivered(delivered.robot())) {
+        completion.mustAnswer(delivered, cast);
+      }
     }
   }
 

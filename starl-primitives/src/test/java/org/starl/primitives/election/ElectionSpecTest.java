@@ -202,6 +202,20 @@ class ElectionSpecTest {
     assertThat(behind(dead, nothing)).as("of no live program").isZero();
   }
 
+  @Test
+  void aNewCandidateThatIsNotToldViolatesBehind() {
+    ElectionMessage candidacy = new ElectionMessage.Candidacy(id(C), 1, 1);
+    ElectionMessage own = new ElectionMessage.Candidacy(id(A), 1, 2);
+    for (long lateNs : List.of(0, 1)) {
+      Monitors patient = patient();
+      patient.observe(Seen.hears(5, A, candidacy));
+      patient.observe(Seen.tells(5 + lateNs, A, C, own));
+      patient.observe(Seen.hears(7, A, candidacy)); // not new
+      patient.observe(Seen.says(9, A, own));
+      assertThat(patient.report().violations(ElectionSpec.BEHIND)).isEqualTo(lateNs);
+    }
+  }
+
   /** A knows the leader of term 2. It hears this at 5 ns, and this happens. */
   private static long behind(ElectionMessage heard, TraceEvent then) {
     Monitors patient = patient();

@@ -18,6 +18,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
 
 /** The specification on handwritten traces. */
 class GeocastSpecTest {
@@ -104,6 +105,53 @@ class GeocastSpecTest {
     see(sends(20, ORIGIN, "bot0", 2, ack));
     assertThat(monitors.report().violations("geocast.acknowledged")).isEqualTo(1);
     assertThat(monitors.report().checks("geocast.acknowledged")).isEqualTo(2);
+  }
+
+  @Test
+  void aCopyThatIsNotAcknowledgedAtOnceViolatesAnswered() {
+    GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
+    for (boolean isRepeated : List.of(false, true)) {
+      for (long lateNs : List.of(0, 1)) {
+        monitors = new Monitors(List.of(new GeocastSpec()));
+        castWithoutReceiversAfterTheFirstDatagram();
+        see(hears(20, copyOf(FIRST)), act(20, OTHER, new GeocastFact.deliver(FIRST)));
+        if (isRepeated) {
+          see(sends(20, OTHER, "bot0", 1, ack), hears(30, copyOf(FIRST)));
+        }
+        see(sends((isRepeated ? 30 : 20) + lateNs, OTHER, "bot0", 2, ack));
+        monitors.finish(2000);
+        assertThat(monitors.report().violations("geocast.answered")).isEqualTo(lateNs);
+      }
+    }
+  }
+
+  @Test
+  void gcastflagFollowsTheAcknowledgmentsOfAll() {
+    assertThat(flagged(false, false, 30)).as("nobody has acknowledged").isZero();
+    assertThat(flagged(false, true, 30)).as("complete too early").isEqualTo(1);
+    assertThat(flagged(false, true, 1001)).as("the interval is over").isZero();
+    assertThat(flagged(true, true, 30)).as("all have acknowledged").isZero();
+    assertThat(flagged(true, false, 30)).as("not told").isEqualTo(1);
+  }
+
+  /** The other robot acknowledges at 30 ns, or does not; then the flag is this. */
+  private long flagged(boolean isAcknowledged, boolean isComplete, long atNs) {
+    monitors = new Monitors(List.of(new GeocastSpec()));
+    see(flag(0, false));
+    castWithoutReceiversAfterTheFirstDatagram();
+    if (isAcknowledged) {
+      GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
+      see(new Delivered(30, ORIGIN, OTHER, SOURCE, 1, MESSAGE, ack));
+    }
+    if (isComplete) {
+      see(flag(atNs, true));
+    }
+    see(sends(1500, ORIGIN, Sent.ALL, 2, copyOf(FIRST)));
+    return monitors.report().violations("geocast.Gcastflag");
+  }
+
+  private static Variable flag(long timeNs, boolean isComplete) {
+    return new Variable(timeNs, ORIGIN, SOURCE, GeocastFact.GCASTFLAG, isComplete);
   }
 
   @Test

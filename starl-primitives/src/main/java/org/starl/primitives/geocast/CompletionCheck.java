@@ -1,0 +1,121 @@
+package org.starl.primitives.geocast;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.id.RobotId;
+import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FlagCheck;
+import org.starl.spec.Monitor.Report;
+import org.starl.spec.TellCheck;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Checks that receivers acknowledge at once, and that a sender's {@code Gcastflag} is true exactly when each of its messages
+ * is acknowledged by all others, or its interval is over.
+ */
+final class CompletionCheck {
+
+  /** A message of one program that is not complete, and who has acknowledged it. */
+  private record Message(long deadlineNs, Set<RobotId> acknowledged) {}
+
+  private final GeocastSettings settings;
+  private final TellCheck answers = new TellCheck(GeocastSpec.ANSWERED);
+  private final FlagCheck<Boolean> flag =
+      new FlagCheck<>(GeocastFact.GCASTFLAG, GeocastSpec.GCASTFLAG);
+  private final Map<Instance, Set<RobotId>> participants = new LinkedHashMap<>();
+  private final Set<RobotId> crashed = new TreeSet<>();
+  private final Map<ProcessKey, Map<GeocastId, Message>> messages = new LinkedHashMap<>();
+  private long nowNs;
+
+  CompletionCheck(GeocastSettings settings) {
+    this.settings = settings;
+    answers.begin();
+  }
+
+  /** Sees every event, before the other methods. */
+  void observe(TraceEvent event, Report report) {
+    nowNs = event.timeNs();
+    answers.observe(event, report);
+    flag.observe(event, report);
+    switch (event) {
+      case Fault fault when fault.name().equals(Fault.CRASH) -> {
+        crashed.add(fault.robot());
+        messages.keySet().removeIf(key -> key.robot().equals(fault.robot()));
+      }
+      case Action action -> acted(action, report);
+      case Delivered got when got.message() instanceof GeocastMessage.Ack<?> ack ->
+          acknowledged(got, ack.id(), report);
+      case Variable variable -> flag.shows(variable, report);
+      default -> {}
+    }
+  }
+
+  private void acted(Action action, Report report) {
+    switch (action.fact()) {
+      case GeocastFact.Opened opened ->
+          participants.computeIfAbsent(action.source(), any -> new TreeSet<>()).add(action.robot());
+      case GeocastFact.do_geocast f -> starts(action, f.m(), f.bound(), report);
+      case GeocastFact.BCast f -> starts(action, f.m(), f.bound(), report);
+      default -> {}
+    }
+  }
+
+  private void starts(Action action, GeocastId id, long boundNs, Report report) {
+    ProcessKey key = new ProcessKey(action.source(), action.robot());
+    messages
+        .computeIfAbsent(key, any -> new LinkedHashMap<>())
+        .put(id, new Message(nowNs + boundNs, new TreeSet<>(Set.of(action.robot()))));
+    says(key, action, report);
+  }
+
+  private void acknowledged(Delivered got, GeocastId id, Report report) {
+    ProcessKey key = new ProcessKey(got.channel(), got.robot());
+    Map<GeocastId, Message> own = messages.get(key);
+    Message message = own == null ? null : own.get(id);
+    if (own != null && message != null && message.acknowledged().add(got.from())) {
+      // A robot outside the deployment may be among them, and one inside may never take part.
+      own.values().removeIf(other -> other.deadlineNs() < nowNs);
+      says(key, got, report);
+    }
+  }
+
+  private void says(ProcessKey key, TraceEvent event, Report report) {
+    Map<GeocastId, Message> own = messages.getOrDefault(key, Map.of());
+    flag.says(
+        key,
+        event,
+        isComplete ->
+            isComplete
+                ? own.values().stream().noneMatch(m -> isOpen(m) && !isByAll(key, m))
+                : own.isEmpty() || own.values().stream().anyMatch(m -> !isByAll(key, m)),
+        report);
+  }
+
+  /** Whether the interval is not over, by any clock. */
+  private boolean isOpen(Message message) {
+    return nowNs + settings.clockSkewNs() < message.deadlineNs();
+  }
+
+  private boolean isByAll(ProcessKey key, Message message) {
+    return !settings.openMembership()
+        && message.acknowledged().containsAll(participants.getOrDefault(key.source(), Set.of()));
+  }
+
+  /** The robot has the message, and gets a copy of it: it acknowledges that in this step. */
+  void mustAnswer(TraceEvent event, CastRecord cast) {
+    if (!crashed.contains(event.robot())) {
+      answers.owes(
+          event,
+          cast.origin.name(),
+          "that it has " + cast.id,
+          told -> told instanceof GeocastMessage.Ack<?> ack && ack.id().equals(cast.id));
+    }
+  }
+}
