@@ -43,6 +43,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String SOUNDNESS = "registration.Soundness";
   static final String REGISTERED = "registration.Registered";
   static final String INFORMED = "registration.Informed";
+  static final String RUMOUR = "registration.Rumour";
   static final String R_LIST = "registration.rList";
 
   private static final String REGISTERED_SAYS =
@@ -51,6 +52,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final Deadlines progress;
   private final Deadlines removal;
   private final TellCheck tells = new TellCheck(INFORMED);
+  private @Nullable RumourCheck rumours;
   private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
   private @Nullable Delivered heard;
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
@@ -107,13 +109,18 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   /**
    * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
    * registrations with these times. A call also fails, at once, if its robot has no room in the list.
-   * Also requires that a robot which decides a view tells all robots that need to know it.
+   * Also requires that a robot which decides a view tells all robots that need to know it, and that one which
+   * hears of a newer view hides its list.
    */
   public RegistrationSpec patient(RegistrationSettings settings) {
     lemma(
         INFORMED,
         "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
+    lemma(
+        RUMOUR,
+        "A robot that hears of a newer view shows no list until it learns the view, or the time of a rumour is over.");
     tells.begin();
+    rumours = new RumourCheck(settings.nullMs() * NS_PER_MS, faults);
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -179,7 +186,17 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     ViewHistory history = instance(variable.source());
     ProcessKey key = new ProcessKey(variable.source(), variable.robot());
     list.shows(variable, report);
+    RList shown = variable.of(RegistrationFact.R_LIST);
+    if (rumours != null) {
+      rumours.observe(variable, report); // ends the step before
+      if (shown != null) {
+        rumours.shows(key, shown);
+      }
+    }
     View view = variable.of(RegistrationFact.VIEW);
+    if (rumours != null && view != null) {
+      rumours.learns(key, view.number());
+    }
     if (view != null) {
       // The vote that decides a view is the last message before the view: both are in one step.
       if (heard != null
@@ -232,6 +249,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
+    if (rumours != null) {
+      rumours.observe(event, report);
+    }
     if (event instanceof Delivered got && got.channel().kind().equals(RegistrationFact.PRIMITIVE)) {
       heard = got;
     }
@@ -251,6 +271,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void ended(RobotId robot) {
+    if (rumours != null) {
+      rumours.ended(robot);
+    }
     for (Instance source : instances().keySet()) {
       ProcessKey key = new ProcessKey(source, robot);
       progress.stop(key);

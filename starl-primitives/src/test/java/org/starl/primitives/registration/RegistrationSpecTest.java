@@ -8,6 +8,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.membership.Short;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
@@ -78,6 +79,30 @@ class RegistrationSpecTest {
     patient.observe(Shown.tells(6, "b", "c", 2));
     patient.observe(Shown.tells(7, "b", "v", 2));
     return patient.report().violations(RegistrationSpec.INFORMED);
+  }
+
+  @Test
+  void aListThatIsShownAfterARumourOfANewerOneViolatesRumour() {
+    assertThat(rumoured(2, 5, "null")).isZero();
+    assertThat(rumoured(2, 6, "null")).as("later").isEqualTo(1);
+    assertThat(rumoured(2, 5, "1:[a]")).as("not at all").isEqualTo(1);
+    assertThat(rumoured(1, 5, "1:[a]")).as("a view that it knows").isZero();
+  }
+
+  /** The robot a knows the view 1, hears of another one at 5 ns, and shows this. */
+  private static long rumoured(long number, long atNs, String list) {
+    Monitors patient =
+        new Monitors(List.of(new RegistrationSpec(1_000).patient(RegistrationSettings.DEFAULT)));
+    patient.observe(Shown.sees(0, "a", "0:"));
+    patient.observe(Shown.acts(0, "a", "do_register", "a"));
+    patient.observe(Shown.sees(1, "a", "1:a@1"));
+    patient.observe(Shown.shows(1, "a", "1:[a]"));
+    patient.observe(Shown.hearsProposal(5, "a", "b", number));
+    patient.observe(Shown.shows(atNs, "a", list));
+    long overNs = 5 + RegistrationSettings.DEFAULT.nullMs() * Time.NS_PER_MS;
+    patient.observe(Shown.shows(overNs, "a", "1:[a]"));
+    patient.observe(Shown.shows(overNs + 1, "a", "1:[a]"));
+    return patient.report().violations(RegistrationSpec.RUMOUR);
   }
 
   @Test

@@ -78,6 +78,14 @@ public final class Shown {
         atNs, new RobotId(robot), new RobotId(from), HERE, 1, SynodMessage.SHAPE, vote);
   }
 
+  /** The robot hears {@code from} propose this view. */
+  static TraceEvent hearsProposal(long atNs, String robot, String from, long number) {
+    SynodMessage prepare =
+        new SynodMessage.Prepare(number, new Ballot(1, ProcessId.parse(from)), Value.EMPTY);
+    return new Delivered(
+        atNs, new RobotId(robot), new RobotId(from), HERE, 1, SynodMessage.SHAPE, prepare);
+  }
+
   /** The robot tells another one that this view is decided. */
   static TraceEvent tells(long atNs, String robot, String to, long number) {
     SynodMessage view = new SynodMessage.Decided(number, Value.EMPTY);
