@@ -14,6 +14,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -29,6 +30,8 @@ final class CompletionCheck {
   private final TellCheck answers = new TellCheck(GeocastSpec.ANSWERED);
   private final FlagCheck<Boolean> flag =
       new FlagCheck<>(GeocastFact.GCASTFLAG, GeocastSpec.GCASTFLAG);
+  // The deployment is among all robots, and has those that take part.
+  private final Set<RobotId> robots = new TreeSet<>();
   private final Map<Instance, Set<RobotId>> participants = new LinkedHashMap<>();
   private final Set<RobotId> crashed = new TreeSet<>();
   private final Map<ProcessKey, Map<GeocastId, Message>> messages = new LinkedHashMap<>();
@@ -49,6 +52,7 @@ final class CompletionCheck {
         crashed.add(fault.robot());
         messages.keySet().removeIf(key -> key.robot().equals(fault.robot()));
       }
+      case Joined joined -> robots.add(joined.robot());
       case Action action -> acted(action, report);
       case Delivered got when got.message() instanceof GeocastMessage.Ack<?> ack ->
           acknowledged(got, ack.id(), report);
@@ -80,7 +84,6 @@ final class CompletionCheck {
     Map<GeocastId, Message> own = messages.get(key);
     Message message = own == null ? null : own.get(id);
     if (own != null && message != null && message.acknowledged().add(got.from())) {
-      // A robot outside the deployment may be among them, and one inside may never take part.
       own.values().removeIf(other -> other.deadlineNs() < nowNs);
       says(key, got, report);
     }
@@ -93,8 +96,10 @@ final class CompletionCheck {
         event,
         isComplete ->
             isComplete
-                ? own.values().stream().noneMatch(m -> isOpen(m) && !isByAll(key, m))
-                : own.isEmpty() || own.values().stream().anyMatch(m -> !isByAll(key, m)),
+                ? own.values().stream()
+                    .noneMatch(m ->
+                        isOpen(m) && !isBy(participants.getOrDefault(key.source(), Set.of()), m))
+                : own.isEmpty() || own.values().stream().anyMatch(m -> !isBy(robots, m)),
         report);
   }
 
@@ -103,9 +108,8 @@ final class CompletionCheck {
     return nowNs + settings.clockSkewNs() < message.deadlineNs();
   }
 
-  private boolean isByAll(ProcessKey key, Message message) {
-    return !settings.openMembership()
-        && message.acknowledged().containsAll(participants.getOrDefault(key.source(), Set.of()));
+  private boolean isBy(Set<RobotId> receivers, Message message) {
+    return !settings.openMembership() && message.acknowledged().containsAll(receivers);
   }
 
   /** The robot has the message, and gets a copy of it: it acknowledges that in this step. */

@@ -116,11 +116,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     lemma(
         INFORMED,
         "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
-    lemma(
-        RUMOUR,
-        "A robot that hears of a newer view shows no list until it learns the view, or the time of a rumour is over.");
+    lemma(RUMOUR, "A robot that hears of a newer view hides its list at once.");
     tells.begin();
-    rumours = new RumourCheck(settings.nullMs() * NS_PER_MS, faults);
+    rumours = new RumourCheck();
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;

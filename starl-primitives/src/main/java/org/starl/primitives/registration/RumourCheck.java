@@ -9,14 +9,15 @@ import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.spec.Deadlines.ProcessKey;
-import org.starl.spec.FaultState;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Checks that a robot which hears of a newer view shows no list, until it learns a view as new or the time of a rumour
- * is over.
+ * Checks that a robot which hears that a newer view is proposed hides its list in the same step. Only the first rumour after
+ * each view is checked: the time of one rumour may be over when the next one comes. A robot that proposes itself has one,
+ * too.
  */
 final class RumourCheck {
 
@@ -24,26 +25,12 @@ final class RumourCheck {
   private static final class Known {
     private long view;
     private long rumoured;
-    private long hiddenUntilNs = Long.MIN_VALUE;
-    private long sinceNs;
     private boolean isListShown;
-
-    /** Whether the list must be hidden. */
-    boolean isHidden(long nowNs) {
-      return rumoured > view && nowNs < hiddenUntilNs;
-    }
   }
 
-  private final long nullNs;
-  private final FaultState faults;
   private final Map<ProcessKey, Known> programs = new LinkedHashMap<>();
   private final Set<ProcessKey> due = new LinkedHashSet<>();
   private long nowNs;
-
-  RumourCheck(long nullNs, FaultState faults) {
-    this.nullNs = nullNs;
-    this.faults = faults;
-  }
 
   /** Sees every event, before the other methods. */
   void observe(TraceEvent event, Report report) {
@@ -52,50 +39,40 @@ final class RumourCheck {
       due.clear();
       nowNs = event.timeNs();
     }
-    if (event instanceof Delivered got && RegistrationFact.isRegistration(got.channel())) {
-      ProcessKey key = new ProcessKey(got.channel(), got.robot());
-      switch (got.message()) {
-        case Prepare m -> rumour(key, m.number());
-        case Accept m -> rumour(key, m.number());
-        default -> {}
-      }
+    switch (event) {
+      case Delivered got when got.message() instanceof Prepare m ->
+          rumour(new ProcessKey(got.channel(), got.robot()), m.number(), false);
+      case Delivered got when got.message() instanceof Accept m ->
+          rumour(new ProcessKey(got.channel(), got.robot()), m.number(), false);
+      case Sent sent when sent.message() instanceof Prepare m ->
+          rumour(new ProcessKey(sent.channel(), sent.robot()), m.number(), true);
+      default -> {}
     }
   }
 
-  private Known known(ProcessKey key) {
-    return programs.computeIfAbsent(key, any -> new Known());
-  }
-
-  private void rumour(ProcessKey key, long number) {
+  private void rumour(ProcessKey key, long number, boolean isOwn) {
     Known known = programs.get(key);
-    if (known == null) {
-      return; // no program that shows a list
+    if (known != null && number > known.view) {
+      if (known.rumoured <= known.view && !isOwn) {
+        due.add(key);
+      }
+      known.rumoured = Math.max(known.rumoured, number);
     }
-    boolean isNew = known.rumoured <= known.view;
-    known.rumoured = Math.max(known.rumoured, number);
-    if (isNew && known.rumoured > known.view) {
-      known.sinceNs = nowNs;
-      known.hiddenUntilNs = nowNs + nullNs;
-    }
-    due.add(key);
   }
 
   /** The robot learns this view; number 0 when its program starts. */
   void learns(ProcessKey key, long view) {
-    Known known = known(key);
-    boolean mayHaveExpired = nowNs >= known.hiddenUntilNs;
-    if (view == 0) {
-      programs.put(key, new Known());
-    } else {
-      known.view = view;
-      known.hiddenUntilNs = mayHaveExpired ? Long.MIN_VALUE : known.hiddenUntilNs;
-    }
-    due.add(key);
+    Known known = view == 0 ? new Known() : known(key);
+    known.view = view;
+    programs.put(key, known);
   }
 
   void shows(ProcessKey key, RList list) {
     known(key).isListShown = list.isAgreed();
-    due.add(key);
+  }
+
+  private Known known(ProcessKey key) {
+    return programs.computeIfAbsent(key, any -> new Known());
   }
 
   void ended(RobotId robot) {
@@ -105,22 +82,19 @@ final class RumourCheck {
 
   private void judge(ProcessKey key, Report report) {
     Known known = programs.get(key);
-    if (known == null
-        || !known.isHidden(nowNs)
-        || !faults.isClockRight(key.robot(), known.sinceNs)) {
-      return;
-    }
-    report.checked(RegistrationSpec.RUMOUR);
-    if (known.isListShown) {
-      report.violated(
-          RegistrationSpec.RUMOUR,
-          nowNs,
-          List.of(key.robot()),
-          key.source()
-              + ": shows the list of view "
-              + known.view
-              + ", and has heard of "
-              + known.rumoured);
+    if (known != null) {
+      report.checked(RegistrationSpec.RUMOUR);
+      if (known.isListShown && known.rumoured > known.view) {
+        report.violated(
+            RegistrationSpec.RUMOUR,
+            nowNs,
+            List.of(key.robot()),
+            key.source()
+                + ": shows the list of view "
+                + known.view
+                + ", and has heard of "
+                + known.rumoured);
+      }
     }
   }
 }
