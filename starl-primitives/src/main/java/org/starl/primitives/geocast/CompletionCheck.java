@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FaultState;
 import org.starl.spec.FlagCheck;
 import org.starl.spec.Monitor.Report;
 import org.starl.spec.TellCheck;
@@ -24,9 +25,10 @@ import org.starl.trace.TraceEvent.Variable;
 final class CompletionCheck {
 
   /** A message of one program that is not complete, and who has acknowledged it. */
-  private record Message(long deadlineNs, Set<RobotId> acknowledged) {}
+  private record Message(long startNs, long deadlineNs, Set<RobotId> acknowledged) {}
 
   private final GeocastSettings settings;
+  private final FaultState faults;
   private final TellCheck answers = new TellCheck(GeocastSpec.ANSWERED);
   private final FlagCheck<Boolean> flag =
       new FlagCheck<>(GeocastFact.GCASTFLAG, GeocastSpec.GCASTFLAG);
@@ -37,7 +39,8 @@ final class CompletionCheck {
   private final Map<ProcessKey, Map<GeocastId, Message>> messages = new LinkedHashMap<>();
   private long nowNs;
 
-  CompletionCheck(GeocastSettings settings) {
+  CompletionCheck(GeocastSettings settings, FaultState faults) {
+    this.faults = faults;
     this.settings = settings;
     answers.begin();
   }
@@ -75,7 +78,7 @@ final class CompletionCheck {
     ProcessKey key = new ProcessKey(action.source(), action.robot());
     messages
         .computeIfAbsent(key, any -> new LinkedHashMap<>())
-        .put(id, new Message(nowNs + boundNs, new TreeSet<>(Set.of(action.robot()))));
+        .put(id, new Message(nowNs, nowNs + boundNs, new TreeSet<>(Set.of(action.robot()))));
     says(key, action, report);
   }
 
@@ -98,14 +101,15 @@ final class CompletionCheck {
             isComplete
                 ? own.values().stream()
                     .noneMatch(m ->
-                        isOpen(m) && !isBy(participants.getOrDefault(key.source(), Set.of()), m))
+                        isOpen(key.robot(), m)
+                            && !isBy(participants.getOrDefault(key.source(), Set.of()), m))
                 : own.isEmpty() || own.values().stream().anyMatch(m -> !isBy(robots, m)),
         report);
   }
 
-  /** Whether the interval is not over, by any clock. */
-  private boolean isOpen(Message message) {
-    return nowNs + settings.clockSkewNs() < message.deadlineNs();
+  /** Whether the interval is certainly not over, by the sender's clock. */
+  private boolean isOpen(RobotId sender, Message message) {
+    return nowNs < message.deadlineNs() && faults.isClockRight(sender, message.startNs());
   }
 
   private boolean isBy(Set<RobotId> receivers, Message message) {

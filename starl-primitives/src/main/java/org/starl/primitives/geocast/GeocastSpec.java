@@ -64,7 +64,7 @@ public final class GeocastSpec extends LemmaMonitor {
     this.positionErrorMm = positionErrorMm;
     this.settings = settings;
     this.delayNs = delayNs;
-    completion = new CompletionCheck(settings);
+    completion = new CompletionCheck(settings, faults);
     casts = new Casts(2 * positionErrorMm, this::judge);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
