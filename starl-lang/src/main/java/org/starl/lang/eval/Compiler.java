@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BinaryOperator;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Code.Frame;
 import org.starl.lang.tree.Action.Conjunct;
@@ -429,8 +430,8 @@ final class Compiler {
     scope.pop(quantified.variables());
     boolean forAll = quantified.forAll();
     boolean hasMore = !inHoles && variables.stream().anyMatch(Domain::hasMore);
-    List<List<Object>> instances =
-        variables.stream().map(inHoles ? Domain::values : Domain::instances).toList();
+    boolean isStart = inHoles; // a map of a start state is known within the bounds alone
+    List<List<Object>> instances = variables.stream().map(Domain::instances).toList();
     return frame -> {
       boolean[] found = {false, hasMore}; // decided, beyond
       visit(
@@ -442,7 +443,7 @@ final class Compiler {
             try {
               found[0] |= body.test(in) != forAll;
             } catch (Beyond e) {
-              found[1] = true;
+              found[1] |= !isStart || isWithin(variables, in, first);
             }
             return isPartial || !found[0];
           });
@@ -451,6 +452,12 @@ final class Compiler {
       }
       return found[0] != forAll;
     };
+  }
+
+  /** Whether the variables' values, in the places from {@code first} on, are within the bounds. */
+  private static boolean isWithin(List<Domain> variables, Frame frame, int first) {
+    return IntStream.range(0, variables.size())
+        .allMatch(i -> variables.get(i).contains(frame.locals[first + i]));
   }
 
   private Code suchThat(Expr.SuchThat set, Scope scope) {

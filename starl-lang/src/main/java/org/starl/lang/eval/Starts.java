@@ -123,14 +123,14 @@ public final class Starts {
   }
 
   private static List<Object[]> extended(List<Object[]> bindings, Domain domain) {
-    if (bindings.size() * domain.size() > Domain.MOST) {
+    if (bindings.size() * (long) domain.instances().size() > Domain.MOST) {
       throw new TooLarge(
           "start: more than %,d instances of a 'forall' at these sizes; give smaller sizes (--robots, --size, --nat, --time)"
               .formatted(Domain.MOST));
     }
     List<Object[]> more = new ArrayList<>();
     for (Object[] binding : bindings) {
-      for (Object value : domain.values()) {
+      for (Object value : domain.instances()) {
         Object[] longer = Arrays.copyOf(binding, binding.length + 1);
         longer[binding.length] = value;
         more.add(longer);
@@ -163,13 +163,21 @@ public final class Starts {
     }
     Goal goal = goals.get(number);
     List<Hole> filled = new ArrayList<>();
+    List<String> outside = List.of();
     try {
       if (isTrue(goal, filled)) {
+        outside =
+            filled.stream()
+                .filter(hole -> hole.value != null && !hole.domain.contains(hole.value))
+                .map(hole -> machine.parts().get(hole.part).name())
+                .filter(beyond::add)
+                .toList();
         solve(number + 1);
       }
     } catch (Hole.Needed needed) {
       tryAll(needed.hole, number);
     } finally {
+      outside.forEach(beyond::remove);
       filled.forEach(hole -> hole.value = null);
     }
   }
@@ -210,7 +218,7 @@ public final class Starts {
   /** Whether {@code part} is equal to {@code value}, which becomes the value of its holes. */
   private static boolean fill(Object part, Object value, List<Hole> filled) {
     if (part instanceof Hole hole) {
-      if (hole.value == null && hole.domain.contains(value)) {
+      if (hole.value == null) {
         hole.value = value;
         filled.add(hole);
       }

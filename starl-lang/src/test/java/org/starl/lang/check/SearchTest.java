@@ -227,6 +227,43 @@ class SearchTest {
   }
 
   @Test
+  void valueThatTheStartCopiesBeyondTheBoundIsTold() throws SourceErrors {
+    String source =
+        """
+        automaton Copy[n: nat]
+        state x: nat
+        start x = n
+        action down
+          pre x > 0
+          eff x := x - 1
+        invariant Few: x <= 2
+        """;
+    assertThat(lines(source, 2).getFirst()).startsWith("Copy (n to --nat 2, --time 2): 6 states");
+    assertThat(lines(source.replace("x = n", "x = n + 1"), 2))
+        .contains("  not each value is tried, but whole ones to --nat 2, --time 2: x at the start");
+    assertThat(lines(source.replace("x = n", "x = n + 1, x <= 1"), 2))
+        .noneMatch(line -> line.contains("not each value is tried"));
+  }
+
+  @Test
+  void assumptionsAreAskedOfNumbersBeyondTheBound() throws SourceErrors {
+    String source =
+        """
+        automaton More[n: nat]
+        assume Some: exists m: nat :: m > n
+        state c: nat
+        start c = 0
+        action stay
+        invariant Zero: c = 0
+        """;
+    assertThat(lines(source, 2).getFirst()).startsWith("More (n to --nat 2, --time 2): 3 states");
+    assertThat(
+            lines(source.replace("exists m: nat :: m > n", "forall m: nat :: m <= n"), 2)
+                .getFirst())
+        .contains("0 states");
+  }
+
+  @Test
   void valuesThatBreakAnAssumptionAreNotTried() throws SourceErrors {
     String ride =
         """
