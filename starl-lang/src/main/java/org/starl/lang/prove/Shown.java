@@ -105,8 +105,8 @@ final class Shown {
     return switch (type.base()) {
       case Type.Bool bool -> Smt.not(value);
       case Type.Num number -> Smt.equal(value, number.isWhole() ? "0" : "0.0");
-      case Type.OptionOf option -> "((_ is none) " + value + ")";
-      case Type.ListOf list -> Smt.not(sorts.notEmpty(value));
+      case Type.OptionOf option -> Smt.not(sorts.isSome(option, value));
+      case Type.ListOf list -> Smt.not(sorts.notEmpty(list, value));
       case Type.Sum sum ->
           "((_ is " + sorts.form(sum, sum.constructors().getFirst()) + ") " + value + ")";
       case Type.Rec rec ->
@@ -238,13 +238,13 @@ final class Shown {
     return switch (type) {
       case Type.Num number -> solver.number(value);
       case Type.OptionOf option ->
-          solver.isTrue("((_ is none) " + value + ")")
-              ? "none"
-              : "some(" + part(option.element(), Smt.call("the", value)) + ")";
+          solver.isTrue(sorts.isSome(option, value))
+              ? "some(" + part(option.element(), Smt.call("the", value)) + ")"
+              : "none";
       case Type.ListOf list -> {
         List<String> elements = new ArrayList<>();
         String rest = value;
-        while (solver.isTrue(sorts.notEmpty(rest))) {
+        while (solver.isTrue(sorts.notEmpty(list, rest))) {
           elements.add(part(list.element(), sorts.head(rest)));
           rest = sorts.tail(rest);
         }

@@ -216,6 +216,15 @@ final class Sorts {
     };
   }
 
+  /** The sorts tell Z3 which option it is where one is inside another. */
+  String isSome(Type.OptionOf option, String value) {
+    return "((_ is (some (%s) %s)) %s)".formatted(sort(option.element()), sort(option), value);
+  }
+
+  String some(Type type, String value) {
+    return Smt.call("(as some " + sort(type) + ")", value);
+  }
+
   String emptyList(Type type) {
     return "(as " + (hasSequences ? "seq.empty " : "nil ") + sort(type) + ")";
   }
@@ -226,8 +235,13 @@ final class Sorts {
         : Smt.call("cons", head, tail);
   }
 
-  String notEmpty(String list) {
-    return hasSequences ? "(> (seq.len " + list + ") 0)" : "((_ is cons) " + list + ")";
+  String notEmpty(Type.ListOf type, String list) {
+    return hasSequences ? "(> (seq.len " + list + ") 0)" : isCons(type, list);
+  }
+
+  String isCons(Type.ListOf type, String list) {
+    return "((_ is (cons (%1$s %2$s) %2$s)) %3$s)"
+        .formatted(sort(type.element()), sort(type), list);
   }
 
   String head(String list) {
@@ -255,7 +269,7 @@ final class Sorts {
             List<String> values = new ArrayList<>();
             if (!inner.isEmpty()) {
               values.add("(as none " + sort(option) + ")");
-              inner.forEach(value -> values.add(Smt.call("some", value)));
+              inner.forEach(value -> values.add(some(option, value)));
             }
             yield values;
           }

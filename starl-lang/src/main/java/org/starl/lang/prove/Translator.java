@@ -226,7 +226,7 @@ final class Translator {
       }
       case Type.OptionOf option ->
           Smt.implies(
-              some(smt(value)),
+              sorts.isSome(option, smt(value)),
               inside(option.element(), of(Smt.call("the", smt(value)), option.element())));
       case Type.ListOf list -> {
         String n = "n$" + bound++;
@@ -248,10 +248,6 @@ final class Translator {
 
   private String is(Type.Sum sum, Constructor form, String value) {
     return "((_ is " + sorts.form(sum, form) + ") " + value + ")";
-  }
-
-  private static String some(String option) {
-    return "((_ is some) " + option + ")";
   }
 
   // --- quantifiers -------------------------------------------------------------------------------
@@ -501,16 +497,24 @@ final class Translator {
       case Expr.None none -> new Term("(as none " + sorts.sort(none.type()) + ")");
       case Expr.Some some -> {
         Type element = ((Type.OptionOf) some.type().base()).element();
-        yield new Term(Smt.call("some", termAs(element, some.of(), scope)));
+        yield new Term(sorts.some(some.type(), termAs(element, some.of(), scope)));
       }
       case Expr.BuiltIn builtIn when builtIn.name() == Expr.BuiltIn.Name.CARD ->
           card(builtIn, (Fn) value(builtIn.of(), scope));
       case Expr.BuiltIn builtIn -> {
         String of = smt(value(builtIn.of(), scope));
         switch (builtIn.name()) {
-          case THE -> oblige(some(of), "has no value: the(none)", builtIn.pos());
-          case HEAD -> oblige(sorts.notEmpty(of), "has no value: head([])", builtIn.pos());
-          case TAIL -> oblige(sorts.notEmpty(of), "has no value: tail([])", builtIn.pos());
+          case THE ->
+              oblige(
+                  sorts.isSome((Type.OptionOf) builtIn.of().type().base(), of),
+                  "has no value: the(none)",
+                  builtIn.pos());
+          case HEAD, TAIL ->
+              oblige(
+                  sorts.notEmpty((Type.ListOf) builtIn.of().type().base(), of),
+                  "has no value: %s([])"
+                      .formatted(builtIn.name() == Expr.BuiltIn.Name.HEAD ? "head" : "tail"),
+                  builtIn.pos());
           case LENGTH, CARD, ELEMENTS, DISTINCT -> {
             // These have values for all lists.
           }
@@ -600,13 +604,14 @@ final class Translator {
 
   /** The function whether a list has an element. Z3 unfolds calls below {@code ite} as needed, others always. */
   private String elements(Expr list) {
-    String sort = sorts.sort(((Type.ListOf) list.type().base()).element());
+    Type.ListOf type = (Type.ListOf) list.type().base();
+    String sort = sorts.sort(type.element());
     String name = "has." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
     if (names.putIfAbsent(name, name) == null) {
       script.line(
           "(define-fun-rec %s ((l (list %s)) (x %s)) Bool".formatted(name, sort, sort)
-              + " (ite ((_ is cons) l) (ite (= x (head l)) true (%s (tail l) x)) false))"
-                  .formatted(name));
+              + " (ite %s (ite (= x (head l)) true (%s (tail l) x)) false))"
+                  .formatted(sorts.isCons(type, "l"), name));
     }
     return name;
   }
@@ -618,8 +623,8 @@ final class Translator {
     if (names.putIfAbsent(name, name) == null) {
       script.line(
           "(define-fun-rec %s ((l %s)) Bool".formatted(name, sorts.sort(list.type()))
-              + " (ite ((_ is cons) l) (ite (%s (tail l) (head l)) false (%s (tail l))) true))"
-                  .formatted(has, name));
+              + " (ite %s (ite (%s (tail l) (head l)) false (%s (tail l))) true))"
+                  .formatted(sorts.isCons((Type.ListOf) list.type().base(), "l"), has, name));
     }
     return name;
   }

@@ -56,6 +56,37 @@ class ProverTest {
   }
 
   @Test
+  void optionsOfOptionsAreTranslated() {
+    String nested =
+        """
+        automaton Nested
+        state x: option[option[nat]]
+        start x = none
+        action first
+          eff x := some(none)
+        action second
+          pre x = some(none)
+          eff x := some(some(1))
+        invariant One: x = none or x = some(none) or the(the(x)) = 1
+        """;
+    assertThat(proved(nested).isProved()).isTrue();
+    assertThat(proved(nested.replace("the(the(x)) = 1", "x = some(some(2))")).isProved()).isFalse();
+    String lists =
+        """
+        automaton Lists[P]
+        state l: list[list[P]]
+        start l = []
+        action first(p: P)
+          eff l := [[p], []]
+        action second
+          pre l != [], head(l) != []
+          eff l := tail(l)
+        invariant Some: l = [] or head(l) = [] or distinct(head(l)) and distinct(l)
+        """;
+    assertThat(proved(lists).lines()).contains("Lists: second can happen");
+  }
+
+  @Test
   void assumptionsAreGiven() {
     String steps =
         """
