@@ -168,7 +168,8 @@ public final class Starts {
       if (isTrue(goal, filled)) {
         outside =
             filled.stream()
-                .filter(hole -> hole.value != null && !hole.domain.contains(hole.value))
+                .filter(hole ->
+                    beyond.isEmpty() && hole.value != null && !hole.domain.contains(hole.value))
                 .map(hole -> machine.parts().get(hole.part).name())
                 .filter(beyond::add)
                 .toList();

@@ -238,7 +238,9 @@ class SearchTest {
           eff x := x - 1
         invariant Few: x <= 2
         """;
-    assertThat(lines(source, 2).getFirst()).startsWith("Copy (n to --nat 2, --time 2): 6 states");
+    assertThat(lines(source, 2).getFirst())
+        .startsWith("Copy (n to --nat 2, --time 2): 6 states")
+        .endsWith("Few holds");
     assertThat(lines(source.replace("x = n", "x = n + 1"), 2))
         .contains("  not each value is tried, but whole ones to --nat 2, --time 2: x at the start");
     assertThat(lines(source.replace("x = n", "x = n + 1, x <= 1"), 2))
