@@ -42,7 +42,7 @@ public final class Search {
    * @param untried of what some values were not tried, nor any that stands for them: {@code d of dt}
    * @param beyond the number of steps that lead beyond the bounds, and were not taken
    * @param beyondArguments the number of cases of arguments beyond the bounds that were not decided
-   * @param unevaluated the invariants that were beyond the bounds in some states, with the number of these
+   * @param unevaluated the conditions that were beyond the bounds in some states, with the number of these
    * @param never the actions that cannot happen
    * @param neverFalse for each action, the conjuncts that are true wherever those before them are
    * @param unasked why progress is not decided; empty if it is
@@ -148,6 +148,7 @@ public final class Search {
     this.most = most;
     automaton = machine.automaton();
     starts = machine.starts(given);
+    unevaluated.putAll(starts.unasked());
     boolean needsGraph = needsGraph(automaton);
     graph = needsGraph ? new Graph(machine) : null;
     symmetry = new Symmetry(machine, sizes.opaque(), isSymmetric && !needsGraph);

@@ -27,16 +27,22 @@ public final class Starts {
   public static final int MOST = 10_000;
 
   /** A conjunct of the condition, for values of its variables. */
-  private record Goal(Code code, @Nullable Code place, @Nullable Code value, Frame frame) {}
+  private record Goal(
+      String name, Code code, @Nullable Code place, @Nullable Code value, Frame frame) {}
 
   private final Machine machine;
   private final Object[] root;
   private final List<Hole> holes = new ArrayList<>();
   private final List<Goal> goals = new ArrayList<>();
+  private String named = "";
   private final Set<Row> states = new LinkedHashSet<>();
   private final Set<String> open = new TreeSet<>();
   private final Set<String> cut = new TreeSet<>();
   private final Set<String> bounded = new TreeSet<>();
+  private final Map<String, Long> unasked = new TreeMap<>();
+
+  /** The conjuncts on the way to a state that need values beyond the bounds. */
+  private final List<String> passed = new ArrayList<>();
 
   /** The parts that have a value beyond the bounds now: what is found then is no state to visit. */
   private final Set<String> beyond = new TreeSet<>();
@@ -52,10 +58,11 @@ public final class Starts {
     Compiler compiler =
         new Compiler(machine.automaton(), machine.domains(), machine.parameters(), true);
     Frame frame = new Frame(root, root, machine.parameters().size(), new Object[0], 0);
-    expand(
-        machine.automaton().assumptions().stream().map(Invariant::condition).toList(),
-        compiler,
-        frame);
+    for (Invariant assumption : machine.automaton().assumptions()) {
+      named = assumption.name();
+      expand(List.of(assumption.condition()), compiler, frame);
+    }
+    named = "the start";
     expand(machine.automaton().start(), compiler, frame);
     solve(0);
   }
@@ -78,6 +85,11 @@ public final class Starts {
   /** The parts that may have values beyond the bounds in start states, which are not among them. */
   public Set<String> bounded() {
     return Collections.unmodifiableSet(bounded);
+  }
+
+  /** The assumptions, and the start, that could not be asked of some states: they need values beyond the bounds. */
+  public Map<String, Long> unasked() {
+    return Collections.unmodifiableMap(unasked);
   }
 
   private Object hollow(Domain domain, int part) {
@@ -152,7 +164,11 @@ public final class Starts {
       Object[] locals = Arrays.copyOf(binding, scope.most);
       goals.add(
           new Goal(
-              code, place, value, new Frame(frame.root, frame.state, frame.offset, locals, 0)));
+              named,
+              code,
+              place,
+              value,
+              new Frame(frame.root, frame.state, frame.offset, locals, 0)));
     }
   }
 
@@ -164,6 +180,7 @@ public final class Starts {
     Goal goal = goals.get(number);
     List<Hole> filled = new ArrayList<>();
     List<String> outside = List.of();
+    int before = passed.size();
     try {
       if (isTrue(goal, filled)) {
         outside =
@@ -178,6 +195,7 @@ public final class Starts {
     } catch (Hole.Needed needed) {
       tryAll(needed.hole, number);
     } finally {
+      passed.subList(before, passed.size()).clear();
       outside.forEach(beyond::remove);
       filled.forEach(hole -> hole.value = null);
     }
@@ -204,14 +222,15 @@ public final class Starts {
     hole.value = null;
   }
 
-  /** What is beyond the bounds is not asked of a start state. */
-  private static boolean isTrue(Goal goal, List<Hole> filled) {
+  /** What is beyond the bounds is not asked of a start state, but noted. */
+  private boolean isTrue(Goal goal, List<Hole> filled) {
     try {
       if (goal.place != null && goal.value != null) {
         return fill(goal.place.of(goal.frame), goal.value.of(goal.frame), filled);
       }
       return goal.code.test(goal.frame);
     } catch (Beyond e) {
+      passed.add(goal.name);
       return true;
     }
   }
@@ -284,7 +303,9 @@ public final class Starts {
         addStates(tried, number + 1);
       }
     } else {
-      states.add((Row) Compiler.filled(new Row(root.clone())));
+      if (states.add((Row) Compiler.filled(new Row(root.clone())))) {
+        new TreeSet<>(passed).forEach(name -> unasked.merge(name, 1L, Long::sum));
+      }
       if (states.size() > MOST) {
         throw new TooLarge(
             "start: more than %,d start states at these sizes; expected a start that leaves less open, or smaller sizes (--robots, --size, --nat, --time)"

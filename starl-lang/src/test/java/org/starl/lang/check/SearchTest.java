@@ -266,6 +266,23 @@ class SearchTest {
   }
 
   @Test
+  void assumptionThatNeedsValuesBeyondTheBoundIsNotDecided() throws SourceErrors {
+    String source =
+        """
+        automaton Less[f: [nat -> nat]]
+        assume Down: forall n: nat :: f(n + 1) < f(n)
+        state c: nat
+        start c = 0
+        action up
+          eff c := 1
+        invariant Few: c <= 1
+        """;
+    assertThat(lines(source, 2).getFirst()).contains("not decided: conditions are not evaluated");
+    assertThat(lines(source, 2))
+        .contains("  not evaluated: Down in 1 state, which need values beyond --nat 2, --time 2");
+  }
+
+  @Test
   void valuesThatBreakAnAssumptionAreNotTried() throws SourceErrors {
     String ride =
         """
