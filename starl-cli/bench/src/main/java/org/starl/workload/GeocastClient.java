@@ -68,7 +68,9 @@ final class GeocastClient extends Client {
   static void setUp(Setup setup) {
     setup.place(gvh -> new GeocastClient(gvh, setup));
     long delayNs = setup.isLossless() ? setup.delayNs() : GeocastSpec.NEVER;
-    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, SETTINGS, delayNs));
+    setup
+        .simulation()
+        .monitor(() -> new GeocastSpec(POSITION_ERROR_MM, SETTINGS, delayNs).answering());
     setup.promise(PROMPT_MS, 0, false);
   }
 

@@ -1,6 +1,7 @@
 package org.starl.primitives.geocast;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
@@ -39,7 +40,7 @@ public final class GeocastSpec extends LemmaMonitor {
   private final GeocastSettings settings;
   private final long delayNs;
   private final Casts casts;
-  private final CompletionCheck completion;
+  private @Nullable CompletionCheck completion;
   private final FaultState faults = new FaultState();
 
   /** For a world without clock skew, and with position errors below 50 mm. */
@@ -64,7 +65,6 @@ public final class GeocastSpec extends LemmaMonitor {
     this.positionErrorMm = positionErrorMm;
     this.settings = settings;
     this.delayNs = delayNs;
-    completion = new CompletionCheck(settings, faults);
     casts = new Casts(2 * positionErrorMm, this::judge);
     lemma(
         EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
@@ -75,10 +75,18 @@ public final class GeocastSpec extends LemmaMonitor {
     lemma(DEADLINE, "No robot gets the message after its interval is over.");
     lemma(ONCE, "No robot gets the message twice.");
     lemma(ACKNOWLEDGED, "A robot acknowledges only a message that it has got.");
+  }
+
+  /**
+   * Also requires, of robots that acknowledge, that they do it at once, and that a sender knows when all have.
+   */
+  public GeocastSpec answering() {
     lemma(ANSWERED, "A robot that has the message acknowledges each copy of it at once.");
     lemma(
         GCASTFLAG,
         "The variable Gcastflag is true if all others have acknowledged the robot's messages, or their intervals are over, and only then.");
+    completion = new CompletionCheck(settings, faults);
+    return this;
   }
 
   @Override
@@ -90,7 +98,9 @@ public final class GeocastSpec extends LemmaMonitor {
   public void observe(TraceEvent event, Report report) {
     casts.observe(event, report);
     faults.observe(event);
-    completion.observe(event, report);
+    if (completion != null) {
+      completion.observe(event, report);
+    }
     switch (event) {
       case Action action -> acted(action, report);
       case Sent sent -> sent(sent, report);
@@ -132,7 +142,9 @@ public final class GeocastSpec extends LemmaMonitor {
       String detail = "delivers " + cast.id + " again";
       report.violated(ONCE, action.timeNs(), List.of(robot), detail);
     }
-    completion.mustAnswer(action, cast);
+    if (completion != null) {
+      completion.mustAnswer(action, cast);
+    }
   }
 
   private void sent(Sent sent, Report report) {
@@ -169,7 +181,7 @@ public final class GeocastSpec extends LemmaMonitor {
         && !cast.originRestarted
         && delivered.timeNs() <= surelyOpenUntilNs(cast)) {
       cast.reached(delivered.robot());
-      if (cast.hasDelivered(delivered.robot())) {
+      if (completion != null && cast.hasDelivered(delivered.robot())) {
         completion.mustAnswer(delivered, cast);
       }
     }

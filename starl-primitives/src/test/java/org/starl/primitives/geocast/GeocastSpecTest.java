@@ -112,7 +112,7 @@ class GeocastSpecTest {
     GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
     for (boolean isRepeated : List.of(false, true)) {
       for (long lateNs : List.of(0, 1)) {
-        monitors = new Monitors(List.of(new GeocastSpec()));
+        monitors = new Monitors(List.of(new GeocastSpec().answering()));
         castWithoutReceiversAfterTheFirstDatagram();
         see(hears(20, copyOf(FIRST)), act(20, OTHER, new GeocastFact.deliver(FIRST)));
         if (isRepeated) {
@@ -136,7 +136,7 @@ class GeocastSpecTest {
 
   /** The other robot acknowledges at 30 ns, or does not; then the flag is this. */
   private long flagged(boolean isAcknowledged, boolean isComplete, long atNs) {
-    monitors = new Monitors(List.of(new GeocastSpec()));
+    monitors = new Monitors(List.of(new GeocastSpec().answering()));
     see(flag(0, false));
     castWithoutReceiversAfterTheFirstDatagram();
     if (isAcknowledged) {
