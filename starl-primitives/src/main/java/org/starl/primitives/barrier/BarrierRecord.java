@@ -78,6 +78,18 @@ final class BarrierRecord {
     known.remove(robot);
   }
 
+  /** The generations in which the robot's present program has arrived. */
+  Set<Long> arrivals(RobotId robot) {
+    ProcessId id = ids.get(robot);
+    Set<Long> generations = new TreeSet<>();
+    arrived.forEach((generation, here) -> {
+      if (id != null && here.contains(id)) {
+        generations.add(generation);
+      }
+    });
+    return generations;
+  }
+
   /** Whether the robot must answer: a member's arrival, or one that is in a generation that it knows. */
   boolean mustAnswer(RobotId robot, BarrierMessage message) {
     boolean isBehind =

@@ -98,7 +98,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
         "No robot gives up a member that it has heard within the silence, or the deadline.");
     lemma(
         BEHIND,
-        "Who hears a member that is behind tells it at once, and asks at once one that is ahead.");
+        "Who hears a member tells it at once whether it has arrived, or what is decided, and asks at once one that is ahead.");
     tells.begin();
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     deadlineNs = settings.deadlineMs() * NS_PER_MS;
@@ -148,12 +148,17 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
     tells.observe(event, report);
     if (event instanceof Delivered got && got.message() instanceof BarrierMessage message) {
       silence.heard(got.channel(), got, message.from());
-      if (instance(got.channel()).mustAnswer(got.robot(), message)) {
+      BarrierRecord generations = instance(got.channel());
+      if (generations.mustAnswer(got.robot(), message)) {
+        Set<Long> arrivals = generations.arrivals(got.robot());
         tells.owes(
             got,
             got.from().name(),
             "an answer to " + message,
-            told -> told instanceof BarrierMessage.Here || told instanceof SynodMessage.Decided);
+            told ->
+                told instanceof SynodMessage.Decided
+                    || (told instanceof BarrierMessage.Here here
+                        && here.hasArrived() == arrivals.contains(here.generation())));
       }
     } else if (event instanceof Sent sent
         && sent.message() instanceof BarrierMessage.Here here

@@ -150,6 +150,8 @@ class BarrierSpecTest {
     assertThat(behind(heard, Seen.tells(5, A, "c", decided()))).isZero();
     assertThat(behind(heard, Seen.tells(5, A, "b", here))).isEqualTo(1);
     assertThat(behind(heard, Seen.tells(6, A, "c", here))).isEqualTo(1);
+    BarrierMessage untrue = new BarrierMessage.Here(ProcessId.parse("a"), 2, true, 2);
+    assertThat(behind(heard, Seen.tells(5, A, "c", untrue))).as("not arrived").isEqualTo(1);
   }
 
   @Test
