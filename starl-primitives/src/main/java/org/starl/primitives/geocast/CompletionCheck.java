@@ -103,7 +103,9 @@ final class CompletionCheck {
                     .noneMatch(m ->
                         isOpen(key.robot(), m)
                             && !isBy(participants.getOrDefault(key.source(), Set.of()), m))
-                : own.isEmpty() || own.values().stream().anyMatch(m -> !isBy(robots, m)),
+                : own.isEmpty()
+                    || robots.size() == 1 // nobody acknowledges
+                    || own.values().stream().anyMatch(m -> !isBy(robots, m)),
         report);
   }
 
