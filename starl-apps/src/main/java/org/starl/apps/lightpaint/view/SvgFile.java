@@ -183,9 +183,17 @@ final class SvgFile extends SAXSVGDocumentFactory {
 
   /** Counts a copy that {@code use} makes. */
   void countCopy(Element use) {
+    String link = use.getAttributeNS(SVGConstants.XLINK_NAMESPACE_URI, "href");
     depth = 0;
     for (Element at = use; at != null; at = CSSEngine.getParentCSSStylableElement(at)) {
       depth++;
+      boolean isSame =
+          at.getLocalName().equals("use")
+              && at.getAttributeNS(SVGConstants.XLINK_NAMESPACE_URI, "href").equals(link);
+      if (isSame && at != use) {
+        String what = "<use> refers to " + BadInput.quote(link) + ", which holds it";
+        throw bad(line(use), what, "no link in a ring");
+      }
     }
     count(line(use));
   }
