@@ -42,7 +42,7 @@ import us.ihmc.tools.nativelibraries.NativeLibraryLoader;
  * another quality of service or type, and what to set. From any thread.
  *
  * <p>All nodes of a process are one participant of DDS. With several, Fast DDS may block for ever when an end is
- * removed (<a href="https://github.com/eProsima/Fast-DDS/issues/6193">its issue 6193</a>), and no node receives more.
+ * removed (eProsima/Fast-DDS#6193), and no node receives more.
  */
 final class RosNode implements AutoCloseable {
 

@@ -105,7 +105,7 @@ final class Shown {
     return switch (type.base()) {
       case Type.Bool bool -> Smt.not(value);
       case Type.Num number -> Smt.equal(value, number.isWhole() ? "0" : "0.0");
-      case Type.OptionOf option -> Smt.not(sorts.isSome(option, value));
+      case Type.OptionOf option -> Smt.not(sorts.someTest(option, value));
       case Type.ListOf list -> Smt.not(sorts.notEmpty(list, value));
       case Type.Sum sum ->
           "((_ is " + sorts.form(sum, sum.constructors().getFirst()) + ") " + value + ")";
@@ -238,7 +238,7 @@ final class Shown {
     return switch (type) {
       case Type.Num number -> solver.number(value);
       case Type.OptionOf option ->
-          solver.isTrue(sorts.isSome(option, value))
+          solver.isTrue(sorts.someTest(option, value))
               ? "some(" + part(option.element(), Smt.call("the", value)) + ")"
               : "none";
       case Type.ListOf list -> {

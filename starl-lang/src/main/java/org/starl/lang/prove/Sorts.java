@@ -217,7 +217,7 @@ final class Sorts {
   }
 
   /** The sorts tell Z3 which option it is where one is inside another. */
-  String isSome(Type.OptionOf option, String value) {
+  String someTest(Type.OptionOf option, String value) {
     return "((_ is (some (%s) %s)) %s)".formatted(sort(option.element()), sort(option), value);
   }
 
@@ -236,10 +236,10 @@ final class Sorts {
   }
 
   String notEmpty(Type.ListOf type, String list) {
-    return hasSequences ? "(> (seq.len " + list + ") 0)" : isCons(type, list);
+    return hasSequences ? "(> (seq.len " + list + ") 0)" : consTest(type, list);
   }
 
-  String isCons(Type.ListOf type, String list) {
+  String consTest(Type.ListOf type, String list) {
     return "((_ is (cons (%1$s %2$s) %2$s)) %3$s)"
         .formatted(sort(type.element()), sort(type), list);
   }

@@ -226,7 +226,7 @@ final class Translator {
       }
       case Type.OptionOf option ->
           Smt.implies(
-              sorts.isSome(option, smt(value)),
+              sorts.someTest(option, smt(value)),
               inside(option.element(), of(Smt.call("the", smt(value)), option.element())));
       case Type.ListOf list -> {
         String n = "n$" + bound++;
@@ -506,7 +506,7 @@ final class Translator {
         switch (builtIn.name()) {
           case THE ->
               oblige(
-                  sorts.isSome((Type.OptionOf) builtIn.of().type().base(), of),
+                  sorts.someTest((Type.OptionOf) builtIn.of().type().base(), of),
                   "has no value: the(none)",
                   builtIn.pos());
           case HEAD, TAIL ->
@@ -611,7 +611,7 @@ final class Translator {
       script.line(
           "(define-fun-rec %s ((l (list %s)) (x %s)) Bool".formatted(name, sort, sort)
               + " (ite %s (ite (= x (head l)) true (%s (tail l) x)) false))"
-                  .formatted(sorts.isCons(type, "l"), name));
+                  .formatted(sorts.consTest(type, "l"), name));
     }
     return name;
   }
@@ -624,7 +624,7 @@ final class Translator {
       script.line(
           "(define-fun-rec %s ((l %s)) Bool".formatted(name, sorts.sort(list.type()))
               + " (ite %s (ite (%s (tail l) (head l)) false (%s (tail l))) true))"
-                  .formatted(sorts.isCons((Type.ListOf) list.type().base(), "l"), has, name));
+                  .formatted(sorts.consTest((Type.ListOf) list.type().base(), "l"), has, name));
     }
     return name;
   }

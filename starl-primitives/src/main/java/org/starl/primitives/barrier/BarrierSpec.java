@@ -98,7 +98,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
         "No robot gives up a member that it has heard within the silence, or the deadline.");
     lemma(
         BEHIND,
-        "Who hears a member tells it at once whether it has arrived, or what is decided, and asks at once one that is ahead.");
+        "Who hears a member tells it at once if it has arrived, or what is decided, and asks one that is ahead.");
     tells.begin();
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     deadlineNs = settings.deadlineMs() * NS_PER_MS;

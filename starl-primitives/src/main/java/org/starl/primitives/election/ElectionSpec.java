@@ -106,10 +106,10 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
     lemma(
         BEHIND,
-        "A robot that hears one of an earlier term, one without its leader, or a new candidate, tells it at once.");
+        "Who hears a robot of an earlier term, or without its leader, or a new candidate, tells it at once.");
     lemma(
         SAYS,
-        "A robot that stands, or decides a term, broadcasts it at once; one that hears of a later term, or of a later program of its leader, stands.");
+        "Who stands or decides broadcasts it at once; who hears of a later term, or that its leader began anew, stands.");
     lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
     tells.begin();
     says.begin();

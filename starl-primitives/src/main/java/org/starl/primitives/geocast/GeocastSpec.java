@@ -84,7 +84,7 @@ public final class GeocastSpec extends LemmaMonitor {
     lemma(ANSWERED, "A robot that has the message acknowledges each copy of it at once.");
     lemma(
         GCASTFLAG,
-        "The variable Gcastflag is true if all others have acknowledged the robot's messages, or their intervals are over, and only then.");
+        "Gcastflag is true exactly if all have acknowledged the robot's messages, or their intervals are over.");
     completion = new CompletionCheck(settings, faults);
     return this;
   }

@@ -155,7 +155,7 @@ class SvgDrawingTest {
         "<use href='https://example.org/a.svg#a'/> | <use> refers to 'https://example.org/a.svg#a':",
         "<text x='1'>Hi</text> | <text> 'Hi': expected its outlines as paths",
         "<g id='a'><use href='#a'/></g> | <use> refers to '#a', which holds it: expected no link in a ring",
-        "<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g> | , which holds it: expected",
+        "<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g> | <use> refers to '#b', which holds it",
         "<line x1='1' x1='2'/> | attribute x1 is there twice: expected it once",
         "<line x2='5' stroke='red' stroke-width='-5'/> | <line stroke-width='-5' ",
         "<path stroke='red' d='L 1 1 2 2'/> | <path d='L 1 1 2 2' stroke='red'> cannot be drawn",
