@@ -1,5 +1,6 @@
 package org.starl.primitives.mutex;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -25,7 +26,8 @@ import org.starl.trace.TraceEvent.Fault;
  * <pre>
  * event                       action, where i is the event's robot
  * fact do_mutex               ask(i, the sequence, its ticket); the set in any order, if it is one
- * fact od_mutex               grant(i, z) for each section that is new
+ * fact od_mutex               grant(i, z) for each section that is new; of a robot that resumes, and whose body has left,
+ *                             restart(i), ask and grant of all, and stands_in(i, nothing)
  * fact release                release(i, given), of the newest id; stands_in(i, the rest without given)
  * fact withdraw               withdraw(i), if it waits
  * fact stands_in              stands_in(i, sections)
@@ -93,6 +95,8 @@ abstract class GrantConformance<S, A extends Action>
     // The id of each robot's newest request, and its ticket.
     private final Map<RobotId, ProcessId> asked = new TreeMap<>();
     private final Map<RobotId, Long> tickets = new TreeMap<>();
+    // The robots whose newest request takes over what an earlier start of the program held.
+    private final Set<RobotId> resuming = new TreeSet<>();
     private final Map<Long, TreeMap<ProcessId, Long>> places = new TreeMap<>();
     private long viewNumber;
     private boolean hasBegun;
@@ -167,6 +171,10 @@ abstract class GrantConformance<S, A extends Action>
       case MutexFact.DoMutex request -> {
         run.asked.put(i, request.who());
         run.tickets.put(i, run.ticket(request));
+        run.resuming.remove(i);
+        if (request.resumes()) {
+          run.resuming.add(i);
+        }
         ask(
             run,
             event,
@@ -182,10 +190,22 @@ abstract class GrantConformance<S, A extends Action>
             ask(run, event, List.copyOf(more), report);
           }
         }
+        // Others let it go first while it resumed. Its body has left since: in the theory it
+        // resumes once more.
+        boolean resumesAgain =
+            run.resuming.contains(i) && rest(run, i).isEmpty() && !crit(run, i).isEmpty();
+        if (resumesAgain) {
+          List<String> all = new ArrayList<>(crit(run, i));
+          all.addAll(theory.asked(i, run.replay.state()));
+          ask(run, event, all, report);
+        }
         for (String z : List.copyOf(theory.asked(i, run.replay.state()))) {
           if (access.held().contains(z)) {
             run.replay.step(event, theory.grant(i, z, run.replay.state()), report);
           }
+        }
+        if (resumesAgain) {
+          run.replay.step(event, theory.standsIn(i, Sections.NONE), report);
         }
         if (rest(run, i).isEmpty()) {
           run.replay.result(event, "crit_set", i, access.held(), crit(run, i), report);

@@ -15,6 +15,7 @@ import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.PipelineAutomaton.States;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
 
 /** The map from events of sequences to actions, and traces that are no runs of the theory. */
 class PipelineConformanceTest {
@@ -22,7 +23,7 @@ class PipelineConformanceTest {
   private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
   private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
 
-  private final ShownRun<States, PipelineAction> run = new ShownRun<>(PipelineConformance::new);
+  private ShownRun<States, PipelineAction> run = new ShownRun<>(PipelineConformance::new);
 
   private void event(MutexFact event) {
     run.has(
@@ -31,10 +32,14 @@ class PipelineConformanceTest {
   }
 
   private void asks(ProcessId who, long ts, String... sections) {
+    asks(who, ts, false, sections);
+  }
+
+  private void asks(ProcessId who, long ts, boolean resumes, String... sections) {
     List<String> all = List.of(sections);
     event(
         new MutexFact.DoMutex(
-            who, 1, ts, Sections.copyOf(all), all, false, new TreeSet<>(Set.of(I, J))));
+            who, 1, ts, Sections.copyOf(all), all, resumes, new TreeSet<>(Set.of(I, J))));
   }
 
   private void enters(ProcessId who, String held) {
@@ -72,6 +77,24 @@ class PipelineConformanceTest {
     asks(J, 2, "B");
     enters(J, "B");
     assertThat(run.report().violations()).as("B is to be granted to i first").hasSize(1);
+  }
+
+  @Test
+  void aRobotThatResumesKeepsItsTurnWhenItsBodyHasLeft() {
+    for (boolean resumes : List.of(true, false)) {
+      run = new ShownRun<>(PipelineConformance::new);
+      asks(J, 1, "B");
+      enters(J, "B");
+      asks(I, 2, "A", "C");
+      enters(I, "A");
+      run.has(new Fault(0, J.robot(), Fault.RESTART, ""));
+      ProcessId again = ProcessId.first(J.robot(), 2);
+      asks(again, 3, resumes, "B", "D", "C");
+      enters(again, "B D");
+      event(new MutexFact.Release(again, 1, Short.sections("B"), Short.sections("D")));
+      enters(again, "C D"); // before i, which holds A
+      assertThat(run.report().violations()).hasSize(resumes ? 0 : 1);
+    }
   }
 
   @Test
