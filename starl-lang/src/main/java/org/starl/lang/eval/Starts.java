@@ -26,7 +26,7 @@ public final class Starts {
   /** So many start states are gone through, at most. */
   public static final int MOST = 10_000;
 
-  /** A conjunct of the condition, for values of its variables. */
+  /** A conjunct of the condition, for values of its variables; the name is that of an assumption. */
   private record Goal(
       String name, Code code, @Nullable Code place, @Nullable Code value, Frame frame) {}
 
@@ -41,7 +41,7 @@ public final class Starts {
   private final Set<String> bounded = new TreeSet<>();
   private final Map<String, Long> unasked = new TreeMap<>();
 
-  /** The conjuncts on the way to a state that need values beyond the bounds. */
+  /** The assumptions on the way to a state that need values beyond the bounds. */
   private final List<String> passed = new ArrayList<>();
 
   /** The parts that have a value beyond the bounds now: what is found then is no state to visit. */
@@ -62,7 +62,7 @@ public final class Starts {
       named = assumption.name();
       expand(List.of(assumption.condition()), compiler, frame);
     }
-    named = "the start";
+    named = "";
     expand(machine.automaton().start(), compiler, frame);
     solve(0);
   }
@@ -87,7 +87,7 @@ public final class Starts {
     return Collections.unmodifiableSet(bounded);
   }
 
-  /** The assumptions, and the start, that could not be asked of some states: they need values beyond the bounds. */
+  /** The assumptions that could not be asked of some states: they need values beyond the bounds. */
   public Map<String, Long> unasked() {
     return Collections.unmodifiableMap(unasked);
   }
@@ -222,7 +222,7 @@ public final class Starts {
     hole.value = null;
   }
 
-  /** What is beyond the bounds is not asked of a start state, but noted. */
+  /** What is beyond the bounds is not asked of a start state; an assumption is noted then. */
   private boolean isTrue(Goal goal, List<Hole> filled) {
     try {
       if (goal.place != null && goal.value != null) {
@@ -230,7 +230,9 @@ public final class Starts {
       }
       return goal.code.test(goal.frame);
     } catch (Beyond e) {
-      passed.add(goal.name);
+      if (!goal.name.isEmpty()) {
+        passed.add(goal.name);
+      }
       return true;
     }
   }
