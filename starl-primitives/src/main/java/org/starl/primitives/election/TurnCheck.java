@@ -27,12 +27,14 @@ final class TurnCheck {
   private final FaultState faults;
   private final long deltaNs;
 
+  /** The latest candidacy of another robot. */
+  private record Heard(ProcessId from, long draw, long atNs) {}
+
   /** A robot's candidacy: since when, and which other candidates it has heard. */
   private static final class Turn {
     private final long term;
     private final long beganNs;
-    private final Map<ProcessId, Candidacy> heard = new TreeMap<>();
-    private final Map<ProcessId, Long> heardAtNs = new TreeMap<>();
+    private final Map<ProcessId, Heard> heard = new TreeMap<>();
     private long draw;
     private boolean hasProposed;
 
@@ -104,8 +106,7 @@ final class TurnCheck {
       // An earlier program of the sender is dead.
       turn.heard.keySet().removeIf(id -> id.robot().equals(from.robot()) && id.inc() < from.inc());
       if (message instanceof Candidacy candidacy && candidacy.term() == turn.term) {
-        turn.heard.put(from, candidacy);
-        turn.heardAtNs.put(from, got.timeNs());
+        turn.heard.put(from, new Heard(from, candidacy.draw(), got.timeNs()));
       }
     }
   }
@@ -120,7 +121,7 @@ final class TurnCheck {
         sent.timeNs() - deltaNs * (isBully ? ElectionStrategy.LISTEN : ElectionStrategy.DECIDE);
     long before =
         turn.heard.values().stream()
-            .filter(other -> turn.heardAtNs.getOrDefault(other.from(), 0L) > heardSinceNs)
+            .filter(other -> other.atNs() > heardSinceNs)
             .filter(other -> isBully ? other.from().compareTo(me) > 0 : other.draw() > turn.draw)
             .count();
     long waitNs = deltaNs * (ElectionStrategy.LISTEN + before * ElectionStrategy.DECIDE);
