@@ -223,8 +223,8 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
         asker.num = e.num();
         asker.inOrder = !e.sequence().isEmpty();
         asker.resumes = e.resumes();
-        asker.held = Sections.NONE;
-        asker.waiting = e.want();
+        asker.held = Sections.common(asker.held, e.want()); // when it asks anew for the rest
+        asker.waiting = Sections.without(e.want(), asker.held);
         asker.known = e.known();
         asker.answered.clear();
         asker.sharers.clear();

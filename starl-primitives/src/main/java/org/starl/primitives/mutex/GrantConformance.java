@@ -25,7 +25,8 @@ import org.starl.trace.TraceEvent.Fault;
  *
  * <pre>
  * event                       action, where i is the event's robot
- * fact do_mutex               ask(i, the sequence, its ticket); the set in any order, if it is one
+ * fact do_mutex               ask(i, the sequence, its ticket); the set in any order, if it is one;
+ *                             before it restart(i), if it holds; or withdraw(i), if it waits
  * fact od_mutex               grant(i, z) for each section that is new; of a robot that resumes, and whose body has left,
  *                             restart(i), ask and grant of all, and stands_in(i, nothing)
  * fact release                release(i, given), of the newest id; stands_in(i, the rest without given)
@@ -240,6 +241,8 @@ abstract class GrantConformance<S, A extends Action>
     RobotId i = event.robot();
     if (!crit(run, i).isEmpty()) {
       run.replay.step(event, theory.restart(i), report);
+    } else if (isWaiting(run, i)) {
+      run.replay.step(event, theory.withdraw(i), report);
     }
     run.replay.step(event, theory.ask(i, sections, run.tickets.getOrDefault(i, 0L)), report);
   }

@@ -12,9 +12,10 @@ interface MutexEffects {
   void send(MutexMessage message);
 
   /**
-   * A request begins; it needs the consent of {@code known}.
+   * A request begins, or is made anew; it needs the consent of {@code known}.
    *
-   * @param sequence the order of {@code want}; empty for a set, which is granted at once
+   * @param want what it holds or waits for
+   * @param sequence what it waits for, in order; empty for a set, which is granted at once
    * @param resumes whether it takes all of it over from the robot's earlier processes
    */
   void requested(

@@ -56,11 +56,12 @@ public sealed interface MutexFact {
   }
 
   /**
-   * A request begins.
+   * A request begins. A program that resumes may make it anew, with a later time, while it holds a part.
    *
    * @param num the number of the request, counted for each {@code who}
    * @param ts the logical time of the request
-   * @param sequence the order in which {@code want} is granted; empty for a set, granted at once
+   * @param want what it holds or waits for
+   * @param sequence what it waits for, in the order of the grants; empty for a set, granted at once
    * @param resumes whether it takes {@code want} over from the robot's earlier processes
    * @param known the participants whose consent it needs
    */

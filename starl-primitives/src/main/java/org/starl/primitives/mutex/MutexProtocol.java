@@ -48,7 +48,9 @@ import org.starl.random.Rng;
  *   <li>A new process of a robot whose earlier one may hold sections <em>resumes</em>: it claims the
  *       sections ahead of it. It comes before all that wait and hold none of these, which would wait
  *       for its body, and after those that hold one and tell it that they are ahead. It consents to no
- *       other request for what it claims.
+ *       other request for what it claims. While one is ahead, it cannot go on; it asks anew, with a
+ *       later time, if another resuming process waits only for its turn: the one that is ahead may wait
+ *       for that one's body.
  * </ul>
  */
 class MutexProtocol {
@@ -283,22 +285,28 @@ class MutexProtocol {
       effects.failed(0, MutexFailure.NOT_REGISTERED);
       return;
     }
-    num++;
-    ts = clock.tick();
     waiting = sections;
     want = Sections.copyOf(sections);
     inOrder = oneByOne;
     phase = Phase.TRYING;
+    asked.clear();
+    timers.begin(nowNs);
+    askForTheRest();
+    enter();
+  }
+
+  /** Asks all known participants for what it waits for, at a new logical time. */
+  private void askForTheRest() {
+    num++;
+    ts = clock.tick();
     ahead.clear();
     behind.clear();
-    asked.clear();
     sharers.clear();
-    known().forEach(other -> asked.put(other, want));
-    timers.begin(nowNs);
-    effects.requested(num, ts, want, inOrder ? sections : List.of(), resumes(), known());
+    asked.replaceAll((other, lacking) -> Sections.NONE);
+    known().forEach(other -> asked.put(other, Sections.copyOf(waiting)));
+    effects.requested(num, ts, want, inOrder ? waiting : List.of(), resumes(), known());
     sendRequests();
     answerPending();
-    enter();
   }
 
   /** Releases {@code sections}, which it must hold. */
@@ -493,6 +501,8 @@ class MutexProtocol {
     Long theirs = noted.ahead();
     if (!resumes() && held.isEmpty()) {
       withdraw(MutexFailure.LATE);
+    } else if (resumes() && keepsOneWaiting()) {
+      askForTheRest();
     } else if (resumes()
         && !theirs.equals(behind.get(noted.from())) // each is in the way of the other
         && theirs > ahead.getOrDefault(noted.from(), 0L)) {
@@ -629,6 +639,15 @@ class MutexProtocol {
         && !isBehind(req)
         && isInTheWayOf(req)
         && (req.resumes() || !isEarlierThan(req));
+  }
+
+  /** Whether a resuming request waits only because its logical time is later than this one's. */
+  private boolean keepsOneWaiting() {
+    return peers.pending().stream()
+        .anyMatch(req ->
+            req.resumes()
+                && !isInTheWayOf(req)
+                && req.waits().stream().anyMatch(each -> defers(req, each)));
   }
 
   /** Ends its request if it holds nothing and waits for what a resuming process claims. */

@@ -97,7 +97,8 @@ final class Requests {
     request.ts = event.ts();
     request.inOrder = !event.sequence().isEmpty();
     request.resumes = event.resumes();
-    request.held = Sections.NONE;
+    // What it holds at this time is of the same sequence: it asks anew for the rest.
+    request.held = Sections.common(request.held, event.want());
     request.known = event.known();
   }
 

@@ -36,6 +36,7 @@
  * earlier than that of a participant that holds one of its sections and waits for others. It holds
  * nothing, fails as {@code LATE}, and is made again with a later time. A program that restarts in
  * the middle of its sequence <em>resumes</em> it: it comes before all that wait for its body anyway.
+ * While it waits for another body itself, it lets other resumed sequences go first.
  * {@link org.starl.primitives.mutex.PipelineConformance} replays runs on the automaton of the
  * theory {@code Pipeline_decls}. Its proofs cover exclusion of all requests, and the absence of
  * circles for requests that neither are late nor resume. The order after a restart is tested, not

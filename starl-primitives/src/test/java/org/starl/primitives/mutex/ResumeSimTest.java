@@ -3,7 +3,9 @@ package org.starl.primitives.mutex;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
@@ -26,6 +28,7 @@ class ResumeSimTest {
   private static final String XID = "crossing";
   private static final RobotId FIRST = new RobotId("first");
   private static final RobotId SECOND = new RobotId("second");
+  private static final RobotId THIRD = new RobotId("third");
   private static final Participants ROADSIDE =
       Participants.of(new RobotId("post0"), new RobotId("post1"), new RobotId("post2"));
 
@@ -53,30 +56,44 @@ class ResumeSimTest {
     Plan first = new Plan(0, List.of("A", "B", "C"), Set.of("A"), "A");
     Plan second = new Plan(0, List.of("C", "A"), Set.of("C"), "C");
     finishes(
-        gvh -> new Leaver(gvh, first),
-        gvh -> new Leaver(gvh, second),
+        Map.of(FIRST, gvh -> new Leaver(gvh, first), SECOND, gvh -> new Leaver(gvh, second)),
         control -> {
           control.crash(FIRST, S, Unsynced.KEPT);
           control.crash(SECOND, 10 * S, Unsynced.KEPT); // until then the first one holds no more
         });
   }
 
+  @Test
+  void aRestartedRobotThatWaitsForABodyLetsTheOnesAheadOfThatBodyGoFirst() {
+    Plan first = new Plan(2_000, List.of("A", "B", "D"), Set.of("A"), "A");
+    Plan second = new Plan(1_000, List.of("B", "C", "D"), Set.of("B"), "B");
+    Plan third = new Plan(0, List.of("C", "D"), Set.of("C"), "C");
+    finishes(
+        Map.of(
+            FIRST, gvh -> new Car(gvh, first),
+            SECOND, gvh -> new Car(gvh, second),
+            THIRD, gvh -> new Car(gvh, third)),
+        control -> {
+          control.crash(FIRST, S, Unsynced.KEPT);
+          control.at(7 * S, () -> control.crash(SECOND, S, Unsynced.KEPT));
+          control.at(9 * S, () -> control.crash(THIRD, S, Unsynced.KEPT));
+        });
+  }
+
   private static void finishes(Plan first, Plan second, Consumer<SimControl> fault) {
-    finishes(gvh -> new Car(gvh, first), gvh -> new Car(gvh, second), fault);
+    finishes(Map.of(FIRST, gvh -> new Car(gvh, first), SECOND, gvh -> new Car(gvh, second)), fault);
   }
 
   private static void finishes(
-      Function<GlobalVarHolder, LogicThread> first,
-      Function<GlobalVarHolder, LogicThread> second,
-      Consumer<SimControl> fault) {
+      Map<RobotId, Function<GlobalVarHolder, LogicThread>> cars, Consumer<SimControl> fault) {
     Simulation.Builder builder = Simulation.builder().seed(1);
     for (RobotId post : ROADSIDE) {
       builder.robot(new RobotSpec(post, new Pose(0, 0, 0), false, Post::new));
     }
+    new TreeMap<>(cars)
+        .forEach((id, car) -> builder.robot(new RobotSpec(id, new Pose(0, 0, 0), false, car)));
     SimResult result =
         builder
-            .robot(new RobotSpec(FIRST, new Pose(0, 0, 0), false, first))
-            .robot(new RobotSpec(SECOND, new Pose(0, 0, 0), false, second))
             .monitor(() -> new MutexSpec(null).withSequences())
             .director(control -> control.at(5 * S, () -> fault.accept(control)))
             .build()
