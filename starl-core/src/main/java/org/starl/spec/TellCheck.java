@@ -33,11 +33,10 @@ public final class TellCheck {
     isOn = true;
   }
 
-  /** Sees each message of the run, before its duties are added. */
+  /** Sees each event of the run; duties of an event may be added before it or after it. */
   public void observe(TraceEvent event, Report report) {
     if (event.timeNs() != atNs) {
-      duties.forEach(duty -> judge(duty, report));
-      duties.clear();
+      duties.removeIf(duty -> isOver(duty, event.timeNs(), report));
       sent.clear();
       atNs = event.timeNs();
     }
@@ -56,6 +55,14 @@ public final class TellCheck {
     if (isOn) {
       duties.add(new Duty(event, to, what, accepts));
     }
+  }
+
+  private boolean isOver(Duty duty, long nowNs, Report report) {
+    boolean isOver = duty.event.timeNs() != nowNs;
+    if (isOver) {
+      judge(duty, report);
+    }
+    return isOver;
   }
 
   private void judge(Duty duty, Report report) {

@@ -3,10 +3,9 @@ package org.starl.primitives.election;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.LastVote;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
@@ -44,8 +43,8 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String LEADER = "election.Leader";
 
   private boolean leaderStays;
-  private @Nullable TurnCheck turns;
-  private @Nullable Delivered heard;
+  private final TurnCheck turns = new TurnCheck(faults);
+  private final LastVote lastVote = new LastVote();
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
   private final TellCheck tells = new TellCheck(BEHIND);
   private final TellCheck says = new TellCheck(SAYS);
@@ -113,7 +112,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
     tells.begin();
     says.begin();
-    turns = new TurnCheck(settings, faults);
+    turns.begin(settings);
     silence.setSilence(settings.silenceMs() * NS_PER_MS);
     told.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -143,7 +142,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         silence.heard(action.source(), action, created.i());
       }
       case ElectionAction.do_election call -> {
-        if (turns != null && ballots.shownBy(action.robot()) instanceof Leader.Fail) {
+        if (ballots.shownBy(action.robot()) instanceof Leader.Fail) {
           turns.stands(key(action), ballots.term(action.robot()), action.timeNs());
         }
         ballots.called(action.robot());
@@ -160,10 +159,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
           silence.suspectsNobody(report); // it knows no leader of the term before
         }
         ballots.stood(stands.n(), stands.i());
-        if (turns != null) {
-          turns.stands(key(action), stands.n(), action.timeNs());
-        }
-        says.observe(action, report); // ends the step before
+        turns.stands(key(action), stands.n(), action.timeNs());
         says.owes(
             action,
             Sent.ALL,
@@ -184,7 +180,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       shown.shows(variable, report);
       if (leader instanceof Leader.Name name) {
         silence.heard(variable.source(), variable, name.id());
-        if (hasDecided(variable, name.term())) {
+        if (lastVote.decides(variable, name.term())) {
           says.owes(
               variable,
               Sent.ALL,
@@ -196,16 +192,6 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     }
   }
 
-  /** Whether the robot has shown this after the vote that decides: both are in one step. */
-  private boolean hasDecided(Variable variable, long term) {
-    return heard != null
-        && heard.robot().equals(variable.robot())
-        && heard.channel().owner().equals(variable.source())
-        && heard.timeNs() == variable.timeNs()
-        && heard.message() instanceof Accepted vote
-        && vote.number() == term;
-  }
-
   private static ProcessKey key(TraceEvent.Action action) {
     return new ProcessKey(action.source(), action.robot());
   }
@@ -214,17 +200,12 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
     says.observe(event, report);
+    lastVote.observe(event);
     boolean isNewCandidate =
-        turns != null
-            && event instanceof Delivered got
+        event instanceof Delivered got
             && got.message() instanceof ElectionMessage message
             && turns.isNew(got, message);
-    if (turns != null) {
-      turns.observe(event, report);
-    }
-    if (event instanceof Delivered got && got.channel().kind().equals(ElectionFact.SYNOD)) {
-      heard = got;
-    }
+    turns.observe(event, report);
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
       ElectionRecord ballots = instance(got.channel());
@@ -272,9 +253,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void ended(RobotId robot) {
     instances().values().forEach(ballots -> ballots.ended(robot));
     silence.ended(robot);
-    if (turns != null) {
-      turns.ended(robot);
-    }
+    turns.ended(robot);
   }
 
   @Override

@@ -23,9 +23,9 @@ import org.starl.trace.TraceEvent.Sent;
  */
 final class TurnCheck {
 
-  private final ElectionStrategy strategy;
   private final FaultState faults;
-  private final long deltaNs;
+  private @Nullable ElectionStrategy strategy;
+  private long deltaNs;
 
   /** The latest candidacy of another robot. */
   private record Heard(ProcessId from, long draw, long atNs) {}
@@ -47,8 +47,13 @@ final class TurnCheck {
   private @Nullable Delivered latest;
   private final Map<ProcessKey, Turn> turns = new LinkedHashMap<>();
 
-  TurnCheck(ElectionSettings settings, FaultState faults) {
+  /** Checks nothing before {@link #begin}. */
+  TurnCheck(FaultState faults) {
     this.faults = faults;
+  }
+
+  /** Checks elections with these settings from now on. */
+  void begin(ElectionSettings settings) {
     strategy = settings.strategy();
     deltaNs = settings.deltaMs() * Time.NS_PER_MS;
   }
@@ -112,7 +117,7 @@ final class TurnCheck {
   }
 
   private void judge(Turn turn, ProcessId me, Sent sent, Report report) {
-    if (!faults.isClockRight(sent.robot(), turn.beganNs)) {
+    if (strategy == null || !faults.isClockRight(sent.robot(), turn.beganNs)) {
       return;
     }
     report.checked(ElectionSpec.TURN);

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
-import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.LastVote;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.membership.Confinement;
@@ -27,7 +27,6 @@ import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -52,9 +51,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final Deadlines progress;
   private final Deadlines removal;
   private final TellCheck tells = new TellCheck(INFORMED);
-  private @Nullable RumourCheck rumours;
+  private final RumourCheck rumours = new RumourCheck();
   private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
-  private @Nullable Delivered heard;
+  private final LastVote lastVote = new LastVote();
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
   private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
 
@@ -118,7 +117,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
     lemma(RUMOUR, "A robot that hears of a newer view hides its list at once.");
     tells.begin();
-    rumours = new RumourCheck();
+    rumours.begin();
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
     return this;
@@ -185,24 +184,14 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     ProcessKey key = new ProcessKey(variable.source(), variable.robot());
     list.shows(variable, report);
     RList shown = variable.of(RegistrationFact.R_LIST);
-    if (rumours != null) {
-      rumours.observe(variable, report); // ends the step before
-      if (shown != null) {
-        rumours.shows(key, shown);
-      }
+    rumours.observe(variable, report); // ends the step before
+    if (shown != null) {
+      rumours.shows(key, shown);
     }
     View view = variable.of(RegistrationFact.VIEW);
-    if (rumours != null && view != null) {
-      rumours.learns(key, view.number());
-    }
     if (view != null) {
-      // The vote that decides a view is the last message before the view: both are in one step.
-      if (heard != null
-          && heard.robot().equals(variable.robot())
-          && heard.channel().equals(variable.source())
-          && heard.timeNs() == variable.timeNs()
-          && heard.message() instanceof Accepted vote
-          && vote.number() == view.number()) {
+      rumours.learns(key, view.number());
+      if (lastVote.decides(variable, view.number())) {
         mustInform(history, variable, view);
       }
       history.learned(variable, view, report);
@@ -247,12 +236,8 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
-    if (rumours != null) {
-      rumours.observe(event, report);
-    }
-    if (event instanceof Delivered got && got.channel().kind().equals(RegistrationFact.PRIMITIVE)) {
-      heard = got;
-    }
+    rumours.observe(event, report);
+    lastVote.observe(event);
   }
 
   private void awaitRemoval(Instance source, View latest, long nowNs, Report report) {
@@ -269,9 +254,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void ended(RobotId robot) {
-    if (rumours != null) {
-      rumours.ended(robot);
-    }
+    rumours.ended(robot);
     for (Instance source : instances().keySet()) {
       ProcessKey key = new ProcessKey(source, robot);
       progress.stop(key);

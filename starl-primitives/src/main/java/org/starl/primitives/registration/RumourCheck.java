@@ -31,6 +31,12 @@ final class RumourCheck {
   private final Map<ProcessKey, Known> programs = new LinkedHashMap<>();
   private final Set<ProcessKey> due = new LinkedHashSet<>();
   private long nowNs;
+  private boolean isOn;
+
+  /** Checks from now on; nothing before. */
+  void begin() {
+    isOn = true;
+  }
 
   /** Sees every event, before the other methods. */
   void observe(TraceEvent event, Report report) {
@@ -52,7 +58,7 @@ final class RumourCheck {
 
   private void rumour(ProcessKey key, long number, boolean isOwn) {
     Known known = programs.get(key);
-    if (known != null && number > known.view) {
+    if (isOn && known != null && number > known.view) {
       if (known.rumoured <= known.view && !isOwn) {
         due.add(key);
       }
