@@ -208,7 +208,7 @@ final class MutexClient extends Client {
     setup
         .simulation()
         .monitor(() -> {
-          MutexSpec spec = new MutexSpec(bounds, calm);
+          MutexSpec spec = new MutexSpec(bounds, calm).answering();
           if (names.modes() > 0) {
             spec.withModes();
           } else if (isSequence) {

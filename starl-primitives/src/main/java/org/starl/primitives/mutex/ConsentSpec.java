@@ -9,6 +9,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
@@ -35,6 +36,7 @@ import org.starl.trace.TraceEvent.Sent;
  *       take a place themselves; with the ghosts, they are fewer than its places.
  *   <li>{@code Fenced}: a participant that has fenced another consents to nothing more of it, also
  *       after it has retired.
+ *   <li>{@code Answered}, with {@link #answering}: see {@link AnswerCheck}.
  * </ul>
  *
  * <p>With bounds it also reports, under {@code Served}, requests that wait too long for one cause: for
@@ -45,6 +47,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
   static final String CONSENT = "mutex.Consent";
   static final String FENCED = "mutex.Fenced";
+  static final String ANSWERED = "mutex.Answered";
 
   private final Within<Asker> behindGhosts;
   private final Within<List<ProcessId>> behindDead;
@@ -52,6 +55,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   // By the name that a mutex shares with its registration: those that decide its views.
   private final Map<String, Collection<RobotId>> voters = new TreeMap<>();
   private boolean isRealTime;
+  private @Nullable AnswerCheck answers;
 
   /**
    * @param ghostNs within which a request ends that only a ghost blocks
@@ -63,6 +67,15 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     behindDead = new Within<>(deadNs);
     lemma(CONSENT, "A process enters only with the consent of all processes that it needs.");
     lemma(FENCED, "A process that has fenced another grants it nothing more.");
+  }
+
+  /** Also requires that requests are answered at once. Not of runs in real time: their steps take time. */
+  ConsentSpec answering() {
+    lemma(
+        ANSWERED,
+        "Who wants no section consents at once; who is asked again answers, if only that it defers.");
+    answers = new AnswerCheck();
+    return this;
   }
 
   /** One mutex. */
@@ -182,6 +195,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
       behindGhosts.assumeAll(liveness.isFair(), event.timeNs());
       behindDead.assumeAll(liveness.isFair(), event.timeNs());
       instances().values().forEach(mutex -> livenessChanged(mutex, event.timeNs()));
+    }
+    if (answers != null) {
+      answers.observe(event, report);
     }
     super.observe(event, report);
   }

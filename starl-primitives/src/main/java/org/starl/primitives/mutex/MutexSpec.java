@@ -79,6 +79,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   private String capacity = EXCLUSIVE;
   private Supplier<Monitor> conformance = MutexConformance::new;
   private long confinedNs = Deadlines.NO_BOUND;
+  private boolean isAnswering;
 
   /** Safety only. */
   public MutexSpec() {
@@ -128,6 +129,15 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     return this;
   }
 
+  /**
+   * Also requires that a process which wants no section consents in the step in which it is asked, and that
+   * whoever is asked again answers. Only of simulations: no time passes during their steps.
+   */
+  public MutexSpec answering() {
+    isAnswering = true;
+    return this;
+  }
+
   /** Of mutexes with sequences, which are replayed on the theory of these. */
   public MutexSpec withSequences() {
     conformance = PipelineConformance::new;
@@ -160,7 +170,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
         bounds == null
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
-    return List.of(conformance.get(), new ConsentSpec(ghostNs, confinedNs));
+    ConsentSpec consents = new ConsentSpec(ghostNs, confinedNs);
+    return List.of(conformance.get(), isAnswering ? consents.answering() : consents);
   }
 
   @Override

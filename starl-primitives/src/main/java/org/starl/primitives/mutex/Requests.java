@@ -99,6 +99,10 @@ final class Requests {
     request.resumes = event.resumes();
     // What it holds at this time is of the same sequence: it asks anew for the rest.
     request.held = Sections.common(request.held, event.want());
+    for (Request by : request.consentedBy) {
+      by.consentedTo.computeIfPresent(
+          request, (same, sections) -> Sections.common(sections, request.held));
+    }
     request.known = event.known();
   }
 

@@ -29,7 +29,7 @@ class ConsentSpecTest {
 
   private static final Instance MUTEX = MutexFact.source("x");
 
-  private final Monitors monitors = new Monitors(List.of(new ConsentSpec(10, 20)));
+  private final Monitors monitors = new Monitors(List.of(new ConsentSpec(10, 20).answering()));
 
   ConsentSpecTest() {
     for (ProcessId id : List.of(I, J, K)) {
@@ -68,8 +68,7 @@ class ConsentSpecTest {
     ask(0);
     ok(1, J, I, 1);
     ok(1, K, I, 1);
-    MutexMessage req = new MutexMessage.Req(L, I, 1, 2, 5, set("A"));
-    monitors.observe(new Delivered(1, I.robot(), L.robot(), MUTEX, 1, MutexMessage.SHAPE, req));
+    deliver(1, new MutexMessage.Req(L, I, 1, 2, 5, set("A")));
     event(2, new MutexFact.OdMutex(I, 1, set("A")));
     assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
   }
@@ -158,14 +157,80 @@ class ConsentSpecTest {
     return View.closed(List.of(I, J, K)).next().confined(K, set("A"));
   }
 
+  @Test
+  void whoWantsNoSectionMustConsentAtOnce() {
+    req(1, J, I, 1);
+    ok(1, I, J, 1);
+    req(2, K, I, 1);
+    ok(3, I, K, 1);
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
+  void whoDefersMustSayWhenItIsAskedAgain() {
+    ask(0);
+    req(1, J, I, 1);
+    req(2, J, I, 1);
+    noted(2, I, J, 1);
+    req(3, J, I, 1);
+    event(4, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
+  void whoseRequestEndsMustConsentToWhatItDeferred() {
+    ask(0);
+    req(1, J, I, 1);
+    req(1, K, I, 1);
+    event(2, new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    ok(2, I, J, 1);
+    event(3, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
+  void nothingIsOwedToARequestThatHasEnded() {
+    ask(0);
+    req(1, J, I, 1);
+    deliver(2, new MutexMessage.Rem(J, I, 1, set()));
+    event(3, new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    req(4, J, I, 1);
+    event(5, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  private void req(long timeNs, ProcessId from, ProcessId to, long num) {
+    deliver(timeNs, new MutexMessage.Req(from, to, num, 1, 5, set("A")));
+  }
+
+  private void noted(long timeNs, ProcessId from, ProcessId to, long num) {
+    send(timeNs, new MutexMessage.Noted(from, to, num));
+  }
+
+  private void deliver(long timeNs, MutexMessage message) {
+    monitors.observe(
+        new Delivered(
+            timeNs,
+            message.to().robot(),
+            message.from().robot(),
+            MUTEX,
+            1,
+            MutexMessage.SHAPE,
+            message));
+  }
+
   private void ask(long timeNs) {
     event(timeNs, new MutexFact.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
   }
 
   private void ok(long timeNs, ProcessId from, ProcessId to, long num) {
-    MutexMessage ok = new MutexMessage.Ok(from, to, num);
-    monitors.observe(
-        new Sent(timeNs, from.robot(), to.robot().name(), MUTEX, 1, 1, MutexMessage.SHAPE, ok));
+    send(timeNs, new MutexMessage.Ok(from, to, num));
+  }
+
+  private void send(long timeNs, MutexMessage message) {
+    RobotId from = message.from().robot();
+    String to = message.to().robot().name();
+    monitors.observe(new Sent(timeNs, from, to, MUTEX, 1, 1, MutexMessage.SHAPE, message));
   }
 
   private static SortedSet<String> set(String... sections) {

@@ -203,6 +203,20 @@ class MutexSpecTest {
   }
 
   @Test
+  void aPromiseIsForOneRequestOnlyAlsoIfItIsMadeAnewWithoutAnEnd() {
+    event(0, new MutexFact.DoMutex(I, 1, 5, set("A B"), List.of("A", "B"), true, ids(I, J, K)));
+    event(1, new MutexFact.Grant(J, I, 1, set("B")));
+    event(2, new MutexFact.OdMutex(I, 1, set("A")));
+    event(3, new MutexFact.DoMutex(I, 2, 9, set("A B"), List.of("B"), true, ids(I, J, K)));
+    event(4, new MutexFact.DoMutex(J, 1, 7, set("B"), List.of("B"), true, ids(I, J, K)));
+    event(5, new MutexFact.OdMutex(J, 1, set("B")));
+    event(6, new MutexFact.Grant(J, I, 2, set("A")));
+    assertThat(monitors.report().violations(MutexSpec.PROMISE)).isZero();
+    event(7, new MutexFact.OdMutex(J, 1, set("A B")));
+    assertThat(finish(8).violations(MutexSpec.EXCLUSIVE)).isEqualTo(1); // I still holds A
+  }
+
+  @Test
   void aLaterRequestWithALowerTimeViolatesPromise() {
     ask(0, I, 5, "A");
     event(1, new MutexFact.Grant(J, I, 1));

@@ -1,0 +1,192 @@
+package org.starl.primitives.mutex;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexMessage.Fenced;
+import org.starl.primitives.mutex.MutexMessage.Noted;
+import org.starl.primitives.mutex.MutexMessage.Ok;
+import org.starl.primitives.mutex.MutexMessage.Rem;
+import org.starl.primitives.mutex.MutexMessage.Req;
+import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.Monitor.Report;
+import org.starl.spec.TellCheck;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+
+/**
+ * Checks that requests are answered in time: a process that neither holds nor waits for a section consents in the
+ * step in which it is asked, or in which its own request ends; and whoever defers an answer says so when it is
+ * asked again. Nothing is required of a process whose robot may stand in sections of an earlier one.
+ */
+final class AnswerCheck {
+
+  /** What one process knows of others' requests, and whether it has one itself. */
+  private static final class Participant {
+    private View view = View.NONE;
+    private boolean isTrying;
+    private boolean holds;
+    private final Map<ProcessId, Req> asked = new TreeMap<>();
+    // The numbers of others' latest requests that have this one's whole consent, and that have
+    // ended.
+    private final Map<ProcessId, Long> granted = new TreeMap<>();
+    private final Map<ProcessId, Long> ended = new TreeMap<>();
+    private final Set<ProcessId> fenced = new TreeSet<>();
+
+    private boolean wants() {
+      return isTrying || holds;
+    }
+
+    private boolean refuses(ProcessId other) {
+      return fenced.contains(other) || view.ghost(other) != null;
+    }
+
+    private boolean isOwedConsent(ProcessId other, long num) {
+      return num > granted.getOrDefault(other, 0L)
+          && !hasEnded(other, num)
+          && view.contains(other)
+          && !refuses(other);
+    }
+
+    private boolean hasEnded(ProcessId other, long num) {
+      return num <= ended.getOrDefault(other, 0L);
+    }
+  }
+
+  private final TellCheck answers = new TellCheck(ConsentSpec.ANSWERED);
+  private final Map<Instance, Map<ProcessId, Participant>> participants = new LinkedHashMap<>();
+  private final Map<ProcessKey, ProcessId> newest = new LinkedHashMap<>();
+  private final Set<ProcessKey> standing = new LinkedHashSet<>();
+
+  AnswerCheck() {
+    answers.begin();
+  }
+
+  void observe(TraceEvent event, Report report) {
+    answers.observe(event, report);
+    switch (event) {
+      case Action action when action.fact() instanceof MutexFact fact -> acted(action, fact);
+      case Delivered got when got.message() instanceof Req req -> asked(got, req);
+      case Delivered got when got.message() instanceof Rem rem && rem.left().isEmpty() ->
+          of(got.channel(), rem.to()).ended.merge(rem.from(), rem.num(), Math::max);
+      case Sent sent when sent.message() instanceof Ok ok && isWhole(ok) ->
+          of(sent.channel(), ok.from()).granted.merge(ok.to(), ok.num(), Math::max);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> ended(fault.robot());
+      case TraceEvent.Left left -> ended(left.robot());
+      default -> {}
+    }
+  }
+
+  private Participant of(Instance source, ProcessId id) {
+    return participants
+        .computeIfAbsent(source, any -> new TreeMap<>())
+        .computeIfAbsent(id, any -> new Participant());
+  }
+
+  private static boolean isWhole(Ok ok) {
+    return ok.part().isEmpty() && ok.counted().isEmpty();
+  }
+
+  private void ended(RobotId robot) {
+    participants.values().forEach(each -> each.keySet().removeIf(id -> id.robot().equals(robot)));
+    newest.keySet().removeIf(key -> key.robot().equals(robot));
+  }
+
+  private void acted(Action action, MutexFact fact) {
+    Participant participant = of(action.source(), fact.who());
+    ProcessKey key = new ProcessKey(action.source(), action.robot());
+    switch (fact) {
+      case MutexFact.Learned learned -> {
+        View view = learned.view();
+        participant.view = view;
+        // Who has left is forgotten: a late request of it is a first one.
+        participant
+            .asked
+            .values()
+            .removeIf(req -> req.admittedBy() <= view.number() && !view.mentions(req.from()));
+        ProcessId before = newest.put(key, learned.who());
+        if (before != null
+            && !before.equals(learned.who())
+            && of(action.source(), before).wants()) {
+          standing.add(key); // it takes over what that one has
+        }
+      }
+      case MutexFact.StandsIn place -> {
+        if (place.sections().isEmpty()) {
+          standing.remove(key);
+        } else {
+          standing.add(key);
+        }
+      }
+      case MutexFact.DoMutex request -> participant.isTrying = true;
+      case MutexFact.OdMutex access -> participant.holds = true;
+      case MutexFact.Fence fence -> participant.fenced.add(fence.suspect());
+      case MutexFact.Release release -> {
+        participant.holds = !release.left().isEmpty();
+        participant.isTrying &= participant.holds;
+        mayEnd(action, participant, fact.who(), key);
+      }
+      case MutexFact.Withdraw end -> {
+        participant.isTrying = false;
+        mayEnd(action, participant, fact.who(), key);
+      }
+      default -> {}
+    }
+  }
+
+  private void mayEnd(Action action, Participant participant, ProcessId me, ProcessKey key) {
+    if (participant.wants() || standing.contains(key) || !me.equals(newest.get(key))) {
+      return;
+    }
+    participant.asked.forEach((other, req) -> {
+      if (participant.isOwedConsent(other, req.num())) {
+        owes(action, req, told -> told instanceof Ok ok && answers(ok, req) && isWhole(ok));
+      }
+    });
+  }
+
+  private void asked(Delivered got, Req req) {
+    ProcessKey key = new ProcessKey(got.channel(), got.robot());
+    Participant participant = of(got.channel(), req.to());
+    Req before = participant.asked.get(req.from());
+    boolean isForged = !req.from().robot().equals(got.from());
+    boolean isStale =
+        participant.hasEnded(req.from(), req.num()) || (before != null && req.num() < before.num());
+    if (isForged || isStale || !req.to().equals(newest.get(key))) {
+      return;
+    }
+    participant.asked.put(req.from(), req);
+    if (participant.refuses(req.from())) {
+      owes(got, req, told -> told instanceof Fenced || (told instanceof Ok ok && answers(ok, req)));
+    } else if (!participant.wants() && !standing.contains(key)) {
+      owes(got, req, told -> told instanceof Ok ok && answers(ok, req) && isWhole(ok));
+    } else if (req.equals(before)) {
+      owes(
+          got,
+          req,
+          told ->
+              (told instanceof Ok ok && answers(ok, req))
+                  || (told instanceof Noted noted && noted.num() == req.num()));
+    }
+  }
+
+  private static boolean answers(Ok ok, Req req) {
+    return ok.from().equals(req.to()) && ok.to().equals(req.from()) && ok.num() == req.num();
+  }
+
+  private void owes(TraceEvent event, Req req, Predicate<Object> accepts) {
+    String what = "an answer to request " + req.num() + " of " + req.from();
+    answers.owes(event, req.from().robot().name(), what, accepts);
+  }
+}
