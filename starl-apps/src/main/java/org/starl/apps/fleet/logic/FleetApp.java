@@ -342,11 +342,11 @@ public final class FleetApp extends LogicThread {
     NavGraph.Lane lane = roads.laneAt(stands, home);
     places.standsIn(List.of(lane.from(), lane.to()));
     List<Integer> refuges = roads.refuges(stands, home);
-    int held = 0;
-    while (held < refuges.size() && !places.acquire(refuges.get(held), MOMENT_MS)) {
-      held++;
+    int tried = 0;
+    while (!places.acquire(refuges.get(tried), MOMENT_MS)) {
+      tried++; // the last one is its home, which it always has
     }
-    int end = refuges.get(Math.min(held, refuges.size() - 1));
+    int end = refuges.get(tried);
     NavGraph.Lane first = roads.laneAt(stands, end);
     List<Integer> own = List.of(home, first.from(), first.to(), end);
     List<Integer> vertices = new ArrayList<>(List.of(first.from()));
@@ -354,11 +354,7 @@ public final class FleetApp extends LogicThread {
     Journey journey = journey(vertices, own);
     journey.resume(first, roads.occupied(stands, gvh.gps.errorMm(), own.subList(0, 3)));
     drive(journey, journey.end());
-    if (held < refuges.size()) {
-      arrive(end);
-    } else {
-      driveOver(end, home); // it has the place of its lane from before the restart
-    }
+    arrive(end);
     places.standsIn(List.of());
   }
 

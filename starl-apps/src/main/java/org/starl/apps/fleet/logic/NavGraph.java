@@ -31,7 +31,13 @@ public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
    * @param to number of the vertex where it ends
    * @param group lanes of one group are used by one robot at a time; empty for none
    */
-  public record Lane(int from, int to, String group) {}
+  public record Lane(int from, int to, String group) {
+
+    /** The same way, driven back. */
+    Lane reversed() {
+      return new Lane(to, from, group);
+    }
+  }
 
   public NavGraph {
     vertices = List.copyOf(vertices);

@@ -335,7 +335,7 @@ public final class Roads {
   List<List<String>> needs(List<Integer> way) {
     List<List<String>> all = new ArrayList<>();
     for (int i = 0; i + 1 < way.size(); i++) {
-      all.add(needs.get(lane(way.get(i), way.get(i + 1))));
+      all.add(needs(way.get(i), way.get(i + 1)));
     }
     return all;
   }
@@ -356,13 +356,16 @@ public final class Roads {
     return all.size() <= Sections.MAX_COUNT;
   }
 
-  /** The lane on which a robot is that stands here; of several, that of the shortest way to this end. */
+  /**
+   * The lane on which a robot is that stands here; of several, that of the shortest way to this end. A robot
+   * may turn back on a lane to another private vertex, also against its direction: that vertex may be taken.
+   */
   Lane laneAt(Point at, int end) {
     double nearestMm =
         graph.lanes().stream().mapToDouble(lane -> segment(lane).distanceMm(at)).min().orElse(0);
     return graph.lanes().stream()
         .filter(lane -> segment(lane).distanceMm(at) <= nearestMm + AT_VERTEX_MM)
-        .filter(lane -> lane.to() == end || !homes.contains(lane.to()))
+        .map(lane -> lane.to() == end || !isPrivate(lane.to()) ? lane : lane.reversed())
         .min(Comparator.comparingDouble(lane -> awayMm(at, lane, end)))
         .orElseThrow();
   }
@@ -373,13 +376,9 @@ public final class Roads {
 
   /**
    * Private vertices for a robot that stands here on a lane, the nearest first: some near ones, up to its
-   * home, or the one to which the lane leads.
+   * home.
    */
   List<Integer> refuges(Point at, int home) {
-    int ahead = laneAt(at, home).to();
-    if (isPrivate(ahead)) {
-      return List.of(ahead);
-    }
     List<Integer> ends = new ArrayList<>(shared);
     ends.sort(Comparator.comparingDouble(end -> at.distanceMm(at(end))));
     ends.subList(Math.min(MOST_REFUGES, ends.size()), ends.size()).clear();
@@ -463,11 +462,13 @@ public final class Roads {
     return before;
   }
 
-  private int lane(int from, int to) {
+  /** Those of the shortest lane; of a lane that is driven back, those under it. */
+  private List<String> needs(int from, int to) {
     return lanesFrom.get(from).stream()
         .filter(lane -> graph.lanes().get(lane).to() == to)
         .min(Comparator.comparingDouble(lane -> graph.lengthMm(graph.lanes().get(lane))))
-        .orElseThrow();
+        .map(needs::get)
+        .orElseGet(() -> needs(at(from), new Lane(from, to, "")));
   }
 
   private double lengthMm(List<Integer> way) {

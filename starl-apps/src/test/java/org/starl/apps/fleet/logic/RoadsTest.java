@@ -117,6 +117,20 @@ class RoadsTest {
   }
 
   @Test
+  void aRestartedRobotOnItsWayToAVertexThatIsTakenMayTurnBack() {
+    NavGraph both = corridor(true);
+    List<Lane> lanes = new ArrayList<>(both.lanes());
+    lanes.remove(new Lane(4, 1, "")); // one way, from "a" over "s" to "b"
+    lanes.add(new Lane(4, 2, ""));
+    Roads roads = new Roads(new NavGraph(both.vertices(), lanes), BODY_MM, 2);
+    Point towardsS = new Point(1_300, 600);
+    assertThat(roads.refuges(towardsS, 0)).containsExactly(4, 0);
+    assertThat(roads.laneAt(towardsS, 4)).isEqualTo(new Lane(1, 4, ""));
+    assertThat(roads.laneAt(towardsS, 0)).isEqualTo(new Lane(4, 1, ""));
+    assertThat(roads.needs(List.of(4, 1, 0))).hasSize(2);
+  }
+
+  @Test
   void aMapWithoutRoomForAllRobotsIsRefused() {
     assertThatThrownBy(() -> new Roads(corridor(true), BODY_MM, 3))
         .isInstanceOf(IllegalArgumentException.class)
