@@ -110,7 +110,10 @@ final class MutexRecord {
         learned(e.view(), nowNs, report);
       }
       case MutexFact.StandsIn e -> standsIn(e, nowNs);
-      case MutexFact.Fence e -> checkSuspicion(e, nowNs, report);
+      case MutexFact.Fence e -> {
+        checkSuspicion(e, nowNs, report);
+        progress(p -> p.look(nowNs));
+      }
       case MutexFact.Known e -> {
         request.known = e.known();
         checkConnected(request, nowNs, report);
@@ -325,6 +328,7 @@ final class MutexRecord {
     @Override
     public boolean isImpeded(Requests.Request request) {
       return !isFair.getAsBoolean()
+          || fenced.contains(request.who)
           || request.known.stream().anyMatch(liveness::isDead)
           || (request.inOrder && !last.ghosts().isEmpty())
           || hasGhostInTheWay(last, request);

@@ -54,7 +54,8 @@ import org.starl.trace.TraceEvent;
  * ({@link #confinedWithin}).
  *
  * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a
- * wanted section, and no participant is dead whose consent is needed; {@code Served} only while
+ * wanted section, no participant is dead whose consent is needed, and the participant is not fenced
+ * itself; {@code Served} only while
  * that holds for all waiting requests. They are owed again, with the whole bound, once it holds
  * again, and when the set of participants whose consent is needed changes. A participant that is
  * dead, has left the floor or was removed from the views is owed nothing.

@@ -359,6 +359,15 @@ class MutexSpecTest {
   }
 
   @Test
+  void nothingIsOwedToAFencedParticipantThatIsNotRemovedYet() {
+    ask(0, I, 1, "A");
+    event(1, new MutexFact.Fence(J, I, set("A")));
+    SpecReport report = finish(600);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isZero();
+    assertThat(report.violations(MutexProgress.SERVED)).isZero();
+  }
+
+  @Test
   void nothingIsOwedInAFencedSectionOrBehindSuchARequest() {
     View ghost = View.closed(List.of(I, J, K)).next().confined(K, set("A"));
     event(0, new MutexFact.Learned(I, ghost));
