@@ -72,7 +72,7 @@ public final class PrimitiveWorkloads {
           new Workload(
               "geocast",
               "moving robots send to areas of all shapes, and to all robots",
-              Envelope.SPATIAL,
+              Envelope.PHYSICAL,
               64,
               Duration.ofMillis(GeocastClient.MAX_D_MS),
               parameters(12, "20s"),
@@ -102,7 +102,7 @@ public final class PrimitiveWorkloads {
           new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",
-              Envelope.SPATIAL,
+              Envelope.PHYSICAL,
               64,
               Duration.ofSeconds(2),
               parameters(8, "20s"),

@@ -45,11 +45,11 @@ public enum Envelope {
    * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, one of them up
    * to 20 ms off, fixes with up to 20 mm of additional, reported error, up to a second without fixes,
    * slow and stuck wheels.
-   * For primitives that rely on bounded drift and error: geocast, motion.
+   * For apps that rely on bounded drift and error, and survive no crash.
    */
   SPATIAL("network, and bounded faults of clocks, positioning and wheels"),
 
-  /** {@link #SPATIAL}, and crashes with restarts, slow storage: for the tubes of paths. */
+  /** {@link #SPATIAL}, and crashes with restarts, slow storage: for primitives of moving robots. */
   PHYSICAL("spatial, and crashes with restarts, slow storage");
 
   private final String meaning;
