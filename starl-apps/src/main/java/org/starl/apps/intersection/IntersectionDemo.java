@@ -1,6 +1,7 @@
 package org.starl.apps.intersection;
 
 import static org.starl.apps.intersection.robot.IntersectionFactory.ARRIVALS;
+import static org.starl.apps.intersection.robot.IntersectionFactory.CAR;
 import static org.starl.apps.intersection.robot.IntersectionFactory.DRAWN;
 import static org.starl.apps.intersection.robot.IntersectionFactory.FIGURE7;
 import static org.starl.apps.intersection.robot.IntersectionFactory.FILES;
@@ -89,10 +90,13 @@ public final class IntersectionDemo implements FactoryDemo {
       return request;
     }
     Request drawn = request.drawRobots(2, 12);
-    // Arrivals would change the scenario.
-    return request.given().contains(SCENARIO.key())
-        ? drawn
-        : drawn.drawParameter(ARRIVALS, DEFAULT_ARRIVALS);
+    if (!request.given().contains(SCENARIO.key())) { // arrivals change the scenario
+      drawn = drawn.drawParameter(ARRIVALS, DEFAULT_ARRIVALS);
+    }
+    // The cars of the paper do not keep up with arrivals.
+    return scenario(drawn).equals(DRAWN)
+        ? drawn.drawParameter(CAR, request.seed() % 2 == 0 ? "paper" : "program")
+        : drawn;
   }
 
   @Override

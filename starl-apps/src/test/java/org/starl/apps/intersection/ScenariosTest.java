@@ -41,16 +41,23 @@ class ScenariosTest {
   }
 
   @Test
-  void chaosPutsHalfOfTheSeedsOnAnOpenRoad() {
+  void chaosPutsHalfOfTheSeedsOnAnOpenRoadAndSomeWithThePapersCars() {
     IntersectionDemo demo = new IntersectionDemo();
     int open = 0;
+    Map<String, Integer> cars = new TreeMap<>();
     for (long seed = 1; seed <= 100; seed++) {
       Request varied =
           demo.varied(new Request(seed, OptionalInt.empty(), demo.defaults(), Set.of()));
-      open += varied.parameter(IntersectionFactory.ARRIVALS.key()).isEmpty() ? 0 : 1;
+      boolean isOpen = !varied.parameter(IntersectionFactory.ARRIVALS.key()).isEmpty();
+      open += isOpen ? 1 : 0;
+      String car = varied.parameter(IntersectionFactory.CAR.key());
+      assertThat(isOpen && !car.equals("flow")).as("seed %d", seed).isFalse();
+      cars.merge(car, 1, Integer::sum);
       assertThat(varied.robots().orElseThrow()).isBetween(2, 12);
     }
     assertThat(open).isBetween(30, 70);
+    assertThat(cars.get("paper")).isBetween(5, 25);
+    assertThat(cars.get("program")).isBetween(5, 25);
   }
 
   private static Path originals() {
