@@ -17,9 +17,12 @@ import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.spec.LemmaMonitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
@@ -33,41 +36,103 @@ import org.starl.trace.TraceEvent.Sent;
  *   <li>{@code Quorums}: a ballot has one value, after promises of a majority, and their latest vote's
  *       if there is one; a value is reported as decided only after a majority has voted for it in one
  *       ballot.
+ *   <li>{@code Answers}: an acceptor refuses a lower ballot in the step in which it is asked, and a robot that
+ *       knows what is decided tells it to each robot that asks, and proposes for that number no more.
  * </ul>
  *
- * <p>The last one is not checked of runs in real time: the end of a killed process's trace may be
- * missing.
+ * <p>The last two are not checked of runs in real time: the end of a killed process's trace may be
+ * missing, and a step takes time.
  */
 public final class SynodSpec extends LemmaMonitor {
 
   static final String BALLOTS = "synod.Ballots";
   static final String VOTES = "synod.Votes";
   static final String QUORUMS = "synod.Quorums";
+  static final String ANSWERS = "synod.Answers";
 
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;
 
   private final Map<Instance, Run> runs = new TreeMap<>();
+  private final TellCheck tells = new TellCheck(ANSWERS);
   private boolean isRealTime;
 
   public SynodSpec() {
     lemma(BALLOTS, "An acceptor answers no ballot below one that it has answered.");
     lemma(VOTES, "An acceptor's promise reports its latest vote.");
     lemma(QUORUMS, "A value is proposed, and reported as decided, only as a majority allows.");
+    lemma(
+        ANSWERS,
+        "A lower ballot is refused at once; who knows a decision tells it to those who ask, and asks no more.");
+    tells.begin();
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
+    tells.observe(event, report);
     switch (event) {
       case Sent sent when sent.message() instanceof SynodMessage message ->
           sent(sent, message, report);
+      case Delivered got when !isRealTime && got.message() instanceof SynodMessage message ->
+          heard(runs.computeIfAbsent(got.channel(), channel -> new Run()), got, message);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> ended(fault.robot());
       case Fault fault -> isRealTime |= fault.isRealTime();
+      case Left left -> ended(left.robot());
       default -> {}
     }
   }
 
+  private void ended(RobotId robot) {
+    runs.values().forEach(run -> run.known.remove(robot));
+  }
+
+  private void heard(Run run, Delivered got, SynodMessage message) {
+    long known = run.known.getOrDefault(got.robot(), 0L);
+    switch (message) {
+      case Decided m -> run.known.merge(got.robot(), m.number(), Math::max);
+      case Query m when known > m.number() -> mustAnswer(got, m.number() + 1, null);
+      case Prepare m -> asked(run, got, m.number(), m.ballot(), known);
+      case Accept m -> asked(run, got, m.number(), m.ballot(), known);
+      default -> {} // no rule
+    }
+  }
+
+  private void asked(Run run, Delivered got, long number, Ballot ballot, long known) {
+    Decree decree = run.decrees.get(number);
+    Ballot answered = decree == null ? null : decree.answered.get(got.robot());
+    if (known >= number && run.acceptors.contains(got.robot().name())) {
+      mustAnswer(got, number, null);
+    } else if (answered != null && ballot.compareTo(answered) < 0) {
+      mustAnswer(got, number, ballot);
+    }
+  }
+
+  /** It must refuse this ballot, or tell a decree of this number or a later one. */
+  private void mustAnswer(Delivered got, long number, @Nullable Ballot refused) {
+    tells.owes(
+        got,
+        got.from().name(),
+        refused == null ? "what is decided, for number " + number : "no to ballot " + refused,
+        told ->
+            (told instanceof Decided m && m.number() >= number)
+                || (told instanceof Nack no
+                    && no.number() == number
+                    && no.ballot().equals(refused)));
+  }
+
   private void sent(Sent sent, SynodMessage message, Report report) {
     Run run = runs.computeIfAbsent(sent.channel(), channel -> new Run());
+    long known = run.known.getOrDefault(sent.robot(), 0L);
+    if (message instanceof Prepare || message instanceof Accept) {
+      report.checked(ANSWERS);
+      if (message.number() <= known) {
+        String detail = sent.channel() + ": " + message + " after it has heard decree " + known;
+        report.violated(ANSWERS, sent.timeNs(), List.of(sent.robot()), detail);
+      }
+    }
+    if (message instanceof Decided) {
+      run.known.merge(sent.robot(), message.number(), Math::max);
+    }
     if (run.hasForgotten(message.number())) {
       return;
     }
@@ -99,6 +164,8 @@ public final class SynodSpec extends LemmaMonitor {
   private static final class Run {
     private final Set<String> acceptors = new TreeSet<>();
     private final TreeMap<Long, Decree> decrees = new TreeMap<>();
+    // The latest decree that the robot's present program has heard.
+    private final Map<RobotId, Long> known = new TreeMap<>();
 
     boolean hasForgotten(long number) {
       return decrees.size() >= KEPT_NUMBERS && number < decrees.firstKey();

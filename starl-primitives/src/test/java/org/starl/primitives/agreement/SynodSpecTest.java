@@ -10,13 +10,16 @@ import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Accepted;
 import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Nack;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.shape.Json;
 import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 
@@ -50,7 +53,8 @@ class SynodSpecTest {
     promise(HIGH, null, D);
     sends(B, B, new Accept(1, HIGH, X));
     sends(A, D, new Decided(1, X));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0, synod.Answers 0");
     assertThat(monitors.report().neverChecked()).isEmpty();
   }
 
@@ -61,16 +65,19 @@ class SynodSpecTest {
       Promise elsewhere = new Promise(1, HIGH, null, List.of());
       monitors.observe(new Sent(0, robot, A.name(), other, 1, 1, SynodMessage.SHAPE, elsewhere));
     }
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0, synod.Answers 0");
     sends(B, B, new Accept(1, HIGH, X));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
   }
 
   @Test
   void otherMessagesHaveNoRule() {
     Json other = new Json("{}");
     monitors.observe(new Sent(0, A, B.name(), CHANNEL, 1, 1, Shapes.JSON, other));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0, synod.Answers 0");
   }
 
   @Test
@@ -80,14 +87,16 @@ class SynodSpecTest {
     monitors.observe(new Fault(0, C, Fault.RESTART, "lost"));
     promise(LOW, null, C);
     assertThat(monitors.report().violations(SynodSpec.BALLOTS)).isEqualTo(1);
-    assertThat(violations()).isEqualTo("synod.Ballots 1, synod.Votes 0, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 1, synod.Votes 0, synod.Quorums 0, synod.Answers 0");
   }
 
   @Test
   void anAcceptorThatForgetsItsVoteViolatesVotes() {
     vote(LOW, C);
     promise(HIGH, null, C);
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0, synod.Answers 0");
   }
 
   @Test
@@ -95,21 +104,24 @@ class SynodSpecTest {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
     promise(HIGH, new Vote(LOW, Y), C);
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 1, synod.Quorums 0, synod.Answers 0");
   }
 
   @Test
   void aProposalAfterPromisesOfHalfViolatesQuorums() {
     promise(LOW, null, A, B);
     sends(A, A, new Accept(1, LOW, X));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
   }
 
   @Test
   void aProposalAgainstTheVotesOfAMajorityViolatesQuorums() {
     promise(HIGH, new Vote(LOW, X), A, B, C);
     sends(B, A, new Accept(1, HIGH, Y));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
   }
 
   @Test
@@ -117,14 +129,16 @@ class SynodSpecTest {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
     sends(A, B, new Accept(1, LOW, Y));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
   }
 
   @Test
   void aBallotOfAnotherRobotViolatesQuorums() {
     promise(LOW, null, A, B, C);
     sends(D, A, new Accept(1, LOW, X));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
   }
 
   @Test
@@ -133,7 +147,53 @@ class SynodSpecTest {
     sends(A, A, new Accept(1, LOW, X));
     vote(LOW, A, B);
     sends(A, D, new Decided(1, X));
-    assertThat(violations()).isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1");
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 1, synod.Answers 0");
+  }
+
+  @Test
+  void anAcceptorThatDoesNotRefuseALowerBallotViolatesAnswers() {
+    promise(HIGH, null, C);
+    hears(1, C, A, new Prepare(1, LOW, Value.EMPTY));
+    hears(2, C, A, new Accept(1, LOW, X));
+    hears(3, C, B, new Prepare(1, HIGH, Value.EMPTY)); // the same again
+    sends(3, C, A, new Nack(1, LOW, HIGH)); // late
+    sends(4, C, A, new Nack(1, LOW, HIGH));
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0, synod.Answers 2");
+  }
+
+  @Test
+  void whoKnowsADecisionAndDoesNotTellItViolatesAnswers() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    vote(LOW, A, B, C);
+    hears(1, C, A, new Decided(1, X));
+    for (SynodMessage question :
+        List.of(new Query(0), new Prepare(1, HIGH, Value.EMPTY), new Accept(1, HIGH, X))) {
+      hears(2, C, B, question);
+      sends(2, C, B, new Decided(1, X));
+      hears(3, C, B, question);
+      sends(3, C, D, new Decided(1, X)); // another robot
+    }
+    hears(4, C, B, new Query(1));
+    monitors.observe(new Fault(4, C, Fault.CRASH, ""));
+    hears(5, C, B, new Query(0)); // it may have forgotten
+    hears(6, C, B, new Query(0));
+    assertThat(violations())
+        .isEqualTo("synod.Ballots 0, synod.Votes 0, synod.Quorums 0, synod.Answers 3");
+  }
+
+  @Test
+  void aProposalOfWhatIsKnownToBeDecidedViolatesAnswers() {
+    promise(LOW, null, A, B, C);
+    sends(A, A, new Accept(1, LOW, X));
+    vote(LOW, A, B, C);
+    hears(1, B, A, new Decided(1, X));
+    sends(2, B, C, new Prepare(2, HIGH, Value.EMPTY));
+    assertThat(monitors.report().violations()).isEmpty();
+    sends(3, B, C, new Prepare(1, HIGH, Value.EMPTY));
+    assertThat(monitors.report().violations(SynodSpec.ANSWERS)).isEqualTo(1);
   }
 
   @Test
@@ -157,7 +217,15 @@ class SynodSpecTest {
   }
 
   private void sends(RobotId from, RobotId to, SynodMessage message) {
-    monitors.observe(new Sent(0, from, to.name(), CHANNEL, 1, 1, SynodMessage.SHAPE, message));
+    sends(0, from, to, message);
+  }
+
+  private void sends(long atNs, RobotId from, RobotId to, SynodMessage message) {
+    monitors.observe(new Sent(atNs, from, to.name(), CHANNEL, 1, 1, SynodMessage.SHAPE, message));
+  }
+
+  private void hears(long atNs, RobotId robot, RobotId from, SynodMessage message) {
+    monitors.observe(new Delivered(atNs, robot, from, CHANNEL, 1, SynodMessage.SHAPE, message));
   }
 
   private String violations() {
