@@ -65,7 +65,8 @@ final class BarrierClient extends Client {
     setup.place(gvh -> new BarrierClient(gvh, setup));
     setup
         .simulation()
-        .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(setup.registration()));
+        .monitor(() ->
+            new RegistrationSpec(setup.withinNs()).standingIn().patient(setup.registration()));
     long releasedNs =
         setup.isLossless() ? setup.withMessagesNs(RELEASED_MS, PROMPT_MESSAGES) : setup.withinNs();
     long promptNs =

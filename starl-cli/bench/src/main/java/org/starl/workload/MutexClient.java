@@ -229,7 +229,8 @@ final class MutexClient extends Client {
     if (isOpen) {
       setup
           .simulation()
-          .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(setup.registration()));
+          .monitor(() ->
+              new RegistrationSpec(setup.withinNs()).standingIn().patient(setup.registration()));
     }
   }
 

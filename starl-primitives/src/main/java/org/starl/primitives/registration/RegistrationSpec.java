@@ -14,7 +14,9 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.LastVote;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -27,12 +29,14 @@ import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
  * {@code Fresh}, {@code Soundness}, {@code rList}, and, where a bound is given, {@code Registered}: of
- * joining and of leaving; and with {@link #patient} {@code Informed}.
+ * joining and of leaving; and with {@link #patient} {@code Informed}, {@code Rumour}, {@code Asks}, {@code
+ * Shown} and {@code Completes}.
  */
 public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
@@ -43,6 +47,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String REGISTERED = "registration.Registered";
   static final String INFORMED = "registration.Informed";
   static final String RUMOUR = "registration.Rumour";
+  static final String ASKS = "registration.Asks";
+  static final String SHOWN = "registration.Shown";
+  static final String COMPLETES = "registration.Completes";
   static final String R_LIST = "registration.rList";
 
   private static final String REGISTERED_SAYS =
@@ -50,9 +57,17 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private final Deadlines progress;
   private final Deadlines removal;
+  private final Deadlines disposal;
+  private Deadlines hidden = new Deadlines(SHOWN, Deadlines.NO_BOUND, sinceNs -> "");
+  private Deadlines late = new Deadlines(COMPLETES, Deadlines.NO_BOUND, sinceNs -> "");
+  private Deadlines silent = new Deadlines(ASKS, Deadlines.NO_BOUND, sinceNs -> "");
   private final TellCheck tells = new TellCheck(INFORMED);
+  private final TellCheck asks = new TellCheck(ASKS);
   private final RumourCheck rumours = new RumourCheck();
-  private final Map<ProcessKey, Leaver> leaving = new LinkedHashMap<>();
+  private final Map<ProcessKey, ProcessId> leaving = new LinkedHashMap<>();
+  private final Map<ProcessKey, ProcessId> halfway = new LinkedHashMap<>();
+  private final Map<ProcessKey, Set<ProcessId>> disposed = new LinkedHashMap<>();
+  private boolean isStoodInFor;
   private final LastVote lastVote = new LastVote();
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
   private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
@@ -65,9 +80,6 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           : RList.UNKNOWN;
     }
   }
-
-  /** The latest id of a robot that must go from the views. */
-  private record Leaver(ProcessId id, boolean isGivenUp) {}
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -86,7 +98,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     super(RegistrationFact::isRegistration);
     lemma(AGREEMENT, "Lists with the same number are equal on all robots.");
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
-    lemma(FRESH, "An id that has left the list never comes back.");
+    lemma(
+        FRESH,
+        "An id that has left the list never comes back; one that may have left unseen asks no more.");
     lemma(SOUNDNESS, "Every id on a list has asked to be registered.");
     lemma(
         R_LIST,
@@ -102,6 +116,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
             REGISTERED,
             REGISTERED_SAYS,
             registeredWithinNs,
+            sinceNs -> "unregister at " + sinceNs + " ns, and listed since");
+    disposal =
+        progress(
+            REGISTERED,
+            REGISTERED_SAYS,
+            registeredWithinNs,
             sinceNs -> "given up, and listed since " + sinceNs + " ns");
   }
 
@@ -109,17 +129,45 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
    * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
    * registrations with these times. A call also fails, at once, if its robot has no room in the list.
    * Also requires that a robot which decides a view tells all robots that need to know it, and that one which
-   * hears of a newer view hides its list.
+   * hears of a newer view hides its list, for a bounded time, and then asks for that view.
    */
   public RegistrationSpec patient(RegistrationSettings settings) {
     lemma(
         INFORMED,
         "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
     lemma(RUMOUR, "A robot that hears of a newer view hides its list at once.");
+    silent =
+        progress(
+            ASKS,
+            "A registered robot asks an acceptor every few seconds, and all of them if a newer view does not come.",
+            2 * settings.queryMs() * NS_PER_MS,
+            sinceNs -> "asks no acceptor for a newer view since " + sinceNs + " ns");
+    hidden =
+        progress(
+            SHOWN,
+            "A registered robot hides its list for no longer than a newer view may take.",
+            2 * settings.nullMs() * NS_PER_MS,
+            sinceNs -> "hides its list since " + sinceNs + " ns");
+    late =
+        progress(
+            COMPLETES,
+            "A registered robot that does not get the newer view that it has asked for proposes that view itself.",
+            3 * settings.nullMs() * NS_PER_MS,
+            sinceNs -> "lacks the newer view, and proposes none since " + sinceNs + " ns");
     tells.begin();
     rumours.begin();
+    asks.begin();
     progress.setLeast(settings.deadlineMs() * NS_PER_MS);
     removal.setLeast(settings.deadlineMs() * NS_PER_MS);
+    return this;
+  }
+
+  /**
+   * Also requires, as part of {@code Registered}, that the ids of a robot's earlier starts go from the views:
+   * of programs that declare at their start that they are in no section.
+   */
+  public RegistrationSpec standingIn() {
+    isStoodInFor = true;
     return this;
   }
 
@@ -144,28 +192,50 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     ProcessKey key = new ProcessKey(action.source(), action.robot());
     switch (action.fact()) {
       case RegistrationAction.do_register asked -> {
+        ProcessId earlier = halfway.remove(key);
+        if (earlier != null) {
+          disposes(key, earlier, action.timeNs(), report);
+        }
         history.asked(action.robot(), asked.i());
+        rumours.joins(key, true);
         progress.start(key, action.timeNs());
         has(key, new Program(asked.i(), program(key).view), action, report);
       }
       case AgreementFact.Acceptors acceptors -> history.vote(acceptors.robots());
-      case Confinement confinement -> history.mayBeConfined(action.robot(), confinement);
-      case RegistrationAction.unregister left ->
-          leaves(history, action, new Leaver(left.i(), false), report);
-      case RegistrationAction.give_up gone ->
-          leaves(history, action, new Leaver(gone.i(), true), report);
+      case Confinement confinement -> {
+        history.mayBeConfined(action.robot(), confinement);
+        report.checked(KEEPS);
+        if (confinement.who().equals(program(key).id)) {
+          String detail = key.source() + ": confines itself, " + confinement.who();
+          report.violated(KEEPS, action.timeNs(), List.of(action.robot()), detail);
+        }
+      }
+      case RegistrationAction.unregister left -> {
+        leaving.put(key, left.i());
+        leaves(history, action, left.i(), report);
+        awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
+      }
+      case RegistrationAction.give_up gone -> {
+        leaves(history, action, gone.i(), report);
+        disposes(key, gone.i(), action.timeNs(), report);
+      }
       default -> {}
     }
   }
 
-  private void leaves(ViewHistory history, Action action, Leaver leaver, Report report) {
-    history.mayLeave(action.robot(), leaver.id());
+  private void leaves(ViewHistory history, Action action, ProcessId id, Report report) {
+    history.mayLeave(action.robot(), id);
     ProcessKey key = new ProcessKey(action.source(), action.robot());
-    leaving.put(key, leaver);
-    if (leaver.id().equals(program(key).id)) {
+    if (id.equals(program(key).id)) {
       has(key, new Program(null, program(key).view), action, report);
     }
-    awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
+  }
+
+  /** The id must go from the views, whatever is reported. The bound begins anew for all such ids of the robot. */
+  private void disposes(ProcessKey key, ProcessId id, long nowNs, Report report) {
+    disposed.computeIfAbsent(key, any -> new TreeSet<>()).add(id);
+    disposal.stop(key);
+    awaitRemoval(key.source(), instance(key.source()).latest(), nowNs, report);
   }
 
   private Program program(ProcessKey key) {
@@ -175,7 +245,30 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private void has(ProcessKey key, Program program, TraceEvent event, Report report) {
     programs.put(key, program);
     RList agreed = program.list();
-    list.says(key, event, shown -> !shown.isAgreed() || shown.equals(agreed), report);
+    list.says(
+        key,
+        event,
+        shown -> shown.equals(agreed) || (!shown.isAgreed() && rumours.mayHide(key)),
+        report);
+    awaitList(key, event.timeNs(), report);
+  }
+
+  /** What a registered robot owes: to ask, to show its list, and to propose the view that it lacks. */
+  private void awaitList(ProcessKey key, long nowNs, Report report) {
+    boolean isListed = program(key).list().isAgreed();
+    boolean isShown = rumours.isListShown(key);
+    await(silent, key, isListed, nowNs, report);
+    await(hidden, key, isListed && !isShown, nowNs, report);
+    await(late, key, isListed && isShown && rumours.isBehind(key), nowNs, report);
+  }
+
+  private static void await(
+      Deadlines deadlines, ProcessKey key, boolean isDue, long nowNs, Report report) {
+    if (isDue) {
+      deadlines.start(key, nowNs);
+    } else {
+      deadlines.meet(key, report);
+    }
   }
 
   @Override
@@ -187,18 +280,31 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     rumours.observe(variable, report); // ends the step before
     if (shown != null) {
       rumours.shows(key, shown);
+      awaitList(key, variable.timeNs(), report);
+      if (shown.isAgreed() && rumours.mayHide(key)) { // the newer view did not come in time
+        for (RobotId acceptor : history.acceptors()) {
+          asks.owes(variable, acceptor.name(), "a question", told -> told instanceof Query);
+        }
+      }
     }
     View view = variable.of(RegistrationFact.VIEW);
     if (view != null) {
+      mayMiss(key, view, variable, report);
       rumours.learns(key, view.number());
       if (lastVote.decides(variable, view.number())) {
         mustInform(history, variable, view);
       }
       history.learned(variable, view, report);
-      has(key, new Program(program(key).id, view), variable, report);
+      boolean isStart = view.number() == 0;
+      has(key, new Program(isStart ? null : program(key).id, view), variable, report);
+      if (isStart && isStoodInFor) {
+        history
+            .askedBy(variable.robot())
+            .forEach(id -> disposes(key, id, variable.timeNs(), report));
+      }
       awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
       ProcessId asked = history.latestAsked(variable.robot());
-      if (view.number() == 0) {
+      if (isStart) {
         // The program has started: what its predecessor was owed is void.
         progress.stop(key);
       } else if (asked != null && view.contains(asked)) {
@@ -210,11 +316,27 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         progress.giveUp(key, variable.timeNs(), faults, report);
       }
       progress.stop(key);
-      Leaver leaver = leaving.get(key);
-      if (leaver != null && !leaver.isGivenUp()) {
+      ProcessId left = leaving.remove(key);
+      if (left != null) {
         removal.giveUp(key, variable.timeNs(), faults, report);
-        leaving.remove(key);
+        halfway.put(key, left);
       }
+    } else if (Boolean.FALSE.equals(variable.of(RegistrationFact.FAILED))) {
+      ProcessId left = halfway.remove(key);
+      if (left != null) { // unregister again, which is no action
+        leaving.put(key, left);
+        awaitRemoval(variable.source(), history.latest(), variable.timeNs(), report);
+      }
+    }
+  }
+
+  private void mayMiss(ProcessKey key, View view, Variable variable, Report report) {
+    ProcessId id = program(key).id;
+    if (id != null && view.contains(id)) {
+      rumours.joins(key, false);
+    } else if (id != null && rumours.mayHaveMissed(key, view.number())) {
+      String detail = key.source() + ": still asks as " + id + ", which a view before may have had";
+      report.violated(FRESH, variable.timeNs(), List.of(variable.robot()), detail);
     }
   }
 
@@ -236,18 +358,27 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
+    asks.observe(event, report);
     rumours.observe(event, report);
+    if (event instanceof Sent sent && sent.message() instanceof SynodMessage) {
+      ProcessKey key = new ProcessKey(sent.channel(), sent.robot());
+      if (sent.message() instanceof Query) {
+        silent.meet(key, report);
+      }
+      awaitList(key, sent.timeNs(), report);
+    }
     lastVote.observe(event);
   }
 
   private void awaitRemoval(Instance source, View latest, long nowNs, Report report) {
-    leaving.forEach((key, leaver) -> {
+    leaving.forEach((key, id) -> {
       if (key.source().equals(source)) {
-        if (latest.mentions(leaver.id())) {
-          removal.start(key, nowNs);
-        } else {
-          removal.meet(key, report);
-        }
+        await(removal, key, latest.mentions(id), nowNs, report);
+      }
+    });
+    disposed.forEach((key, ids) -> {
+      if (key.source().equals(source)) {
+        await(disposal, key, ids.stream().anyMatch(latest::mentions), nowNs, report);
       }
     });
   }
@@ -257,9 +388,10 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     rumours.ended(robot);
     for (Instance source : instances().keySet()) {
       ProcessKey key = new ProcessKey(source, robot);
-      progress.stop(key);
-      removal.stop(key);
-      leaving.remove(key);
+      for (Deadlines each : List.of(progress, removal, disposal, hidden, late, silent)) {
+        each.stop(key);
+      }
+      List.of(leaving, halfway, disposed).forEach(ids -> ids.remove(key));
     }
   }
 
@@ -270,7 +402,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           List<RobotId> voters = instance(key.source()).acceptors();
           return faults.isFaultFree() && (voters.isEmpty() || hasMajorityUp(voters));
         };
-    progress.assumeEach(isOwed, nowNs);
-    removal.assumeEach(isOwed, nowNs);
+    List.of(progress, removal, disposal).forEach(each -> each.assumeEach(isOwed, nowNs));
+    List.of(hidden, late, silent).forEach(each -> each.assumeAll(faults.isFaultFree(), nowNs));
   }
 }

@@ -15,9 +15,8 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Checks that a robot which hears that a newer view is proposed hides its list in the same step. Only the first rumour after
- * each view is checked: the time of one rumour may be over when the next one comes. A robot that proposes itself has one,
- * too.
+ * Checks that a robot which proposes a newer view, or hears that one is proposed, hides its list in the same step. Only the
+ * first rumour after each view is checked: the time of one rumour may be over when the next one comes.
  */
 final class RumourCheck {
 
@@ -25,6 +24,9 @@ final class RumourCheck {
   private static final class Known {
     private long view;
     private long rumoured;
+    private long proposed;
+    private long askedIn; // the last number that may admit its id
+    private boolean isJoining;
     private boolean isListShown;
   }
 
@@ -59,10 +61,14 @@ final class RumourCheck {
   private void rumour(ProcessKey key, long number, boolean isOwn) {
     Known known = programs.get(key);
     if (isOn && known != null && number > known.view) {
-      if (known.rumoured <= known.view && !isOwn) {
+      if (known.rumoured <= known.view) {
         due.add(key);
       }
       known.rumoured = Math.max(known.rumoured, number);
+      if (isOwn) {
+        known.proposed = number;
+        known.askedIn = known.isJoining ? number : 0;
+      }
     }
   }
 
@@ -75,6 +81,32 @@ final class RumourCheck {
 
   void shows(ProcessKey key, RList list) {
     known(key).isListShown = list.isAgreed();
+  }
+
+  /** The robot asks to be on a list, until {@link #joins} says that it is. */
+  void joins(ProcessKey key, boolean isJoining) {
+    known(key).isJoining = isJoining;
+    known(key).askedIn = 0;
+  }
+
+  /** Whether it may have missed the view that admits its id, when it learns this one. */
+  boolean mayHaveMissed(ProcessKey key, long view) {
+    long askedIn = known(key).askedIn;
+    return askedIn > 0 && view > askedIn;
+  }
+
+  boolean isListShown(ProcessKey key) {
+    return known(key).isListShown;
+  }
+
+  /** Whether the robot has heard of a newer view than it knows, or proposes one; true if that is not checked. */
+  boolean mayHide(ProcessKey key) {
+    return !isOn || known(key).rumoured > known(key).view;
+  }
+
+  /** Whether it has heard of a newer view, and proposed none. */
+  boolean isBehind(ProcessKey key) {
+    return mayHide(key) && known(key).proposed <= known(key).view;
   }
 
   private Known known(ProcessKey key) {

@@ -81,6 +81,13 @@ final class ViewHistory {
     return latestAsked.get(robot);
   }
 
+  /** The ids under which the robot has asked, of all its starts. */
+  Set<ProcessId> askedBy(RobotId robot) {
+    Set<ProcessId> ids = new TreeSet<>(asked);
+    ids.removeIf(id -> !id.robot().equals(robot));
+    return ids;
+  }
+
   void learned(Variable event, View view, Report report) {
     if (view.number() == 0 || isForgotten(view.number())) {
       return;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Short;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
@@ -103,6 +104,136 @@ class RegistrationSpecTest {
     patient.observe(Shown.shows(overNs, "a", "1:[a]"));
     patient.observe(Shown.shows(overNs + 1, "a", "1:[a]"));
     return patient.report().violations(RegistrationSpec.RUMOUR);
+  }
+
+  /** The robot a is on the list of view 1, which it shows from 1 ns on. */
+  private static Monitors showsItsList(long boundNs) {
+    RegistrationSpec spec =
+        new RegistrationSpec(boundNs).patient(RegistrationSettings.DEFAULT).standingIn();
+    Monitors patient = new Monitors(List.of(spec));
+    patient.observe(Shown.acceptors(0, "a", "a", "v"));
+    patient.observe(Shown.sees(0, "a", "0:"));
+    patient.observe(Shown.shows(0, "a", "null"));
+    patient.observe(Shown.acts(0, "a", "do_register", "a"));
+    patient.observe(Shown.sees(1, "a", "1:a@1"));
+    patient.observe(Shown.shows(1, "a", "1:[a]"));
+    return patient;
+  }
+
+  private static final long NULL_NS = RegistrationSettings.DEFAULT.nullMs() * Time.NS_PER_MS;
+  private static final long QUERY_NS = RegistrationSettings.DEFAULT.queryMs() * Time.NS_PER_MS;
+
+  @Test
+  void aListThatIsHiddenWithoutARumourViolatesRList() {
+    Monitors patient = showsItsList(1_000);
+    patient.observe(Shown.hearsProposal(5, "a", "b", 2));
+    patient.observe(Shown.shows(5, "a", "null"));
+    patient.observe(Shown.sees(6, "a", "2:a@1"));
+    assertThat(patient.report().violations(RegistrationSpec.R_LIST)).isZero();
+    patient.observe(Shown.sees(7, "a", "3:a@1"));
+    assertThat(patient.report().violations(RegistrationSpec.R_LIST)).isEqualTo(1);
+  }
+
+  @Test
+  void aListThatIsHiddenForTooLongViolatesShown() {
+    for (long lastsNs : List.of(2 * NULL_NS, 2 * NULL_NS + 1)) {
+      Monitors patient = showsItsList(1_000);
+      patient.observe(Shown.hearsProposal(5, "a", "b", 2));
+      patient.observe(Shown.shows(5, "a", "null"));
+      patient.observe(Shown.shows(5 + lastsNs, "a", "1:[a]"));
+      assertThat(patient.report().violations(RegistrationSpec.SHOWN))
+          .isEqualTo(lastsNs - 2 * NULL_NS);
+    }
+  }
+
+  @Test
+  void whoDoesNotAskForTheViewThatItLacksViolatesAsks() {
+    for (int lacking = 0; lacking <= 1; lacking++) {
+      Monitors patient = showsItsList(1_000);
+      patient.observe(Shown.hearsProposal(5, "a", "b", 2));
+      patient.observe(Shown.shows(5, "a", "null"));
+      SynodMessage question = new SynodMessage.Query(1);
+      patient.observe(Shown.sends(NULL_NS, "a", "a", question));
+      patient.observe(Shown.shows(NULL_NS, "a", "1:[a]"));
+      patient.observe(Shown.sends(NULL_NS + lacking, "a", "v", question));
+      patient.observe(Shown.shows(NULL_NS + 2, "a", "1:[a]"));
+      assertThat(patient.report().violations(RegistrationSpec.ASKS)).isEqualTo(lacking);
+    }
+  }
+
+  @Test
+  void aRegisteredRobotThatAsksNoAcceptorViolatesAsks() {
+    for (int late = 0; late <= 1; late++) {
+      Monitors patient = showsItsList(1_000);
+      patient.observe(Shown.sends(2 * QUERY_NS, "a", "v", new SynodMessage.Query(1)));
+      patient.finish(4 * QUERY_NS + late);
+      assertThat(patient.report().violations(RegistrationSpec.ASKS)).isEqualTo(late);
+    }
+  }
+
+  @Test
+  void whoDoesNotProposeTheViewThatItLacksViolatesCompletes() {
+    for (long atNs : List.of(4 * NULL_NS, 4 * NULL_NS + 1)) {
+      Monitors patient = showsItsList(1_000);
+      patient.observe(Shown.hearsProposal(5, "a", "b", 2));
+      patient.observe(Shown.shows(5, "a", "null"));
+      patient.observe(Shown.shows(NULL_NS, "a", "1:[a]"));
+      patient.observe(Shown.proposes(atNs, "a", 2));
+      assertThat(patient.report().violations(RegistrationSpec.COMPLETES))
+          .isEqualTo(atNs - 4 * NULL_NS);
+    }
+  }
+
+  @Test
+  void whoKeepsAnIdThatAMissedViewMayHaveHadViolatesFresh() {
+    for (boolean isGivenUp : List.of(true, false)) {
+      Monitors patient =
+          new Monitors(List.of(new RegistrationSpec().patient(RegistrationSettings.DEFAULT)));
+      patient.observe(Shown.sees(0, "a", "0:"));
+      patient.observe(Shown.acts(0, "b", "do_register", "b"));
+      patient.observe(Shown.acts(0, "a", "do_register", "a"));
+      patient.observe(Shown.proposes(0, "a", 1));
+      patient.observe(Shown.sees(1, "a", "1:b@1"));
+      patient.observe(Shown.proposes(1, "a", 2));
+      if (isGivenUp) {
+        patient.observe(Shown.acts(2, "a", "give_up", "a"));
+        patient.observe(Shown.acts(2, "a", "do_register", "a.2"));
+        patient.observe(Shown.proposes(2, "a", 4));
+      }
+      patient.observe(Shown.sees(2, "a", "3:b@1"));
+      assertThat(patient.report().violations(RegistrationSpec.FRESH)).isEqualTo(isGivenUp ? 0 : 1);
+    }
+  }
+
+  @Test
+  void aRobotThatConfinesItsPresentIdViolatesKeeps() {
+    threeAreIn();
+    confines(20, "a", "a", "", "");
+    assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+  }
+
+  @Test
+  void anIdOfAnEarlierStartThatStaysListedViolatesRegistered() {
+    for (int late = 0; late <= 1; late++) {
+      Monitors patient = showsItsList(1_000);
+      patient.observe(new Fault(100, new RobotId("a"), "crash", ""));
+      patient.observe(new Fault(200, new RobotId("a"), "restart", ""));
+      patient.observe(Shown.sees(200, "a", "0:"));
+      patient.finish(1_200 + late);
+      assertThat(patient.report().violations(RegistrationSpec.REGISTERED)).isEqualTo(late);
+    }
+  }
+
+  @Test
+  void anIdThatIsLeftForAnotherOneMustGo() {
+    acts(0, "a", "do_register", "a");
+    sees(10, "a", "1:a@1");
+    acts(20, "a", "unregister", "a");
+    monitors.observe(Shown.failed(30, "a"));
+    acts(5_000, "a", "do_register", "a.2");
+    sees(5_010, "a", "2:a@1,a.2@2");
+    assertThat(monitors.report().holds()).isTrue();
+    assertThat(report(6_011).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
   }
 
   @Test

@@ -88,8 +88,17 @@ public final class Shown {
 
   /** The robot tells another one that this view is decided. */
   static TraceEvent tells(long atNs, String robot, String to, long number) {
-    SynodMessage view = new SynodMessage.Decided(number, Value.EMPTY);
-    return new Sent(atNs, new RobotId(robot), to, HERE, 1, 1, SynodMessage.SHAPE, view);
+    return sends(atNs, robot, to, new SynodMessage.Decided(number, Value.EMPTY));
+  }
+
+  static TraceEvent sends(long atNs, String robot, String to, SynodMessage message) {
+    return new Sent(atNs, new RobotId(robot), to, HERE, 1, 1, SynodMessage.SHAPE, message);
+  }
+
+  /** The robot proposes this view. */
+  static TraceEvent proposes(long atNs, String robot, long number) {
+    Ballot ballot = new Ballot(1, ProcessId.parse(robot));
+    return sends(atNs, robot, robot, new SynodMessage.Prepare(number, ballot, Value.EMPTY));
   }
 
   /** Whether the latest call has failed. */
