@@ -45,7 +45,8 @@ final class RegistrationClient extends Client {
     setup.place(gvh -> new RegistrationClient(gvh, setup));
     setup
         .simulation()
-        .monitor(() -> new RegistrationSpec(setup.withinNs()).patient(settings(setup)));
+        .monitor(
+            () -> new RegistrationSpec(setup.withinNs()).standingIn().patient(settings(setup)));
     if (!isByMost(setup)) {
       setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
     }
@@ -74,6 +75,15 @@ final class RegistrationClient extends Client {
   @Override
   protected void use() {
     pause(rng.nextLong(0, stayMs));
-    unregister(reg);
+    while (!reg.isUnregistered()) {
+      reg.unregister();
+      await(() -> reg.isUnregistered() || reg.failed().get());
+      if (reg.failed().get()) {
+        pause(rng.nextLong(0, stayMs)); // it is still listed
+        if (rng.nextBoolean(0.5)) {
+          return; // and registers under another id
+        }
+      }
+    }
   }
 }
