@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -77,6 +78,53 @@ class DxfFileTest {
     }
   }
 
+  /** CAD programs write such bulges for straight lines. */
+  @Test
+  void aBulgeOfAlmostZeroIsAStraightLine() {
+    for (String bulge : List.of("1e-17", "-1e-17", "1e-320")) {
+      assertThat(wall("0 LWPOLYLINE 90 2 70 0 10 0 20 0 42 " + bulge + " 10 2 20 0"))
+          .containsExactly(p(0, 0), p(2000, 0));
+    }
+  }
+
+  @Test
+  void anArcTurnsOnceAtMost() {
+    assertThat(wall("0 ARC 10 5 20 5 40 1 50 350 51 -350"))
+        .hasSameSizeAs(wall("0 ARC 10 5 20 5 40 1 50 350 51 10"));
+    assertThat(wall("0 ARC 10 5 20 5 40 1 50 0 51 1e6"))
+        .hasSameSizeAs(wall("0 ARC 10 5 20 5 40 1 50 0 51 280"));
+  }
+
+  @Test
+  void theFrameOfASplineIsNoWall() {
+    String vertices =
+        "0 VERTEX 10 0 20 0 70 16 0 VERTEX 10 9 20 9 70 16 0 VERTEX 10 1 20 1 70 8 0 VERTEX 10 2 20 1 70 8 ";
+    assertThat(wall("0 POLYLINE 66 1 10 0 20 0 70 4 " + vertices + "0 SEQEND 8 0"))
+        .containsExactly(p(1000, 1000), p(2000, 1000));
+  }
+
+  /** Their ends do not depend on the direction of the third axis. */
+  @Test
+  void linesMayBeDrawnFromBelow() {
+    assertThat(wall("0 LINE 10 0 20 0 11 1 21 0 230 -1")).hasSize(2);
+  }
+
+  @Test
+  void commentsMayStandAnywhere() {
+    assertThat(wall("999 walls 0 LINE 10 0 20 0 999 0 11 1 21 0")).hasSize(2);
+  }
+
+  @Test
+  void onlyTheSectionOfThisNameHasTheEntities() {
+    String layer =
+        "0 LAYER 2 ENTITIES 70 0 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 10 0 20 0 11 1 21 0";
+    String text = drawing("4", layer).replaceFirst("ENTITIES", "TABLES");
+    assertThat(DxfFile.parse("a.dxf", text).all()).hasSize(1);
+    assertThatThrownBy(
+            () -> DxfFile.parse("a.dxf", drawing("4", "0 BLOCK").replace("ENTITIES", "BLOCKS")))
+        .hasMessage("a.dxf: has no section ENTITIES; expected a drawing in ASCII DXF");
+  }
+
   @Test
   void textAndThePaperSpaceAreLeftOut() {
     String entities = "0 TEXT 10 0 20 0 40 2.5 1 door 0 LINE 67 1 10 0 20 0 11 4 21 0";
@@ -98,6 +146,17 @@ class DxfFileTest {
           """
           6 | 0 INSERT 2 B 10 1 20 1 | a.dxf:16: 'INSERT': expected LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE; explode
           6 | 0 LINE 10 zero 20 1 | a.dxf:18: 'zero': expected a number
+          6 | 0 LINE 10 NaN 20 1 | a.dxf:18: 'NaN': expected a number
+          6 | 0 LINE 10 5d 20 1 | a.dxf:18: '5d': expected a number
+          6 | 0 LINE 10 5 20 1 11 2 | a.dxf:16: LINE: has no group 21: expected a number there
+          6 | 0 CIRCLE 10 5 20 1 | a.dxf:16: CIRCLE: has no group 40: expected a number there
+          6 | 0 ARC 10 5 20 1 40 1 50 0 | a.dxf:16: ARC: has no group 51: expected a number there
+          6 | 0 CIRCLE 10 5 20 1 40 -1 | a.dxf:16: CIRCLE: expected a radius (group 40) above 0
+          6 | 0 LWPOLYLINE 10 0 20 0 10 5 | a.dxf:16: corner 2 has no group 20: expected a number there
+          6 | 0 LWPOLYLINE 10 0 20 0 42 1e9 10 5 20 0 | a.dxf:16: expected at most 100000 points of walls
+          6 | 0 CIRCLE 10 0 20 0 40 1 210 0.6 220 0 230 0.8 | a.dxf:16: CIRCLE: expected it seen from above (group 230)
+          6 | 0 EOF | a.dxf:16: 'EOF': expected ENDSEC, the end of the entities
+          10 | 0 LINE 10 0 20 1 | a.dxf:8: '10': expected $INSUNITS 1 (inches), 2 (feet), 4 (mm), 5 (cm) or 6 (m)
           6 | 0 LINE 10 1e5 20 1 | a.dxf:18: '1e5': expected at most 10 km
           6 | 0 LINE x 0 20 1 | a.dxf:17: 'x': expected the number of a group
           6 | 0 POLYLINE 70 16 | a.dxf:16: POLYLINE: expected a line, no mesh
@@ -115,6 +174,9 @@ class DxfFileTest {
     Path file = folder.resolve("Floor.DXF");
     Files.writeString(file, drawing("4", "0 LINE 10 0 20 0 11 1 21 0"));
     assertThat(WaypointFiles.obstacles(file).all()).hasSize(1);
+    String latin = "\u00ef\u00bb\u00bf" + drawing("4", "0 LINE 8 W\u00e4nde 10 0 20 0 11 1 21 0");
+    Files.write(file, latin.getBytes(StandardCharsets.ISO_8859_1));
+    assertThat(WaypointFiles.obstacles(file).all()).as("release 2004").hasSize(1);
     assertThatThrownBy(() -> DxfFile.parse("a.dxf", "0\nSECTION\n"))
         .hasMessage("a.dxf:2: the file ends: expected a drawing in ASCII DXF, up to its line EOF");
     Files.write(file, new byte[] {'A', 0});
