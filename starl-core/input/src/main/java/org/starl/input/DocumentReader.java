@@ -57,8 +57,9 @@ public final class DocumentReader {
   }
 
   private Node.Mapping document() throws IOException {
-    if (parser.nextToken() != JsonToken.START_OBJECT) {
-      throw wrong(expected);
+    JsonToken first = parser.nextToken();
+    if (first != JsonToken.START_OBJECT) {
+      throw BadInput.at(file, first == null ? 1 : line(), expected);
     }
     Node.Mapping mapping = mapping(line(), 1);
     if (parser.nextToken() != null) {
@@ -77,6 +78,7 @@ public final class DocumentReader {
       if (parts.containsKey(key)) {
         throw wrong(key + ": expected this key once");
       }
+      requireNoZero("", key);
       int keyLine = line();
       parts.put(key, value(parser.nextToken(), key, keyLine, depth));
     }
@@ -110,7 +112,15 @@ public final class DocumentReader {
     if (token == null || token == JsonToken.VALUE_EMBEDDED_OBJECT) {
       throw wrong(key + ": expected one value, a list or a mapping");
     }
+    requireNoZero(key + ": ", parser.getText());
     return new Node.Text(line, parser.getText());
+  }
+
+  /** An escape may stand for it; the system refuses it in names of files. */
+  private void requireNoZero(String where, String text) {
+    if (text.indexOf('\0') >= 0) {
+      throw wrong(where + BadInput.quote(text) + ": expected a text without the character zero");
+    }
   }
 
   /** An empty document has no token and so no line. */

@@ -11,6 +11,7 @@ import java.util.ServiceConfigurationError;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
+import org.yaml.snakeyaml.reader.ReaderException;
 
 /** The failures of libraries and of the system in StarL's words: no class name and no hint for programmers. */
 public final class FailureText {
@@ -79,6 +80,12 @@ public final class FailureText {
       number = yaml.getProblemMark().getLine() + 1;
       column = yaml.getProblemMark().getColumn() + 1;
     }
+    if (failure.getCause() instanceof ReaderException character) {
+      String before = text.substring(0, text.offsetByCodePoints(0, character.getPosition()));
+      String[] whole = before.split("\r\n|\r|\n", -1);
+      number = whole.length;
+      column = whole[whole.length - 1].length() + 1;
+    }
     String[] lines = text.split("\r\n|\r|\n", -1);
     String line = number <= lines.length ? lines[number - 1] : "";
     int at = Math.min(line.length(), column - 1);
@@ -87,9 +94,18 @@ public final class FailureText {
     String found =
         isTab
             ? "begins with a tab: expected blanks to indent, as YAML has no tabs"
-            : rest.isEmpty()
-                ? "is not " + language + " at the end of this line"
-                : "is not " + language + " at character " + (at + 1) + ", " + BadInput.quote(rest);
+            : line.startsWith("\t", at) && language.equals("YAML")
+                ? "has a tab at character "
+                    + (at + 1)
+                    + ": expected blanks to separate words, as YAML has no tabs there"
+                : rest.isEmpty()
+                    ? "is not " + language + " at the end of this line"
+                    : "is not "
+                        + language
+                        + " at character "
+                        + (at + 1)
+                        + ", "
+                        + BadInput.quote(rest);
     return BadInput.at(file, number, found + "; " + expected);
   }
 }

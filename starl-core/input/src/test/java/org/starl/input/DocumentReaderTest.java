@@ -86,6 +86,20 @@ class DocumentReaderTest {
         "app: hello\nset:\n\trobots: 2",
         "3: begins with a tab: expected blanks to indent, as YAML has no tabs" + expected);
     assertRefused("app: hello\nset: \"x", "2: is not YAML at the end of this line" + expected);
+    assertRefused(
+        "app:\thello",
+        "1: has a tab at character 5: expected blanks to separate words, as YAML has no tabs there"
+            + expected);
+    assertRefused("app: hello\nset: \u0007x", "2: is not YAML at character 6, '?x'" + expected);
+    assertRefused("# none\n", "1: " + EXPECTED);
+  }
+
+  /** Names of files may not hold it, and errors about them would not be in our words. */
+  @Test
+  void aZeroInAValueIsRefused() {
+    String expected = "expected a text without the character zero";
+    assertRefused("a: 1\nb: \"x\\0y\"", "2: b: 'x?y': " + expected);
+    assertRefused("a: 1\n\"b\\0\": 1", "2: 'b?': " + expected);
   }
 
   @Test
