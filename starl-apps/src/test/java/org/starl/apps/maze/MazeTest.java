@@ -282,6 +282,10 @@ class MazeTest {
           version 1/0 a.map 6 4 0 0 | a.scen:2: '0 a.map 6 4 0 0': expected BUCKET MAP WIDTH HEIGHT STARTX STARTY
           version 1/0 a.map 5 4 0 0 5 3 9 | a.scen:2: '5': expected a whole number from 6 to 6
           version 1//0 a.map 6 4 1 1 5 3 9 | a.scen:3: '1 1': expected a free cell of the map
+          version 2/0 a.map 6 4 0 0 5 3 9 | a.scen:1: 'version 2': expected 'version 1'
+          version 1/x a.map 6 4 0 0 5 3 9 | a.scen:2: 'x': expected a whole number of at least 0
+          version 1/0 a.map 6 4 0 0 5 3 far | a.scen:2: 'far': expected a number of at least 0
+          version 1/0 a.map 6 4 0 0 5 3 9/0 a.map 6 4 1 3 5 0 9/end | a.scen:4: 'end': expected BUCKET MAP
           version 1/0 a.map 6 4 0 x 5 3 9 | a.scen:2: 'x': expected a whole number from 0 to 3
           version 1/0 a.map 6 4 0 0 5 3 9/0 a.map 6 4 5 3 1 3 9 | a.scen:3: '0 a.map 6 4 5 3 1 3 9': expected a start and a goal off
           version 1.0/0 a.map 6 4 0 0 5 3 9 | a.scen: 1 starts: expected 2, one per robot

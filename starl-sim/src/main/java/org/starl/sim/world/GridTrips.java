@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.input.BadInput;
+import org.starl.input.Field;
 import org.starl.input.Quantities;
 import org.starl.input.TextFile;
 
@@ -18,6 +19,8 @@ public final class GridTrips {
   private static final String EXPECTED =
       "expected BUCKET MAP WIDTH HEIGHT STARTX STARTY GOALX GOALY LENGTH";
 
+  private static final Field<Double> LENGTH = Field.decimal("", 0, 1e9, "");
+
   private GridTrips() {}
 
   /**
@@ -31,24 +34,24 @@ public final class GridTrips {
 
   /** Whether a text is such a list. */
   public static boolean isList(String text) {
-    return text.lines().findFirst().orElse("").strip().matches("version\\s+1(\\.0)?");
+    return text.strip().startsWith("version");
   }
 
   /**
    * The trips of a file, in its order.
    *
-   * @param most so many are read
+   * @param most so many are read; the form of the others is checked
    * @throws BadInput if the file cannot be read, or does not fit the map
    */
   public static List<Trip> read(Path file, GridMap map, int most) {
     String text = TextFile.read(file, EXPECTED);
     List<String> lines = text.lines().toList();
-    if (!isList(text)) {
-      String first = lines.isEmpty() ? "" : lines.get(0);
+    String first = lines.isEmpty() ? "" : lines.get(0).strip();
+    if (!first.matches("version\\s+1(\\.0+)?")) {
       throw wrong(file, 1, first, "expected 'version 1'");
     }
     List<Trip> trips = new ArrayList<>();
-    for (int i = 1; i < lines.size() && trips.size() < most; i++) {
+    for (int i = 1; i < lines.size(); i++) {
       String line = lines.get(i).strip();
       if (line.isEmpty()) {
         continue;
@@ -58,6 +61,13 @@ public final class GridTrips {
         throw wrong(file, i + 1, line, EXPECTED);
       }
       try {
+        Quantities.whole(words[0], 0, Long.MAX_VALUE);
+        if (LENGTH.reader().apply(words[8]) == null) {
+          throw new BadInput(BadInput.quote(words[8]) + ": expected a number of at least 0");
+        }
+        if (trips.size() == most) {
+          continue;
+        }
         Quantities.whole(words[2], map.columns(), map.columns());
         Quantities.whole(words[3], map.rows(), map.rows());
         trips.add(
