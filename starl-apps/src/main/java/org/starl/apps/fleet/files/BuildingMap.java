@@ -114,6 +114,9 @@ final class BuildingMap {
       ordered.add(ends.from());
       ordered.add(ends.to());
     }
+    if (ordered.size() > OccupancyMap.MOST_PLACES) {
+      throw level.wrong("at most " + OccupancyMap.MOST_PLACES + " places with lanes of one graph");
+    }
     List<Integer> used = List.copyOf(ordered);
     List<Point> points = points(used);
     Set<String> given = given(used);

@@ -29,7 +29,7 @@ import org.starl.sim.world.GridMap;
  */
 final class OccupancyMap {
 
-  private static final int MOST_PLACES = 10_000;
+  static final int MOST_PLACES = 10_000;
   private static final int SHIFTS = 4;
 
   private static final Field<Double> RESOLUTION = Field.decimal("", 1e-4, 100, "");
@@ -102,7 +102,11 @@ final class OccupancyMap {
     if (step < 1) {
       throw resolution.wrong("at most the spacing of places, " + choice.spacingMm() / 1000 + " m");
     }
-    List<Part> origin = map.at("origin", "[X, Y, YAW]").items(3, "[X, Y, YAW]");
+    Part pose = map.at("origin", "[X, Y, YAW]");
+    List<Part> origin = pose.items(3, "[X, Y, YAW]");
+    if (origin.size() > 3) {
+      throw pose.wrong("[X, Y, YAW]");
+    }
     Point corner = new Point(origin.get(0).as(METRES) * 1000, origin.get(1).as(METRES) * 1000);
     double yaw = origin.get(2).as(RADIANS);
     OccupancyMap cells =

@@ -3,6 +3,7 @@ package org.starl.apps.fleet.files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.input.Field;
 import org.starl.input.Form;
@@ -15,16 +16,26 @@ import org.starl.input.Node;
  */
 record Part(String file, String path, Node node) {
 
-  /** Whether it is a mapping with a value for the key; null, {@code ""} and {@code {}} are none. */
+  /**
+   * Whether this mapping has a value for the key; null, {@code ""}, {@code []} and {@code {}} are none, and may
+   * stand for a mapping.
+   */
   boolean has(String key) {
-    if (!(node instanceof Node.Mapping mapping)) {
-      return false;
+    if (node instanceof Node.Mapping mapping) {
+      return !isNone(mapping.parts().get(key));
     }
-    return switch (mapping.parts().get(key)) {
-      case null -> false;
-      case Node.Text text -> !text.value().isBlank();
-      case Node.Listing list -> !list.items().isEmpty();
-      case Node.Mapping beneath -> !beneath.parts().isEmpty();
+    if (!isNone(node)) {
+      throw wrong("a mapping");
+    }
+    return false;
+  }
+
+  private static boolean isNone(@Nullable Node node) {
+    return switch (node) {
+      case null -> true;
+      case Node.Text text -> text.value().isBlank();
+      case Node.Listing list -> list.items().isEmpty();
+      case Node.Mapping beneath -> beneath.parts().isEmpty();
     };
   }
 

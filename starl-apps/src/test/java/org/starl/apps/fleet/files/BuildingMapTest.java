@@ -196,6 +196,8 @@ class BuildingMapTest {
           [1, 2, { | [1, 1, { | :8: levels.L1.lanes[0]: a list of 3: expected a lane between two places that are at least 1 mm apart
           - [2, 3, {bidirectional: [4, false] | - [2, 3, {bidirectional: [4, maybe] | :9: levels.L1.lanes[1][2].bidirectional[1]: 'maybe': expected one of true, false, yes, no, on, off
           [2, 3, {bidirectional: [4, false] | [2, 3, {bidirectional: false | :9: levels.L1.lanes[1][2].bidirectional: 'false': expected [TYPE, VALUE]
+          {bidirectional: [4, false], graph_idx: [2, 1], mutex: [1, ""]} | true | :9: levels.L1.lanes[1][2]: 'true': expected a mapping
+          L0: | L3: 5\\n  L0: | :3: levels.L3: '5': expected a mapping
           graph_idx: [2, 0] | graph_idx: [2, -1] | :12: levels.L1.lanes[4][2].graph_idx[1]: '-1': expected a whole number from 0 to 1000
           distance: [3, 4] | distance: [3, 0] | :14: levels.L1.measurements[0][2].distance[1]: '0': expected a number from 1.0E-6 to 1.0E9
           distance: [3, 4] | length: [3, 4] | :14: levels.L1.measurements[0]: a list of 3: expected [FROM, TO, {distance: [3, METRES]}] between two places
@@ -208,7 +210,7 @@ class BuildingMapTest {
           [4, true], graph_idx: [2, 1], mutex: [1, hall] | [4, false], graph_idx: [2, 1], mutex: [1, hall] | good
           """)
   void badPartsAreToldWithTheirLine(String good, String bad, String line) {
-    String text = GOOD.replace(good, bad);
+    String text = GOOD.replace(good, bad.replace("\\n", "\n"));
     assertThat(text).isNotEqualTo(GOOD);
     if (line.equals("good")) {
       assertThat(read(text).lanes()).hasSize(3);
@@ -234,5 +236,21 @@ class BuildingMapTest {
         .isInstanceOf(BadInput.class)
         .hasMessageEndingWith(
             ":1: expected a building of Open-RMF (levels:), a map of map_server or Nav2 (image:) or a grid map (type octile)");
+  }
+
+  @Test
+  void buildingsOfTooManyPlacesAreRefused() {
+    StringBuilder text = new StringBuilder("levels:\n  L1:\n    vertices:\n");
+    for (int i = 0; i <= 10_000; i++) {
+      text.append("      - [").append(i).append(", 0]\n");
+    }
+    text.append("    lanes:\n");
+    for (int i = 0; i < 10_000; i++) {
+      text.append("      - [").append(i).append(", ").append(i + 1).append("]\n");
+    }
+    assertThatThrownBy(() -> read(text.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageEndingWith(
+            ":2: levels.L1: a mapping: expected at most 10000 places with lanes of one graph");
   }
 }

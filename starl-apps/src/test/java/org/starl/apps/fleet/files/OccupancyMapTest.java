@@ -279,6 +279,7 @@ class OccupancyMapTest {
           0.1 | 0.3 | :2: resolution: '0.3': expected at most the spacing of places, 0.1 m
           resolution: | size: | :1: has no 'resolution:'; expected metres per pixel
           [-1.0, 2.0, 0.0] | [-1.0, 2.0] | :3: origin: a list of 2: expected [X, Y, YAW]
+          [-1.0, 2.0, 0.0] | [-1.0, 2.0, 0.0, 1.0] | :3: origin: a list of 4: expected [X, Y, YAW]
           [-1.0, 2.0, 0.0] | [-1.0, 2.0, north] | :3: origin[2]: 'north': expected a number from -100.0 to 100.0
           negate: 0 | negate: 2 | :4: negate: '2': expected one of 0, 1, false, true
           0.65 | 0.1 | :5: occupied_thresh: '0.1': expected at least free_thresh, 0.196
@@ -302,6 +303,10 @@ class OccupancyMapTest {
           P5 2 2 255 xxx | : ends early: expected 4 bytes of pixels after the header
           P5 2 two 255 xxxx | :1: 't': expected a whole number from 0 to 2147483647
           P2 2 1 255 9 | :1: '': expected a whole number from 0 to 255
+          P2 2 1 255 9  9 | :1: ' ': expected a whole number from 0 to 255
+          P2 2 1 255 9 9 9 | :1: '9': expected only 2 x 1 values
+          P5 2 1 255x99 | :1: 'x': expected white space
+          P55 2 1 255 99 | :1: '5': expected white space
           P2 2 1 255 9 256 | :1: '256': expected a whole number from 0 to 255
           P2 2 1 0 0 0 | :1: '0': expected a largest value from 1 to 65535
           P5 0 1 255 x | : 0 x 1: expected 1 to 16000000 pixels

@@ -130,6 +130,8 @@ public final class GreyImage {
   /** Reads a PGM image: magic number, width, height, largest value, then values. */
   private static final class Pgm {
 
+    private static final String SPACES = " \t\n\u000b\f\r";
+
     private final String file;
     private final byte[] bytes;
     private int next = 2;
@@ -140,12 +142,14 @@ public final class GreyImage {
     }
 
     GreyImage image(boolean isBinary) {
+      requireSpace();
       GreyImage image = empty(file, number(Integer.MAX_VALUE), number(Integer.MAX_VALUE), false);
       int most = number(65_535);
       if (most == 0) {
         throw wrong("0", "a largest value from 1 to 65535");
       }
-      next++; // one white space
+      requireSpace();
+      next++;
       int width = most > 255 ? 2 : 1;
       long needed = (long) image.brightness.length * width;
       if (isBinary && bytes.length - next < needed) {
@@ -159,7 +163,18 @@ public final class GreyImage {
         }
         image.brightness[i] = (float) value / most;
       }
+      if (!isBinary && isAtWord()) {
+        throw wrong(
+            String.valueOf((char) bytes[next]),
+            "only " + image.width + " x " + image.height + " values");
+      }
       return image;
+    }
+
+    private void requireSpace() {
+      if (next < bytes.length && SPACES.indexOf(bytes[next]) < 0 && bytes[next] != '#') {
+        throw wrong(String.valueOf((char) (bytes[next] & 255)), "white space");
+      }
     }
 
     private int binary(int width) {
@@ -170,9 +185,9 @@ public final class GreyImage {
       return value;
     }
 
-    /** The next number, after white space and comments. */
-    private int number(int most) {
-      while (next < bytes.length && (bytes[next] <= ' ' || bytes[next] == '#')) {
+    /** Skips white space and comments; false at the end. */
+    private boolean isAtWord() {
+      while (next < bytes.length && (SPACES.indexOf(bytes[next]) >= 0 || bytes[next] == '#')) {
         if (bytes[next] == '#') {
           while (next < bytes.length && bytes[next] != '\n') {
             next++;
@@ -181,6 +196,11 @@ public final class GreyImage {
           next++;
         }
       }
+      return next < bytes.length;
+    }
+
+    private int number(int most) {
+      isAtWord();
       int start = next;
       long value = 0;
       while (next < bytes.length && Character.isDigit(bytes[next]) && value <= most) {
