@@ -34,6 +34,7 @@ public record Take(List<Snapshot> frames, int framesPerS) {
   private static final String EXPECTED = "expected a take that Motive has exported as CSV";
   private static final String TIME = "Time (Seconds)";
   private static final double LONGEST_S = 1e6;
+  private static final int LONGEST_LINE = 1_000_000;
   private static final int MOST_PER_S = 1000;
   private static final Map<String, Double> M_PER_UNIT =
       Map.of("Meters", 1.0, "Centimeters", 0.01, "Millimeters", 0.001);
@@ -148,7 +149,7 @@ public record Take(List<Snapshot> frames, int framesPerS) {
       if (axisRow == null || !axisRow.contains(TIME) || titles.size() < 3) {
         throw wrong("has no row of titles with 'Frame' and '" + TIME + "'; " + EXPECTED);
       }
-      return frames(columns(titles, axisRow), axisRow.indexOf(TIME), metres);
+      return frames(columns(titles, axisRow), axisRow.indexOf(TIME), axisRow.size(), metres);
     }
 
     private static String setting(List<String> header, String key) {
@@ -194,7 +195,8 @@ public record Take(List<Snapshot> frames, int framesPerS) {
       return bodies;
     }
 
-    private Take frames(Map<String, int[]> columns, int time, double metres) throws IOException {
+    private Take frames(Map<String, int[]> columns, int time, int width, double metres)
+        throws IOException {
       List<Snapshot> frames = new ArrayList<>();
       Map<String, Body> last = new LinkedHashMap<>();
       columns.keySet().forEach(name -> last.put(name, body(name, new Pose(0, 0, 0), false, 0)));
@@ -204,6 +206,18 @@ public record Take(List<Snapshot> frames, int framesPerS) {
         List<String> row = next;
         if (row.stream().allMatch(String::isEmpty)) {
           continue;
+        }
+        for (int i = width; i < row.size(); i++) {
+          if (!row.get(i).isEmpty()) {
+            throw wrong(
+                "column "
+                    + (i + 1)
+                    + " is "
+                    + BadInput.quote(row.get(i))
+                    + "; expected "
+                    + width
+                    + " columns, as the titles have");
+          }
         }
         double timeS = number(row, time);
         firstS = frames.isEmpty() ? timeS : firstS;
@@ -231,11 +245,11 @@ public record Take(List<Snapshot> frames, int framesPerS) {
 
     /** The body in this row; not tracked, where it was before, if its cells are empty. */
     private Body body(List<String> row, int[] columns, Body before, double metres) {
+      if (Arrays.stream(columns, 0, ERROR).allMatch(column -> cell(row, column).isEmpty())) {
+        return body(before.name(), before.pose(), false, 0);
+      }
       double[] values = new double[ERROR];
       for (int i = 0; i < ERROR; i++) {
-        if (cell(row, columns[i]).isEmpty()) {
-          return body(before.name(), before.pose(), false, 0);
-        }
         values[i] = number(row, columns[i]) * (i < 4 ? 1 : metres);
       }
       Pose pose =
@@ -273,9 +287,23 @@ public record Take(List<Snapshot> frames, int framesPerS) {
       return column < row.size() ? row.get(column) : "";
     }
 
+    /** The next line; null at the end. It is no longer than any of a take, for a file may have no line ends. */
+    private @Nullable String nextLine() throws IOException {
+      lines.mark(LONGEST_LINE + 1);
+      for (int i = 0; i <= LONGEST_LINE; i++) {
+        int c = lines.read();
+        if (c < 0 || c == '\n' || c == '\r') {
+          lines.reset();
+          return lines.readLine();
+        }
+      }
+      line++;
+      throw wrong("is longer than " + LONGEST_LINE + " characters; " + EXPECTED);
+    }
+
     /** The cells of the next line, without quotes and spaces around them; null at the end. */
     private @Nullable List<String> row() throws IOException {
-      String text = lines.readLine();
+      String text = nextLine();
       line++;
       if (text == null) {
         return null;

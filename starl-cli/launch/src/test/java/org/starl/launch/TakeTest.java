@@ -91,7 +91,10 @@ class TakeTest {
         "0.25|x|:8: column 12 is 'x'|expected a number",
         "1000,|NaN,|:8: column 9 is 'NaN'|expected a number",
         "1.010000|0.990000|:9: Time (Seconds) is '0.990000'|expected a later time",
-        "1.020000||:10: column 2 is ''|expected a number"
+        "1.020000||:10: column 2 is ''|expected a number",
+        "1500,10,0,|1500,10,,|:12: column 11 is ''|expected a number",
+        "1500,10,0,0.5,|1500|:12: column 10 is ''|expected a number",
+        "1500,10,0,0.5,|1500,0,10,0,0,0,5,|:12: column 14 is '0'|expected 13 columns, as the titles have"
       })
   void aWrongTakeIsRefusedWithItsLine(String of, String with, String says, String expected) {
     String text = GOOD.replace(of, with == null ? "" : with);
@@ -99,6 +102,13 @@ class TakeTest {
     assertThatThrownBy(() -> read(text))
         .isInstanceOf(BadInput.class)
         .hasMessageContainingAll("t.csv" + says, expected == null ? "" : expected);
+  }
+
+  @Test
+  void aLineWithoutEndIsRefused() {
+    assertThatThrownBy(() -> read("x".repeat(1_000_002)))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("t.csv:1: is longer than 1000000 characters; expected a take");
   }
 
   @Test
