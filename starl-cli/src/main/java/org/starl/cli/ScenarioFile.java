@@ -95,15 +95,18 @@ record ScenarioFile(
     if (node instanceof Node.Text text && !text.value().isEmpty()) {
       return text.value();
     }
-    throw BadInput.at(file, node.line(), key + ": expected one value, such as '" + key + ": 4'");
+    String example = key.equals(APP) ? "'app: intersection'" : "'" + key + ": 4'";
+    String expected = key.equals(FAULTS) ? "a list of faults" : "one value, such as " + example;
+    throw BadInput.at(file, node.line(), key + ": " + node.shown() + ": expected " + expected);
   }
 
   /** The items joined with commas: YAML splits a list at the commas inside a fault too. */
   private static String faults(String file, Node.Listing list) {
     List<String> parts = new ArrayList<>();
     for (Node item : list.items()) {
-      if (!(item instanceof Node.Text text)) {
-        throw BadInput.at(file, item.line(), FAULTS + ": expected a list of faults");
+      if (!(item instanceof Node.Text text) || text.value().isBlank()) {
+        throw BadInput.at(
+            file, item.line(), FAULTS + ": " + item.shown() + ": expected a list of faults");
       }
       parts.add(text.value());
     }

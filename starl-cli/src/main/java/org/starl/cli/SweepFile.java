@@ -109,7 +109,9 @@ record SweepFile(
       throw BadInput.at(
           file,
           node == null ? 1 : node.line(),
-          "seeds: " + BadInput.quote(text) + ": expected the seeds of each point, such as 1..20");
+          "seeds: "
+              + (node == null ? "''" : node.shown())
+              + ": expected the seeds of each point, such as 1..20");
     }
   }
 

@@ -55,7 +55,8 @@ record SweptKey(String key, int line, List<String> listed, @Nullable Range range
       List<String> values = new ArrayList<>();
       for (Node item : list.items()) {
         if (!(item instanceof Node.Text text) || text.value().isEmpty()) {
-          throw BadInput.at(file, item.line(), key + ": expected a list of single values");
+          throw BadInput.at(
+              file, item.line(), key + ": " + item.shown() + ": expected a list of single values");
         }
         values.add(text.value());
       }
@@ -72,7 +73,7 @@ record SweptKey(String key, int line, List<String> listed, @Nullable Range range
         return new SweptKey(key, node.line(), spaced(range, count), range);
       }
     }
-    throw BadInput.at(file, node.line(), key + ": " + BadInput.quote(text) + ": " + EXPECTED);
+    throw BadInput.at(file, node.line(), key + ": " + node.shown() + ": " + EXPECTED);
   }
 
   /** {@code 4..20/min} too: the unit of the high end is that of both. */

@@ -173,6 +173,10 @@ class BadInputTest {
       app: intersection\\nrobots:\\n  most: 4 | :2: robots: | expected one value
       app: intersection\\nrobots: [1, 2] | :2: robots: | expected one value
       app: intersection\\nrobots: | robots: | expected one value
+      app: intersection\\nrobots: [1] | :2: robots: a list of 1: expected one value, such as 'robots: 4'
+      app: [hello] | :1: app: a list of 1: expected one value, such as 'app: intersection'
+      app: hello\\nfaults: [~] | :2: faults: '': expected a list of faults
+      app: hello\\nfaults: {crash: bot1} | :2: faults: a mapping: expected a list of faults
       app: intersection\\nrobots: !!int + | :2: robots: | expected one value
       app: hello\\nfaults: [!!int +] | :2: faults: | expected one value
       app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | once

@@ -207,6 +207,8 @@ class SweepTest {
       strings = {
         "seeds: 1..2 | sweep.yaml:1: sweep: expected settings with their values",
         "sweep: {robots: [1, 2]} | sweep.yaml:1: seeds: '': expected the seeds of each point",
+        "seeds: [1, 2];sweep: {robots: [1]} | sweep.yaml:2: seeds: a list of 2: expected the seeds",
+        "seeds: 1;sweep: {robots: {a: 1}} | sweep.yaml:3: robots: a mapping: expected a list such",
         "seeds: x;sweep: {robots: [1]} | sweep.yaml:2: seeds: 'x': expected",
         "seeds: 1;sweep: {robots: many} | sweep.yaml:3: robots: 'many': expected a list",
         "seeds: 1;sweep: {robots: 5..2 in 3} | sweep.yaml:3: robots: '5..2 in 3': expected a list",

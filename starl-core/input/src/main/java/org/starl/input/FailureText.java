@@ -89,7 +89,7 @@ public final class FailureText {
     String[] lines = text.split("\r\n|\r|\n", -1);
     String line = number <= lines.length ? lines[number - 1] : "";
     int at = Math.min(line.length(), column - 1);
-    String rest = line.substring(at).trim();
+    String rest = line.substring(at).replaceAll("^\\s+|\\s+$", "");
     boolean isTab = line.matches("\\s*\t.*") && language.equals("YAML");
     String found =
         isTab

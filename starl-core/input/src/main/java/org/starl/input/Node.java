@@ -11,6 +11,15 @@ public sealed interface Node {
 
   int line();
 
+  /** What stands there, for messages. */
+  default String shown() {
+    return switch (this) {
+      case Text text -> BadInput.quote(text.value());
+      case Listing list -> "a list of " + list.items().size();
+      case Mapping mapping -> "a mapping";
+    };
+  }
+
   /** One value, as it is written; empty for YAML's null. */
   record Text(int line, String value) implements Node {}
 

@@ -74,10 +74,7 @@ public final class Section {
     if (node instanceof Node.Mapping beneath) {
       return new Section(file, name(field.key()), beneath);
     }
-    String given = node instanceof Node.Text text ? "'" + text.value() + "'" : "a list";
-    throw error(
-        node.line(),
-        name(field.key()) + ": " + given + ": expected " + Form.expected(field.form()));
+    throw wrong(field, node);
   }
 
   /** Refuses keys that were not read before. */
@@ -104,11 +101,13 @@ public final class Section {
     return switch (part(field.key())) {
       case Node.Text text when !text.value().trim().isEmpty() -> text.value().trim();
       case null -> field.defaultText();
-      case Node.Listing list ->
-          throw error(
-              list.line(), name(field.key()) + ": a list: expected " + Form.expected(field.form()));
-      default -> throw wrong(field.key(), "", Form.expected(field.form()));
+      case Node node -> throw wrong(field, node);
     };
+  }
+
+  private BadInput wrong(Field<?> field, Node node) {
+    String expected = Form.expected(field.form());
+    return error(node.line(), name(field.key()) + ": " + node.shown() + ": expected " + expected);
   }
 
   private @Nullable Node part(String key) {

@@ -91,6 +91,7 @@ class DocumentReaderTest {
         "1: has a tab at character 5: expected blanks to separate words, as YAML has no tabs there"
             + expected);
     assertRefused("app: hello\nset: \u0007x", "2: is not YAML at character 6, '?x'" + expected);
+    assertRefused("app: hello\nset: x\u0007", "2: is not YAML at character 7, '?'" + expected);
     assertRefused("# none\n", "1: " + EXPECTED);
   }
 

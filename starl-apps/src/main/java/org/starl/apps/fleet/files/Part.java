@@ -90,13 +90,7 @@ record Part(String file, String path, Node node) {
   }
 
   BadInput wrong(String expected) {
-    String given =
-        switch (node) {
-          case Node.Text text -> BadInput.quote(text.value());
-          case Node.Listing list -> "a list of " + list.items().size();
-          case Node.Mapping mapping -> "a mapping";
-        };
     String prefix = path.isEmpty() ? "" : path + ": ";
-    return BadInput.at(file, node.line(), prefix + given + ": expected " + expected);
+    return BadInput.at(file, node.line(), prefix + node.shown() + ": expected " + expected);
   }
 }
