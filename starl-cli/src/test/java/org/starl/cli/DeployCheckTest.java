@@ -65,6 +65,9 @@ class DeployCheckTest {
       source: natnet | source: gps | :4: positions.source: 'gps' | natnet, json
       , server: 127.0.0.1 | , up: y | :4: positions: has no 'server:'
       server: 127.0.0.1 | server: 127.0.0.1:0 | :4: positions.server | HOST or HOST:PORT
+      server: 127.0.0.1 | server: 192.168.1 | :4: positions.server: '192.168.1' | HOST or HOST:PORT
+      server: 127.0.0.1 | server: 192.168.1.300 | :4: positions.server: '192.168.1.300' | HOST or HOST:PORT
+      server: 127.0.0.1 | server: h, errorMm: {a: 1} | :4: positions.errorMm: a mapping: | from 0.0
       server: 127.0.0.1 | server: no.such.host.invalid | positions.server | host that has an address
       server: 127.0.0.1 | server: h, version: 9 | positions.version: '9' | expected one of 3.1
       server: 127.0.0.1 | server: h, errorMm: -1 | positions.errorMm: '-1' | from 0.0 to 1000.0

@@ -18,6 +18,12 @@ public record HostPort(String host, int port) {
 
   private static final Pattern DIGITS = Pattern.compile("[1-9]\\d{0,4}");
 
+  /** Java reads 10.1 as 10.0.0.1. */
+  private static final Pattern NUMERIC = Pattern.compile("[0-9.]+");
+
+  private static final Pattern IPV4 =
+      Pattern.compile("((25[0-5]|2[0-4]\\d|1\\d\\d|[1-9]?\\d)(\\.(?=.)|$)){4}");
+
   /**
    * Reads {@code HOST}, {@code HOST:PORT} or {@code [IPV6]:PORT}; null if the text is none of these.
    *
@@ -35,8 +41,15 @@ public record HostPort(String host, int port) {
       String digits = text.substring(colon + 1);
       port = DIGITS.matcher(digits).matches() ? Integer.parseInt(digits) : 0;
     }
-    boolean isValid = !host.isEmpty() && host.indexOf(' ') < 0 && port >= 1 && port <= MAX_PORT;
+    boolean isValid = isHost(host) && port >= 1 && port <= MAX_PORT;
     return isValid ? new HostPort(host, port) : null;
+  }
+
+  /** Whether a text may be a host's name or its whole address. */
+  private static boolean isHost(String host) {
+    return !host.isEmpty()
+        && host.indexOf(' ') < 0
+        && (!NUMERIC.matcher(host).matches() || IPV4.matcher(host).matches());
   }
 
   /**
