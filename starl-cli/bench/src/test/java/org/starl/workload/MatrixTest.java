@@ -110,7 +110,7 @@ class MatrixTest {
           "forge", names().collect(Collectors.toSet()));
 
   /** It is about robots that missed a message. In these workloads, only a fault makes a robot miss one. */
-  private static final Set<String> ONLY_WITH_FAULTS = Set.of("election.Behind");
+  static final Set<String> ONLY_WITH_FAULTS = Set.of("election.Behind", "registration.Completes");
 
   private static Plan plan(String name, String fault, long seed) {
     Map<String, String> set = new TreeMap<>(Map.of("busy", "5s", "positionNoise", "5mm"));

@@ -89,7 +89,8 @@ public final class SynodSpec extends LemmaMonitor {
   private void heard(Run run, Delivered got, SynodMessage message) {
     long known = run.known.getOrDefault(got.robot(), 0L);
     switch (message) {
-      case Decided m -> run.known.merge(got.robot(), m.number(), Math::max);
+      // Some learners skip numbers, others keep what comes too early, and wait for those between.
+      case Decided m when m.number() == known + 1 -> run.known.put(got.robot(), m.number());
       case Query m when known > m.number() -> mustAnswer(got, m.number() + 1, null);
       case Prepare m -> asked(run, got, m.number(), m.ballot(), known);
       case Accept m -> asked(run, got, m.number(), m.ballot(), known);
@@ -164,7 +165,7 @@ public final class SynodSpec extends LemmaMonitor {
   private static final class Run {
     private final Set<String> acceptors = new TreeSet<>();
     private final TreeMap<Long, Decree> decrees = new TreeMap<>();
-    // The latest decree that the robot's present program has heard.
+    // The latest decree that the robot's present program is seen to know.
     private final Map<RobotId, Long> known = new TreeMap<>();
 
     boolean hasForgotten(long number) {

@@ -197,6 +197,13 @@ class SynodSpecTest {
   }
 
   @Test
+  void aLearnerMayWaitForTheDecreesBeforeOneThatComesTooEarly() {
+    hears(1, B, A, new Decided(3, X));
+    sends(2, B, C, new Prepare(1, HIGH, Value.EMPTY));
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+
+  @Test
   void theEndOfATraceInRealTimeMayBeMissing() {
     monitors.observe(Fault.realTime(0));
     sends(A, A, new Accept(1, LOW, X));

@@ -19,7 +19,7 @@ import org.starl.input.TextFile;
  * @@@.@.@@@.......   as many rows of as many cells
  * </pre>
  *
- * A cell {@code .} or {@code G} is free; {@code @ O T S W} (out of bounds, trees, swamp, water) are
+ * A cell {@code .}, {@code G} or {@code S} (swamp) is free; {@code @ O T W} (out of bounds, trees, water) are
  * blocked. The type may be missing, and the width may come before the height; blank lines, and comments
  * after {@code #}, {@code //}, {@code %} or {@code ;}, are skipped before the rows. LF and CRLF line ends, white
  * space at ends of lines, and trailing blank lines are accepted. Any other text causes a {@link BadInput} with file, line
@@ -30,8 +30,8 @@ public final class GridMaps {
   private static final int MAX_SIDE = 2_048;
   private static final Pattern SKIPPED = Pattern.compile("|(#|//|%|;).*");
   private static final Pattern SIZE = Pattern.compile("(height|width)\\s+([0-9]{1,6})");
-  private static final String FREE = ".G";
-  private static final String BLOCKED = "@OTSW";
+  private static final String FREE = ".GS";
+  private static final String BLOCKED = "@OTW";
 
   private final String file;
   private final String[] lines;
@@ -135,7 +135,7 @@ public final class GridMaps {
       } else if (FREE.indexOf(cell) < 0) {
         throw broken(
             number,
-            "cells . G (free) or @ O T S W (blocked), not '"
+            "cells . G S (free) or @ O T W (blocked), not '"
                 + cell
                 + "' in column "
                 + (column + 1));

@@ -63,10 +63,10 @@ class GridMapsTest {
     }
     assertThatThrownBy(() -> GridMaps.parse("a", other + rows.replace(".TG.", ".TG")))
         .hasMessage(
-            "a:9: '.TG': expected cells . G (free) or @ O T S W (blocked), not ' ' in column 4");
+            "a:9: '.TG': expected cells . G S (free) or @ O T W (blocked), not ' ' in column 4");
     assertThatThrownBy(() -> GridMaps.parse("a", other + rows.replace(".TG.", "   .")))
         .hasMessage(
-            "a:9: '.': expected cells . G (free) or @ O T S W (blocked), not ' ' in column 1");
+            "a:9: '.': expected cells . G S (free) or @ O T W (blocked), not ' ' in column 1");
     assertThatThrownBy(() -> GridMaps.parse("a", other + rows + "..."))
         .hasMessage("a:11: '...': expected only the 3 rows of line 5");
   }
@@ -83,7 +83,7 @@ class GridMapsTest {
           width 4     | height 4    | small.map:3: 'height 4': expected 'width N' with N from 1 to 2048
           map         | maps        | small.map:4: 'maps': expected 'map'
           .TG.        | .TG         | small.map:6: '.TG': expected 4 cells as in line 3, not 3
-          .TG.        | .T?.        | small.map:6: '.T?.': expected cells . G (free) or @ O T S W (blocked), not '?' in column 3
+          .TG.        | .T?.        | small.map:6: '.T?.': expected cells . G S (free) or @ O T W (blocked), not '?' in column 3
           height 3    | height 4    | small.map:8: '': expected 4 cells as in line 3, not 0
           height 3    | height 2    | small.map:7: '..OW': expected only the 2 rows of line 2
           """)
