@@ -163,7 +163,10 @@ public final class GreyImage {
         }
         image.brightness[i] = (float) value / most;
       }
-      if (!isBinary && isAtWord()) {
+      if (!isBinary) {
+        skipSpaces();
+      }
+      if (!isBinary && next < bytes.length) {
         throw wrong(
             String.valueOf((char) bytes[next]),
             "only " + image.width + " x " + image.height + " values");
@@ -185,8 +188,8 @@ public final class GreyImage {
       return value;
     }
 
-    /** Skips white space and comments; false at the end. */
-    private boolean isAtWord() {
+    /** And comments. */
+    private void skipSpaces() {
       while (next < bytes.length && (SPACES.indexOf(bytes[next]) >= 0 || bytes[next] == '#')) {
         if (bytes[next] == '#') {
           while (next < bytes.length && bytes[next] != '\n') {
@@ -196,11 +199,10 @@ public final class GreyImage {
           next++;
         }
       }
-      return next < bytes.length;
     }
 
     private int number(int most) {
-      isAtWord();
+      skipSpaces();
       int start = next;
       long value = 0;
       while (next < bytes.length && Character.isDigit(bytes[next]) && value <= most) {
