@@ -34,6 +34,7 @@ class WorkloadsTest {
     assertThat(result.isFinished()).isTrue();
     assertThat(result.spec().lemmas())
         .isNotEmpty()
+        .filteredOn(lemma -> !MatrixTest.ONLY_WITH_FAULTS.contains(lemma))
         .allSatisfy(lemma -> assertThat(result.spec().checks(lemma)).as(lemma).isPositive());
     assertThat(plan.story().measures().completed()).isEqualTo(5);
     assertThat(plan.story().measures().waitsNs()).hasSizeGreaterThanOrEqualTo(25);

@@ -26,7 +26,7 @@ import org.starl.trace.TraceEvent.Fault;
  * <pre>
  * event                       action, where i is the event's robot
  * fact do_mutex               ask(i, the sequence, its ticket); the set in any order, if it is one;
- *                             before it restart(i), if it holds; or withdraw(i), if it waits
+ *                             before it restart(i), if it holds; or withdraw(i), if it asks anew
  * fact od_mutex               grant(i, z) for each section that is new; of a robot that resumes, and whose body has left,
  *                             restart(i), ask and grant of all, and stands_in(i, nothing)
  * fact release                release(i, given), of the newest id; stands_in(i, the rest without given)
@@ -96,6 +96,8 @@ abstract class GrantConformance<S, A extends Action>
     // The id of each robot's newest request, and its ticket.
     private final Map<RobotId, ProcessId> asked = new TreeMap<>();
     private final Map<RobotId, Long> tickets = new TreeMap<>();
+    // What each robot waits for, by the facts.
+    private final Map<RobotId, SortedSet<String>> waits = new TreeMap<>();
     // The robots whose newest request takes over what an earlier start of the program held.
     private final Set<RobotId> resuming = new TreeSet<>();
     private final Map<Long, TreeMap<ProcessId, Long>> places = new TreeMap<>();
@@ -170,7 +172,14 @@ abstract class GrantConformance<S, A extends Action>
     RobotId i = fact.who().robot();
     switch (fact) {
       case MutexFact.DoMutex request -> {
-        run.asked.put(i, request.who());
+        boolean isAnew =
+            request.who().equals(run.asked.put(i, request.who()))
+                && !run.waits.getOrDefault(i, Sections.NONE).isEmpty();
+        if (isAnew && crit(run, i).isEmpty()) {
+          run.replay.step(event, theory.withdraw(i), report);
+        }
+        run.waits.put(
+            i, request.sequence().isEmpty() ? request.want() : Sections.copyOf(request.sequence()));
         run.tickets.put(i, run.ticket(request));
         run.resuming.remove(i);
         if (request.resumes()) {
@@ -183,6 +192,7 @@ abstract class GrantConformance<S, A extends Action>
             report);
       }
       case MutexFact.OdMutex access -> {
+        run.waits.computeIfPresent(i, (same, all) -> Sections.without(all, access.held()));
         if (!isWaiting(run, i)) {
           // Its id was given up, and enters what others still leave to it, as if it resumed.
           SortedSet<String> isHeld = Sections.union(crit(run, i), rest(run, i));
@@ -224,6 +234,7 @@ abstract class GrantConformance<S, A extends Action>
         }
       }
       case MutexFact.Withdraw end -> {
+        run.waits.remove(i);
         if (isWaiting(run, i) && end.who().equals(run.asked.get(i))) {
           run.replay.step(event, theory.withdraw(i), report);
         }
@@ -241,8 +252,6 @@ abstract class GrantConformance<S, A extends Action>
     RobotId i = event.robot();
     if (!crit(run, i).isEmpty()) {
       run.replay.step(event, theory.restart(i), report);
-    } else if (isWaiting(run, i)) {
-      run.replay.step(event, theory.withdraw(i), report);
     }
     run.replay.step(event, theory.ask(i, sections, run.tickets.getOrDefault(i, 0L)), report);
   }
