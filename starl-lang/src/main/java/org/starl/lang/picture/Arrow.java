@@ -18,10 +18,6 @@ record Arrow(int number, int from, int to, List<String> guard, List<String> effe
     return to == from + 1;
   }
 
-  boolean isLoop() {
-    return to == from;
-  }
-
   /** Back arrows and loops run on the left of the boxes, arrows that pass boxes on the right. */
   boolean isLeft() {
     return to <= from;
