@@ -80,32 +80,37 @@ public final class FailureText {
       number = yaml.getProblemMark().getLine() + 1;
       column = yaml.getProblemMark().getColumn() + 1;
     }
+    String[] lines = lines(text);
     if (failure.getCause() instanceof ReaderException character) {
-      String before = text.substring(0, text.offsetByCodePoints(0, character.getPosition()));
-      String[] whole = before.split("\r\n|\r|\n", -1);
-      number = whole.length;
-      column = whole[whole.length - 1].length() + 1;
+      int end = text.offsetByCodePoints(0, character.getPosition());
+      String[] before = lines(text.substring(0, end));
+      number = before.length;
+      column = before[number - 1].length() + 1;
     }
-    String[] lines = text.split("\r\n|\r|\n", -1);
     String line = number <= lines.length ? lines[number - 1] : "";
     int at = Math.min(line.length(), column - 1);
+    return BadInput.at(file, number, found(line, at, language) + "; " + expected);
+  }
+
+  private static String[] lines(String text) {
+    return text.split("\r\n|\r|\n", -1);
+  }
+
+  /** What is wrong at this place of a line. */
+  private static String found(String line, int at, String language) {
+    boolean isYaml = language.equals("YAML");
+    if (isYaml && line.matches("\\s*\t.*")) {
+      return "begins with a tab: expected blanks to indent, as YAML has no tabs";
+    }
+    String where = "at character " + (at + 1);
+    if (isYaml && line.startsWith("\t", at)) {
+      return "has a tab "
+          + where
+          + ": expected blanks to separate words, as YAML has no tabs there";
+    }
     String rest = line.substring(at).replaceAll("^\\s+|\\s+$", "");
-    boolean isTab = line.matches("\\s*\t.*") && language.equals("YAML");
-    String found =
-        isTab
-            ? "begins with a tab: expected blanks to indent, as YAML has no tabs"
-            : line.startsWith("\t", at) && language.equals("YAML")
-                ? "has a tab at character "
-                    + (at + 1)
-                    + ": expected blanks to separate words, as YAML has no tabs there"
-                : rest.isEmpty()
-                    ? "is not " + language + " at the end of this line"
-                    : "is not "
-                        + language
-                        + " at character "
-                        + (at + 1)
-                        + ", "
-                        + BadInput.quote(rest);
-    return BadInput.at(file, number, found + "; " + expected);
+    return "is not "
+        + language
+        + (rest.isEmpty() ? " at the end of this line" : " " + where + ", " + BadInput.quote(rest));
   }
 }
