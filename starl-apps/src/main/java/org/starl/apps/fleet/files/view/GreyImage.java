@@ -164,20 +164,31 @@ public final class GreyImage {
         image.brightness[i] = (float) value / most;
       }
       if (!isBinary) {
-        skipSpaces();
-      }
-      if (!isBinary && next < bytes.length) {
-        throw wrong(
-            String.valueOf((char) bytes[next]),
-            "only " + image.width + " x " + image.height + " values");
+        requireEnd("only " + image.width + " x " + image.height + " values");
       }
       return image;
     }
 
     private void requireSpace() {
-      if (next < bytes.length && SPACES.indexOf(bytes[next]) < 0 && bytes[next] != '#') {
-        throw wrong(String.valueOf((char) (bytes[next] & 255)), "white space");
+      if (next < bytes.length && !isSpace()) {
+        throw wrongHere("white space");
       }
+    }
+
+    private void requireEnd(String expected) {
+      skipSpaces();
+      if (next < bytes.length) {
+        throw wrongHere(expected);
+      }
+    }
+
+    private BadInput wrongHere(String expected) {
+      return wrong(String.valueOf((char) (bytes[next] & 255)), expected);
+    }
+
+    /** Whether white space or a comment is next. */
+    private boolean isSpace() {
+      return SPACES.indexOf(bytes[next]) >= 0 || bytes[next] == '#';
     }
 
     private int binary(int width) {
@@ -188,9 +199,9 @@ public final class GreyImage {
       return value;
     }
 
-    /** And comments. */
+    /** Skips white space and comments. */
     private void skipSpaces() {
-      while (next < bytes.length && (SPACES.indexOf(bytes[next]) >= 0 || bytes[next] == '#')) {
+      while (next < bytes.length && isSpace()) {
         if (bytes[next] == '#') {
           while (next < bytes.length && bytes[next] != '\n') {
             next++;
