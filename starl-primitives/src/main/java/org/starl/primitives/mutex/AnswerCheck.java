@@ -26,9 +26,9 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Checks that requests are answered in time: a process that neither holds nor waits for a section consents in the
- * step in which it is asked, or in which its own request ends; and whoever defers an answer says so when it is
- * asked again. Nothing is required of a process whose robot may stand in sections of an earlier one.
+ * Checks that requests are answered at once. A process that neither holds nor waits for a section consents in
+ * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
+ * the request is repeated. Nothing is required of a process whose robot may stand in sections of an earlier one.
  */
 final class AnswerCheck {
 

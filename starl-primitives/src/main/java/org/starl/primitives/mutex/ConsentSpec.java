@@ -73,7 +73,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   ConsentSpec answering() {
     lemma(
         ANSWERED,
-        "Who wants no section consents at once; who is asked again answers, if only that it defers.");
+        "A process that wants no section consents at once; a repeated request is answered at once.");
     answers = new AnswerCheck();
     return this;
   }

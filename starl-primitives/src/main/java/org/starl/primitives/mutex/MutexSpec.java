@@ -132,7 +132,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   /**
    * Also requires that a process which wants no section consents in the step in which it is asked, and that
-   * whoever is asked again answers. Only of simulations: no time passes during their steps.
+   * a repeated request is answered in that step. Only of simulations: no time passes during their steps.
    */
   public MutexSpec answering() {
     isAnswering = true;
