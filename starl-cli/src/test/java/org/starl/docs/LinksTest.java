@@ -8,10 +8,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a page links to is there. */
+/** What a page links to is there, and each page is in the site. */
 class LinksTest {
 
   private static final Path ROOT = Path.of("..");
@@ -25,6 +26,19 @@ class LinksTest {
           .sorted()
           .toList();
     }
+  }
+
+  @Test
+  void everyPageOfDocsIsInTheNavigationOfTheSite() throws IOException {
+    Path docs = ROOT.resolve("docs");
+    assertThat(
+            Files.readAllLines(ROOT.resolve(".ci/site/mkdocs.yml")).stream()
+                .map(line -> line.strip().replace("- ", "")))
+        .containsAll(
+            pages().stream()
+                .filter(page -> page.startsWith(docs))
+                .map(page -> docs.relativize(page).toString())
+                .toList());
   }
 
   @ParameterizedTest
