@@ -3,10 +3,13 @@ package org.starl.apps.fleet.logic;
 import static org.starl.shape.Shapes.part;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -49,6 +52,8 @@ public final class FleetApp extends LogicThread {
   private static final long HANDLE_MS = 2_000;
   private static final long TRY_MS = 60_000;
   private static final long MOMENT_MS = 10_000;
+  // A station that nobody has chosen before is free soon; one whose robot is lost, never.
+  private static final long STATION_MS = 60_000;
   private static final long ROOM_MS = 2_000;
   // Robots wait for each other for minutes. With 30 % loss, a live one is silent for 10 s now and
   // then, for 30 s never.
@@ -64,6 +69,8 @@ public final class FleetApp extends LogicThread {
   private static final double FAR_MS = 2_000;
   // Another robot at a station, or on its way there, is as this way.
   private static final double BUSY_MM = 10_000;
+  // Deliveries under way end within this time, or never.
+  private static final long UNDER_WAY_NS = 300 * Time.NS_PER_S;
 
   /**
    * The load of the delivery that this robot has begun.
@@ -101,6 +108,8 @@ public final class FleetApp extends LogicThread {
   private int at; // the private vertex where the robot stands, or from where it drives
   private @Nullable LedgerCall adding;
   private @Nullable Battery battery;
+  private Set<Integer> busy = Set.of(); // the stations of the deliveries under way
+  private long busySinceNs; // since when these are the same
 
   /**
    * @param deliveries in the order of their times, the same on all robots
@@ -217,8 +226,25 @@ public final class FleetApp extends LogicThread {
     }
   }
 
+  /**
+   * The nearest open delivery that has no station in common with one under way: the robot would stand at one
+   * station and wait for the other. If those under way do not end, the nearest of all.
+   */
   private Optional<TaskId> nearest() {
-    return Allocation.nearest(ledger.tasks().values(), this::awayMm);
+    Set<Integer> stations = new TreeSet<>();
+    List<LedgerTask<Delivery>> tasks = new ArrayList<>(ledger.tasks().values());
+    tasks.stream()
+        .filter(task -> !task.isOpen())
+        .forEach(task -> stations.addAll(task.what().stops()));
+    long nowNs = gvh.plat.clock.nowNs();
+    if (!stations.equals(busy)) {
+      busy = stations;
+      busySinceNs = nowNs;
+    }
+    if (nowNs - busySinceNs < UNDER_WAY_NS) {
+      tasks.removeIf(task -> !Collections.disjoint(busy, task.what().stops()));
+    }
+    return Allocation.nearest(tasks, this::awayMm);
   }
 
   private double awayMm(Delivery delivery) {
@@ -289,7 +315,7 @@ public final class FleetApp extends LogicThread {
       return true;
     }
     if (at != home) {
-      boolean isGot = places.mayAsk(at, vertex) && places.acquire(vertex, MOMENT_MS);
+      boolean isGot = places.mayAsk(at, vertex) && places.acquire(vertex, STATION_MS);
       if (!isGot) {
         goHome();
       }

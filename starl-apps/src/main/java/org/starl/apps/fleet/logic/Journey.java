@@ -27,8 +27,6 @@ final class Journey {
 
   private static final long RETRY_NS = Time.NS_PER_S;
   private static final long REGISTER_MS = 60_000;
-  private static final long PATIENCE_NS = 20 * Time.NS_PER_S;
-  private static final int MOST_BEFORE = 1;
 
   // Vertices on a straight line are passed without a stop. On a long one a robot misses its lane by
   // more.
@@ -50,7 +48,6 @@ final class Journey {
   private final List<Point> points = new ArrayList<>();
   private final List<List<String>> needs;
   private final Set<String> stands = new TreeSet<>(); // since before a restart
-  private final long begunNs;
   private int passed; // the robot is between this point and the next one
   private @Nullable Point goal;
   private long retryAtNs;
@@ -80,7 +77,6 @@ final class Journey {
     this.vertices = List.copyOf(vertices);
     vertices.forEach(vertex -> points.add(roads.at(vertex)));
     needs = new ArrayList<>(roads.needs(vertices));
-    begunNs = gvh.plat.clock.nowNs();
     tell();
   }
 
@@ -143,7 +139,7 @@ final class Journey {
     rest.removeAll(stands);
     boolean isOver = mutex.held().containsAll(rest);
     boolean isAsked = askAtNs > 0 && !mutex.failed().get();
-    if (isOver || isAsked || nowNs < askAtNs || !mayAsk(rest, nowNs)) {
+    if (isOver || isAsked || nowNs < askAtNs) {
       return;
     }
     if (reg.register(REGISTER_MS)) {
@@ -152,17 +148,6 @@ final class Journey {
       mutex.doSequence(List.copyOf(all));
     }
     askAtNs = gvh.plat.clock.nowNs() + RETRY_NS;
-  }
-
-  /**
-   * Whether asking now holds up few others: a robot that has asked for a section comes before all that ask
-   * later, even while it is far away. Only the first request waits, and not for ever.
-   */
-  private boolean mayAsk(Set<String> rest, long nowNs) {
-    boolean isFirst = askAtNs == 0 && passed == 0;
-    return !isFirst
-        || nowNs - begunNs > PATIENCE_NS
-        || rest.stream().allMatch(section -> mutex.contenders(section) <= MOST_BEFORE);
   }
 
   private void advance(int until) {
