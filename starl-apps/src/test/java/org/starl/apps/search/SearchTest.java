@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Plan;
 import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
@@ -76,6 +77,15 @@ class SearchTest {
           .as("%s of seed %d", room, seed)
           .isTrue();
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {40, 41, 500, 1000})
+  void aHouseHasRoomForManyRobots(int robots) {
+    HousePlan plan = GeneratedHouse.of(6, robots, new Rng(1));
+    House house = House.of(plan, 600, Drive.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
+    assertThat(house.rooms()).hasSize(6).allMatch(Room::isEnterable);
+    Searches.plan(1, robots, Map.of(), Map.of()).simulation().build();
   }
 
   @ParameterizedTest

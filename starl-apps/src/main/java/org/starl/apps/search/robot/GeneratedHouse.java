@@ -41,6 +41,11 @@ public final class GeneratedHouse {
 
   private static final int START_FAR_MM = 800;
   private static final int START_ROWS_FROM_MM = 500;
+
+  /** More robots start in a lobby before the hall: a longer house would have tubes wider than its doors. */
+  private static final int ROBOTS_IN_THE_HALL = 40;
+
+  private static final int MOST_COLUMNS = 20;
   private static final int ROOMS_PER_RUN = 3;
   private static final int RUNS = 4;
 
@@ -81,15 +86,22 @@ public final class GeneratedHouse {
   private HousePlan plan(int rooms, int robots) {
     int corridors = (rooms + ROOMS_PER_RUN * RUNS - 1) / (ROOMS_PER_RUN * RUNS);
     int startMm = robots <= ROBOTS_NEAR ? START_MM : START_FAR_MM;
+    int columns = robots <= ROBOTS_IN_THE_HALL ? 2 : MOST_COLUMNS;
     List<Point> starts = new ArrayList<>();
     for (int i = 0; i < robots; i++) {
       // The first ones stand in front.
-      int row = (robots - 1) / 2 - i / 2;
-      double x = (hallLeft + hallRight) / 2.0 + (i % 2 == 0 ? -startMm : startMm) / 2.0;
+      int row = (robots - 1) / columns - i / columns;
+      double x = (hallLeft + hallRight) / 2.0 + (i % columns - (columns - 1) / 2.0) * startMm;
       starts.add(new Point(x, START_ROWS_FROM_MM + row * startMm));
     }
-    int y = START_ROWS_FROM_MM + (robots + 1) / 2 * startMm;
+    int y = START_ROWS_FROM_MM + ((robots - 1) / columns + 1) * startMm;
     int hallSince = 0;
+    int lobby = columns == 2 ? 0 : (columns * startMm - HALL_MM) / 2;
+    if (lobby > 0) {
+      lobbyWalls(lobby, y, false);
+      lobbyWalls(lobby, y, true);
+      hallSince = y;
+    }
     int left = rooms;
     for (int i = 0; i < corridors; i++) {
       int here = (left + corridors - i - 1) / (corridors - i);
@@ -118,7 +130,7 @@ public final class GeneratedHouse {
     hallWalls(hallSince, y, false);
     hallWalls(hallSince, y, true);
     box(hallLeft - WALL_MM, hallSince, hallRight + WALL_MM, hallSince + WALL_MM);
-    box(hallLeft - WALL_MM, -WALL_MM, hallRight + WALL_MM, 0);
+    box(hallLeft - WALL_MM - lobby, -WALL_MM, hallRight + WALL_MM + lobby, 0);
     Rectangle bounds = new Rectangle(0, -WALL_MM, hallLeft + hallRight, y);
     return new HousePlan(bounds, new Obstacles(walls), doors, starts);
   }
@@ -193,6 +205,11 @@ public final class GeneratedHouse {
     wall(end, end + WALL_MM, corridor - WALL_MM, top + WALL_MM, right);
     wall(below * ROOM_MM - WALL_MM, end, corridor - WALL_MM, corridor, right);
     wall(above * ROOM_MM - WALL_MM, end, top, top + WALL_MM, right);
+  }
+
+  private void lobbyWalls(int out, int toY, boolean right) {
+    wall(out - WALL_MM, out, 0, toY - WALL_MM, right);
+    wall(-WALL_MM, out, toY - WALL_MM, toY, right);
   }
 
   private void hallWalls(int fromY, int toY, boolean right) {
