@@ -25,16 +25,15 @@ final class JsonSchema {
 
   private static final String PORT_NUMBER =
       "(6553[0-5]|655[0-2]\\d|65[0-4]\\d\\d|6[0-4]\\d{3}|[1-5]\\d{4}|[1-9]\\d{0,3})";
-  private static final String NAME = "[^\\s:\\[\\]]+";
   private static final String BRACKETS = "\\[[^\\s\\[\\]]+\\]";
-  private static final String HOST_PORT = "(" + NAME + "|" + BRACKETS + "):" + PORT_NUMBER;
+  private static final String HOST_PORT = "(" + Form.HOST + "|" + BRACKETS + "):" + PORT_NUMBER;
 
   /** As the reader has it: an address whose {@code tcp:} is missing. */
   private static final String NO_DEVICE = Wheels.Port.HOST_AND_PORT.pattern();
 
   /** An IPv6 address needs no brackets where no port follows. */
   private static final String HOST =
-      "(" + NAME + "|" + BRACKETS + "|[^\\s:\\[\\]]*(:[^\\s:\\[\\]]*){2,})";
+      "(" + Form.HOST + "|" + BRACKETS + "|[^\\s:\\[\\]]*(:[^\\s:\\[\\]]*){2,})";
 
   /** A text. YAML reads text without quotes as a number or a boolean, if it looks like one. */
   private static final List<String> ANY_TEXT = List.of("string", "number", "boolean");

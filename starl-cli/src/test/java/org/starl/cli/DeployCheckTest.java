@@ -67,6 +67,8 @@ class DeployCheckTest {
       server: 127.0.0.1 | server: 127.0.0.1:0 | :4: positions.server | HOST or HOST:PORT
       server: 127.0.0.1 | server: 192.168.1 | :4: positions.server: '192.168.1' | HOST or HOST:PORT
       server: 127.0.0.1 | server: 192.168.1.300 | :4: positions.server: '192.168.1.300' | HOST or HOST:PORT
+      server: 127.0.0.1 | server: h, multicast: 239.255.42 | :4: positions.multicast: '239.255.42' | expected a group
+      source: natnet, server: 127.0.0.1 | source: json, listen: 10.1 | :4: positions.listen: '10.1' | expected an address
       server: 127.0.0.1 | server: h, errorMm: {a: 1} | :4: positions.errorMm: a mapping: | from 0.0
       server: 127.0.0.1 | server: no.such.host.invalid | positions.server | host that has an address
       server: 127.0.0.1 | server: h, version: 9 | positions.version: '9' | expected one of 3.1

@@ -47,7 +47,7 @@ class DeploymentSchemaTest {
       List.of(
           ("0 1 -1 19 20 50 100 300 499.5 500 501 1000 1000.5 1001 3600000 3600001 0.5 -0.5 3.5 4.1 3.9"
                   + " 9600 65535 65536 2147483648 yes no true false maybe y z create1 create3 natnet json"
-                  + " create simulated bumper my.key 239.255.42.99 /dev/ttyUSB0 tcp:h:1 tcp:h"
+                  + " create simulated bumper my.key 239.255.42.99 239.255.42 224.0.0 192.168.1 192.168.1:4747 1.2.3.256 ff02::1 /dev/ttyUSB0 tcp:h:1 tcp:h"
                   + " tcp:h:0 tcp:h:65536"
                   + " h:4747 h:0 h:04747 h:65536 'h:' ':4747' 192.168.1.10 192.168.1.10:4747 [fe80::1]"
                   + " '[fe80::1]:4747' 'fe80::1' 'a b' ' ' '' [1] '{a}' 5d 0x1p3 NaN"
@@ -183,7 +183,7 @@ class DeploymentSchemaTest {
                     "port",
                     "1520",
                     "listen",
-                    "h",
+                    "192.168.1.10",
                     "sender",
                     "h",
                     "key",

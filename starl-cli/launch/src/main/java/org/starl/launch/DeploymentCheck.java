@@ -150,9 +150,6 @@ public final class DeploymentCheck {
       if (here != null && server != null && networkInterface != null) {
         checkInterface(networkInterface, server.getAddress());
       }
-      if (natNet.multicast() != null) {
-        checkMulticast(natNet.multicast());
-      }
     }
     resolve(deployment.where("world") + "world", deployment.world());
   }
@@ -164,17 +161,6 @@ public final class DeploymentCheck {
       problems.add(e.getMessage());
     } catch (SocketException e) {
       problem(at("positions", "interface"), at, FailureText.of(e));
-    }
-  }
-
-  private void checkMulticast(String group) {
-    String where = at("positions", "multicast");
-    try {
-      if (!InetAddress.getByName(group).isMulticastAddress()) {
-        problem(where, group, "expected 224.0.0.0 to 239.255.255.255");
-      }
-    } catch (UnknownHostException e) {
-      problem(where, group, "expected a group's address");
     }
   }
 

@@ -45,6 +45,18 @@ public record Field<T>(
     return of(key, new Form.Words(expected), meaning, text -> text);
   }
 
+  /**
+   * A text that is not blank.
+   *
+   * @param expected the expected text, for messages
+   * @param pattern a regular expression that begins with {@code ^} and ends with {@code $}
+   */
+  public static Field<String> matching(
+      String key, String expected, String pattern, String meaning) {
+    Form form = new Form.Words(expected, pattern);
+    return of(key, form, meaning, text -> text.matches(pattern) ? text : null);
+  }
+
   public static Field<String> choice(String key, String meaning, String... values) {
     Form.Choice form = new Form.Choice(Arrays.asList(values));
     return of(key, form, meaning, text -> form.values().contains(text) ? text : null);

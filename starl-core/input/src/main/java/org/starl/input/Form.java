@@ -68,6 +68,15 @@ public sealed interface Form {
   /** Faults in their grammar. */
   record Faults() implements Form {}
 
+  /** A number of an IPv4 address, as a regular expression. */
+  String OCTET = "(25[0-5]|2[0-4]\\d|1\\d\\d|[1-9]?\\d)";
+
+  /**
+   * A name, or a whole IPv4 address, as a regular expression; no colon and no bracket is in it. Java reads
+   * 10.1 as 10.0.0.1.
+   */
+  String HOST = "(" + OCTET + "(\\." + OCTET + "){3}|(?![-+]?[\\d.]+(:|\\s|$))[^\\s:\\[\\]]+)";
+
   /**
    * {@code HOST:PORT} or {@code [IPV6]:PORT}.
    *

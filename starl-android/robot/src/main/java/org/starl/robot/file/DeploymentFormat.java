@@ -29,6 +29,9 @@ public final class DeploymentFormat {
   /** Words that YAML takes for no text. */
   private static final String NO_TEXT = "true|false|yes|no|on|off|y|n";
 
+  private static final String HOST_PATTERN =
+      "^(?!(" + NO_TEXT + ")$)(" + Form.HOST + "|[0-9a-fA-F:.]*:[0-9a-fA-F:.]*)$";
+
   private static final String TOPIC_PATTERN =
       "^(?!(" + NO_TEXT + ")$)/?" + NAME + "(/" + NAME + ")*$";
 
@@ -135,9 +138,10 @@ public final class DeploymentFormat {
       Field.whole("dataPort", 1, HostPort.MAX_PORT, "UDP port of frames that come by multicast")
           .defaultsTo("1511");
   static final Field<String> MULTICAST =
-      Field.text(
+      Field.matching(
           "multicast",
-          "a group such as 239.255.42.99",
+          "a group from 224.0.0.0 to 239.255.255.255, such as 239.255.42.99",
+          "^(22[4-9]|23\\d)(\\." + Form.OCTET + "){3}$",
           "address of the group to which frames are sent; without it the server sends to each robot");
   static final Field<String> INTERFACE =
       Field.text(
@@ -165,9 +169,10 @@ public final class DeploymentFormat {
   static final Field<Integer> JSON_PORT =
       port("UDP port at which each robot receives the lines").defaultsTo("1520");
   static final Field<String> LISTEN =
-      Field.text(
+      Field.matching(
           "listen",
           "an address such as 127.0.0.1",
+          HOST_PATTERN,
           "the address, on each robot, at which it receives the lines; without it that of its radio,"
               + " or all interfaces if it has none");
   static final Field<String> LINES_KEY =
@@ -177,9 +182,10 @@ public final class DeploymentFormat {
           "file of the key that authenticates the lines, relative to this file's folder; without it"
               + " any computer that sends from the sender's address can move the robots");
   static final Field<String> SENDER =
-      Field.text(
+      Field.matching(
           "sender",
           "a host whose lines are taken",
+          HOST_PATTERN,
           "the only host whose lines are taken; without it, every host's are");
   static final Field<String> POSE_TOPIC =
       Field.of(
@@ -198,12 +204,12 @@ public final class DeploymentFormat {
               "Odometry")
           .defaultsTo("PoseStamped");
   static final Field<String> FRAME =
-      Field.of(
+      Field.matching(
               "frame",
-              new Form.Words("a frame that does not drift, such as map", FRAME_PATTERN),
+              "a frame that does not drift, such as map",
+              FRAME_PATTERN,
               "the frame of the poses; messages of other frames are dropped, and frames that drift"
-                  + " (odom, base_link) are refused",
-              text -> text.matches(FRAME_PATTERN) ? text : null)
+                  + " (odom, base_link) are refused")
           .defaultsTo("map");
   static final Field<Double> SIGMAS =
       Field.decimal(
@@ -320,11 +326,11 @@ public final class DeploymentFormat {
               ROS2)
           .defaultsTo(DIRECT);
   static final Field<String> NAMESPACE =
-      Field.of(
+      Field.matching(
           "namespace",
-          new Form.Words("a namespace such as /bot0", NAMESPACE_PATTERN),
-          "of the base's topics; without it a slash and the robot's name",
-          text -> text.matches(NAMESPACE_PATTERN) ? text : null);
+          "a namespace such as /bot0",
+          NAMESPACE_PATTERN,
+          "of the base's topics; without it a slash and the robot's name");
   static final Field<Double> AXLE_MM =
       Field.decimal(
               "axleMm",
@@ -450,11 +456,11 @@ public final class DeploymentFormat {
   }
 
   private static Field<String> topic(String usual) {
-    return Field.of(
+    return Field.matching(
             "name",
-            new Form.Words("a topic such as " + usual, TOPIC_PATTERN),
-            "the topic, in the robot's namespace unless it begins with a slash",
-            text -> text.matches(TOPIC_PATTERN) ? text : null)
+            "a topic such as " + usual,
+            TOPIC_PATTERN,
+            "the topic, in the robot's namespace unless it begins with a slash")
         .defaultsTo(usual);
   }
 

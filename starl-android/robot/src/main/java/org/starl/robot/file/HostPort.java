@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.Form;
 
 /**
  * The address of a listener.
@@ -17,12 +18,6 @@ public record HostPort(String host, int port) {
   static final int MAX_PORT = 65_535;
 
   private static final Pattern DIGITS = Pattern.compile("[1-9]\\d{0,4}");
-
-  /** Java reads 10.1 as 10.0.0.1. */
-  private static final Pattern NUMERIC = Pattern.compile("[0-9.]+");
-
-  private static final Pattern IPV4 =
-      Pattern.compile("((25[0-5]|2[0-4]\\d|1\\d\\d|[1-9]?\\d)(\\.(?=.)|$)){4}");
 
   /**
    * Reads {@code HOST}, {@code HOST:PORT} or {@code [IPV6]:PORT}; null if the text is none of these.
@@ -47,9 +42,7 @@ public record HostPort(String host, int port) {
 
   /** Whether a text may be a host's name or its whole address. */
   private static boolean isHost(String host) {
-    return !host.isEmpty()
-        && host.indexOf(' ') < 0
-        && (!NUMERIC.matcher(host).matches() || IPV4.matcher(host).matches());
+    return host.matches(Form.HOST) || (host.indexOf(':') >= 0 && host.indexOf(' ') < 0);
   }
 
   /**
