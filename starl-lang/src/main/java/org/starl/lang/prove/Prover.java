@@ -73,7 +73,7 @@ public final class Prover {
                         .toList())));
     claims.add(start());
     if (claims.stream().allMatch(Claim::isGood)) {
-      claims.addAll(new Induction(automaton.invariants()).claims());
+      claims.addAll(new Induction(automaton.invariants()).claims(Induction.worst(claims)));
     }
     automaton
         .claims()
@@ -196,17 +196,30 @@ public final class Prover {
                 question.failing(List.of(obligations.apply(question).get(number)));
                 return question;
               });
-      if (!found.isGood()) {
-        List<String> lines = new ArrayList<>(List.of("at " + all.get(i).pos()));
-        lines.addAll(found.lines());
-        String text = all.get(i).otherwise();
-        claims.add(
-            found.verdict() == Verdict.FAILED
-                ? new Claim(subject, Verdict.FAILED, text, lines)
-                : new Claim(subject, found.verdict(), "perhaps " + text + ": not decided", lines));
+      if (found.verdict() == Verdict.PROVED) {
+        continue;
       }
+      List<String> lines = new ArrayList<>(List.of("at " + all.get(i).pos()));
+      lines.addAll(found.lines());
+      String text = all.get(i).otherwise();
+      claims.add(
+          switch (found.verdict()) {
+            case FAILED -> new Claim(subject, Verdict.FAILED, text, lines);
+            case PROVED_SMALL ->
+                new Claim(subject, found.verdict(), "has values " + small(), List.of());
+            default ->
+                new Claim(subject, found.verdict(), "perhaps " + text + ": not decided", lines);
+          });
     }
     return claims;
+  }
+
+  private String types() {
+    return String.join(" and ", automaton.typeParameters());
+  }
+
+  private String small() {
+    return "for 1 to " + MOST_ELEMENTS + " of " + types() + "; for more it is not decided";
   }
 
   /** Only a function that ends can be defined by itself. */
@@ -306,7 +319,8 @@ public final class Prover {
       this.all = all;
     }
 
-    List<Claim> claims() {
+    /** @param before how far operations have values that all rest on */
+    List<Claim> claims(Verdict before) {
       List<Invariant> kept = new ArrayList<>(all);
       Map<String, Finding> findings = round(all, true);
       List<String> failed = new ArrayList<>();
@@ -317,17 +331,16 @@ public final class Prover {
       seeksExamples = true;
       List<Invariant> general = general(kept, findings);
       List<Claim> undefined = undefinedWith(general);
-      Verdict most = worst(undefined);
-      if (most != Verdict.PROVED && general.size() < kept.size()) {
+      Verdict most = worst(before, worst(undefined));
+      if (most.compareTo(Verdict.PROVED_SMALL) > 0 && general.size() < kept.size()) {
         undefined = undefinedWith(kept);
-        most = worst(undefined);
+        most = worst(Verdict.PROVED_SMALL, worst(undefined));
       }
       for (Invariant each : kept) {
         Verdict verdict = general.contains(each) ? Verdict.PROVED : Verdict.PROVED_SMALL;
-        verdict = most.compareTo(verdict) > 0 ? most : verdict;
-        claims.put(each.name(), claim(each, verdict));
+        claims.put(each.name(), claim(each, worst(verdict, most)));
       }
-      List<Claim> result = new ArrayList<>(undefined.stream().filter(n -> !n.isGood()).toList());
+      List<Claim> result = new ArrayList<>(undefined.stream().distinct().toList());
       all.forEach(each -> result.add(Objects.requireNonNull(claims.get(each.name()))));
       automaton.actions().forEach(action -> result.add(possible(action, kept)));
       return result;
@@ -348,7 +361,11 @@ public final class Prover {
     }
 
     private static Verdict worst(List<Claim> claims) {
-      return claims.stream().map(Claim::verdict).max(Verdict::compareTo).orElse(Verdict.PROVED);
+      return claims.stream().map(Claim::verdict).reduce(Verdict.PROVED, Induction::worst);
+    }
+
+    private static Verdict worst(Verdict a, Verdict b) {
+      return a.compareTo(b) > 0 ? a : b;
     }
 
     private Claim claim(Invariant invariant, Verdict verdict) {
@@ -359,19 +376,10 @@ public final class Prover {
                     + (automaton.typeParameters().isEmpty()
                         ? ""
                         : ", for any number of " + types());
-            case PROVED_SMALL ->
-                "holds for 1 to "
-                    + MOST_ELEMENTS
-                    + " of "
-                    + types()
-                    + "; for more it is not decided";
+            case PROVED_SMALL -> "holds " + small();
             default -> "stands only on operations that have values, which is not proved";
           };
       return new Claim(invariant.name(), verdict, text, List.of());
-    }
-
-    private String types() {
-      return String.join(" and ", automaton.typeParameters());
     }
 
     /** Takes out what is not kept; false if there is none. */

@@ -293,6 +293,27 @@ class ProverTest {
   }
 
   @Test
+  void valuesThatAreKnownOfFewElementsAloneAreNoProofForAnyNumber() {
+    String counted =
+        """
+        automaton Counted[P]
+        state
+          s: set[P]
+          n: nat
+        start s = {}, n = 0
+        action put(p: P)
+          eff s := s union {p}
+        action count
+          eff n := card({p: P | true}) - card(s)
+        invariant Same: s subset s
+        """;
+    assertThat(proved(counted).lines())
+        .contains(
+            "Counted: Same holds for 1 to 5 of P; for more it is not decided",
+            "Counted: count has values for 1 to 5 of P; for more it is not decided");
+  }
+
+  @Test
   void smallLimitDecidesNothing() throws SourceErrors {
     Report report = new Prover(lock(LOCK), 1, (name, text) -> {}).prove();
     assertThat(report.isProved()).isFalse();
