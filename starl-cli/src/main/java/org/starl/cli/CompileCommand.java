@@ -16,6 +16,7 @@ import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Program;
+import org.starl.lang.tree.Refinement;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -86,6 +87,9 @@ final class CompileCommand extends SourceCommand {
       if (!each.claims().isEmpty() && (java != null || pvs != null)) {
         String names = String.join(", ", each.claims());
         out().println(each.name() + ": not in Java and PVS, see 'starl check': progress " + names);
+      }
+      for (Refinement refinement : java == null ? List.<Refinement>of() : each.refinements()) {
+        out().println(each.name() + ": not in Java, see 'starl check': " + refinement.title());
       }
     }
     write("--java", java, classes);

@@ -187,4 +187,43 @@ class VerdictTest {
         .contains(
             "C: Full is not looked at: 'starl check' asks for progress", "C: not decided: Full");
   }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          up is add | 0 | NotBad, refinement total hold | total holds
+          up is nothing | 1 | refinement total is false after 1 step | total is not kept by up
+          """)
+  void refinementIsDecidedByCheckAndProveAndIsATheorem(
+      String step, int status, String headline, String proof) throws IOException {
+    Path file = folder.resolve("r.starl");
+    Files.writeString(
+        file,
+        """
+        automaton Total state n: nat start n = 0 action add pre n < 2 eff n := n + 1
+        automaton C java "a.CAutomaton" state c: nat start c = 0
+        refines total: Total by n := c, %s
+        action up pre c < 2 eff c := c + 1
+        invariant NotBad: c <= 2
+        """
+            .formatted(step));
+    Cli check = Cli.run("check", file.toString());
+    assertThat(check.status()).isEqualTo(status);
+    assertThat(check.out()).anyMatch(line -> line.endsWith(headline));
+    Cli prove = Cli.run("prove", file.toString());
+    assertThat(prove.status()).isEqualTo(status);
+    assertThat(prove.out()).contains("C: refinement " + proof);
+    String to = folder.toString();
+    Cli cli = Cli.run("compile", file.toString(), "--pvs", to);
+    assertThat(cli.out()).noneMatch(line -> line.contains("refinement"));
+    assertThat(Files.readString(folder.resolve("C.pvs"))).contains("total_up: THEOREM");
+    Files.writeString(
+        file,
+        Files.readString(file)
+            .replace("automaton Total", "automaton Total java \"a.TotalAutomaton\""));
+    cli = Cli.run("compile", file.toString(), "--java", to);
+    assertThat(cli.out()).contains("C: not in Java, see 'starl check': refinement total");
+  }
 }

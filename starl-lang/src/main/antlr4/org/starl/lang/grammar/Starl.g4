@@ -19,6 +19,7 @@ part
     | ASSUME? PROGRESS name=id ':' formula                          # progressPart
     | STATE component+                                              # statePart
     | USES name=id ':' of=id ('[' argument (',' argument)* ']')?    # usesPart
+    | REFINES name=id ':' of=id ('[' argument (',' argument)* ']')? BY mapping (',' mapping)*   # refinesPart
     | FUN name=id binders? ':' type '=' expression measure?         # funPart
     | START expression (',' expression)*                            # startPart
     | ACTION name=id binders? fairness? pre? eff?                   # actionPart
@@ -57,6 +58,17 @@ effect
     ;
 
 arguments: expression (',' expression)*;
+
+mapping
+    : name=id ('.' path+=id)* ':=' expression                       # mapped
+    | action=id ('(' own+=id (',' own+=id)* ')')? IS step    # stepOf
+    ;
+
+step
+    : NOTHING                                                       # noStep
+    | action=id ('(' arguments? ')')?                               # oneStep
+    | IF expression THEN step (ELSE step)?                          # stepIf
+    ;
 
 place: name=id selector*;
 
@@ -157,6 +169,7 @@ namedArgument: name=id ':=' expression;
 id
     : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
     | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET
+    | REFINES | BY | NOTHING
     ;
 
 AUTOMATON: 'automaton';
@@ -173,6 +186,9 @@ RESTART: 'restart';
 TYPE: 'type';
 STATE: 'state';
 USES: 'uses';
+REFINES: 'refines';
+BY: 'by';
+NOTHING: 'nothing';
 FUN: 'fun';
 START: 'start';
 ACTION: 'action';

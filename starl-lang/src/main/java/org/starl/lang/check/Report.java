@@ -139,7 +139,8 @@ public final class Report {
     }
     List<String> names =
         Stream.concat(
-                automaton.invariants().stream().map(Invariant::name), automaton.claims().stream())
+                automaton.refined().invariants().stream().map(Invariant::name),
+                automaton.claims().stream())
             .toList();
     if (names.size() > MOST_NAMED) {
       String and = automaton.claims().isEmpty() ? "" : " and progress";

@@ -22,6 +22,7 @@ import org.starl.lang.eval.Witness;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.verdict.Verdict;
 
 /** Visits all states of an automaton that can be reached. */
@@ -283,6 +284,9 @@ public final class Search {
     int number = states.add(numbers, parent);
     if (number == before) {
       ask(automaton.invariants(), symmetry.state(numbers), number);
+      if (parent < 0) {
+        ask(automaton.starts(), symmetry.state(numbers), number);
+      }
     }
     return number;
   }
@@ -306,21 +310,40 @@ public final class Search {
     return new Story(machine, symmetry, starts, path.stream().map(states::get).toList());
   }
 
-  /** One of {@code invariant} and {@code error} may be null. */
-  void found(@Nullable Invariant invariant, @Nullable EvalError error, int number) {
+  /** The refinement that fails, if it is one. */
+  private Optional<Refinement> refinement(
+      @Nullable Invariant invariant, @Nullable EvalError error) {
+    return automaton.refinements().stream()
+        .filter(each ->
+            invariant != null
+                ? each.title().equals(invariant.name())
+                : error != null
+                    && error.automaton().equals(automaton.name())
+                    && each.isStep(error.pos()))
+        .findFirst();
+  }
+
+  /** One of {@code invariant} and {@code first}, the first error, may be null. */
+  void found(@Nullable Invariant invariant, @Nullable EvalError first, int number) {
     List<Integer> path = states.pathTo(number);
     Story story = story(path);
+    Optional<Refinement> refinement = refinement(invariant, first);
+    EvalError error = first;
     if (invariant == null) {
-      story.addFailedStep();
+      error = story.addFailedStep(refinement);
+    } else if (error == null) {
+      refinement.ifPresent(each -> story.tell(each, true));
     }
-    String name = invariant == null ? "" : invariant.name();
-    int steps = path.size() - 1;
+    String name =
+        invariant == null ? refinement.map(Refinement::title).orElse("") : invariant.name();
+    boolean isStep = invariant == null && refinement.isPresent();
+    int steps = path.size() - (isStep ? 0 : 1);
     if (error != null) {
       String message = String.valueOf(error.getMessage());
       throw new Found(
           new Finding(
               name,
-              "is undefined after " + Report.count(steps, "step"),
+              (isStep ? "is false after " : "is undefined after ") + Report.count(steps, "step"),
               steps,
               story.lines(),
               error.automaton(),

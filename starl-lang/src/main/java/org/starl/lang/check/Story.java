@@ -3,24 +3,30 @@ package org.starl.lang.check;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.starl.lang.eval.Beyond;
 import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
 import org.starl.lang.eval.Starts;
+import org.starl.lang.tree.Refinement;
 
 /** Tells a run by its steps and what each of them changes. */
 final class Story {
 
   /** A step from one state to the next. */
-  private record Step(String text, Row after) {}
+  private record Step(int action, List<Object> arguments, String text, Row after) {}
 
   private final Machine machine;
   private final Set<String> open;
   private final List<String> lines = new ArrayList<>();
   private Row state;
   private int steps;
+  private Row before;
+  private @Nullable Step last;
 
   /**
    * @param starts the first of them that {@code path} begins with is told
@@ -35,6 +41,7 @@ final class Story {
             .filter(each -> Arrays.equals(symmetry.representative(each), path.getFirst()))
             .findFirst()
             .orElseThrow();
+    before = state;
     String start = start(state);
     if (!start.isEmpty()) {
       lines.add("0. start   " + start);
@@ -47,6 +54,8 @@ final class Story {
   private void add(Step step) {
     String changes = String.join(", ", changes(state, step.after));
     lines.add(++steps + ". " + step.text + "   " + changes);
+    last = step;
+    before = state;
     state = step.after;
   }
 
@@ -70,18 +79,53 @@ final class Story {
     return state;
   }
 
-  /** Adds the first step that has no value. */
-  void addFailedStep() {
-    List<String> failed = new ArrayList<>();
+  /** Adds the abstract states before and after the last step, which is not what the refinement says. */
+  void tell(Refinement refinement, boolean isEnabled) {
+    String name = refinement.name();
+    String first = name + " starts in: ";
+    if (last != null) {
+      List<String> taken = machine.abstractSteps(refinement, before, last.action, last.arguments);
+      String step = taken.isEmpty() ? "no step" : String.join(", ", taken);
+      first = name + (isEnabled ? " takes " + step + ": " : " cannot take " + step + " in: ");
+    }
+    lines.add(first + machine.text(refinement, state, false));
+    try {
+      lines.add("the state maps to: " + machine.text(refinement, state, true));
+    } catch (EvalError e) {
+      lines.add("the state maps to nothing: " + e.getMessage());
+    } catch (Beyond e) {
+      lines.add("the state maps to a value beyond the bounds");
+    }
+  }
+
+  /**
+   * Adds the first step that has no value.
+   *
+   * @param refinement the one whose abstract step cannot be taken
+   * @return what is wrong with it, in the names of this run
+   */
+  EvalError addFailedStep(Optional<Refinement> refinement) {
+    List<Step> failed = new ArrayList<>();
+    List<EvalError> errors = new ArrayList<>();
     machine.steps(
         state,
         new Machine.Steps() {
           @Override
           public void error(int action, Object[] arguments, EvalError error) {
-            failed.add(machine.text(action, arguments));
+            String text = machine.text(action, arguments);
+            failed.add(new Step(action, List.of(arguments), text, state));
+            errors.add(error);
           }
         });
-    lines.add(steps + 1 + ". " + failed.getFirst());
+    Step first = failed.getFirst();
+    if (refinement.isEmpty()) {
+      lines.add(steps + 1 + ". " + first.text);
+    } else {
+      Row after = machine.afterAlone(state, first.action, first.arguments);
+      add(new Step(first.action, first.arguments, first.text, after));
+      tell(refinement.get(), false);
+    }
+    return errors.getFirst();
   }
 
   private String start(Row state) {
@@ -104,7 +148,8 @@ final class Story {
           @Override
           public void step(int action, Object[] arguments, Row after) {
             if (steps.isEmpty() && isSo.test(after)) {
-              steps.add(new Step(machine.text(action, arguments), after));
+              steps.add(
+                  new Step(action, List.of(arguments), machine.text(action, arguments), after));
             }
           }
         });

@@ -181,6 +181,18 @@ final class Act {
     };
   }
 
+  /** The steps of used automata whose conditions hold, as in {@code od_mutex(bot0, {A})}. */
+  List<String> texts(List<Effect.Step> steps, Frame frame) {
+    List<String> texts = new ArrayList<>();
+    for (Effect.Step step : steps) {
+      if (step.condition().isEmpty() || compiler.code(step.condition().get(), scope).test(frame)) {
+        Row given = Compiler.row(compiler.codes(step.arguments(), scope), frame);
+        texts.add(new Act(step.action(), compiler.used(step.used())).text(given.items()));
+      }
+    }
+    return texts;
+  }
+
   /** With these arguments; there may be fewer than parameters. */
   String text(Object[] arguments) {
     List<String> texts = new ArrayList<>();

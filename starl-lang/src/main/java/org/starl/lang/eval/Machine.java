@@ -15,6 +15,7 @@ import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -52,6 +53,7 @@ public final class Machine {
 
   private record Condition(Code code, int locals) {}
 
+  private final Automaton given;
   private final Automaton automaton;
   private final Domains domains;
   private final List<Field> parameters;
@@ -61,11 +63,13 @@ public final class Machine {
   private final List<Condition> conditions = new ArrayList<>();
 
   /**
+   * @param given what it refines is a part of its states: {@link Automaton#refined}
    * @throws TooLarge if a type has too many values at these sizes
    * @throws EvalError if a number in the source is too long, or a variable has too many values
    */
-  public Machine(Automaton automaton, Sizes sizes) {
-    this.automaton = automaton;
+  public Machine(Automaton given, Sizes sizes) {
+    this.given = given;
+    automaton = given.refined();
     domains = new Domains(sizes, opaqueTypes(automaton));
     Set<Field> all = new LinkedHashSet<>();
     collect(automaton, all);
@@ -74,10 +78,10 @@ public final class Machine {
     automaton
         .state()
         .forEach(component -> parts.add(new Part(component.name(), domains.of(component.type()))));
-    Compiler compiler = new Compiler(automaton, domains, parameters, false);
+    Compiler compiler = compiler();
     automaton.actions().forEach(action -> acts.add(new Act(action, compiler)));
     automaton.sides().forEach(side -> acts.add(new Act(side, compiler)));
-    Stream.concat(automaton.invariants().stream(), automaton.ends().stream()).forEach(asked::add);
+    Stream.of(automaton.invariants(), automaton.ends(), automaton.starts()).forEach(asked::addAll);
     for (Invariant invariant : asked) {
       Compiler.Scope scope = new Compiler.Scope();
       Code code = compiler.code(invariant.condition(), scope);
@@ -142,13 +146,51 @@ public final class Machine {
   public Object value(Expr constant) {
     Compiler.Scope scope = new Compiler.Scope();
     scope.push(elements());
-    Code code = new Compiler(automaton, domains, parameters, false).code(constant, scope);
+    Code code = compiler().code(constant, scope);
     Object[] variables = Arrays.copyOf(domains.elementValues().toArray(), scope.most);
     Object value = code.of(new Frame(new Object[0], new Object[0], 0, variables, 0));
     if (!domains.of(constant.type()).contains(value)) {
       throw new Beyond();
     }
     return value;
+  }
+
+  /** The state after an action whose abstract step cannot be taken; the abstract state stays. */
+  public Row afterAlone(Row state, int action, List<?> arguments) {
+    Act act = new Act(given.actions().get(action), compiler());
+    return act.after(frame(state, act.locals(arguments)));
+  }
+
+  /** The steps of an abstract automaton that an action takes, or should. */
+  public List<String> abstractSteps(
+      Refinement refinement, Row before, int action, List<?> arguments) {
+    Act act = acts.get(action);
+    Frame frame = frame(before, act.locals(arguments));
+    return act.texts(refinement.steps().getOrDefault(act.tree.name(), List.of()), frame);
+  }
+
+  /**
+   * The abstract state that stands in a state, or that the state maps to.
+   *
+   * @throws EvalError if it maps to none
+   * @throws Beyond if that needs a value beyond the bounds
+   */
+  public String text(Refinement refinement, Row state, boolean isMapped) {
+    List<String> texts = new ArrayList<>();
+    refinement
+        .values()
+        .forEach((path, value) -> {
+          Compiler.Scope scope = new Compiler.Scope();
+          Expr place = refinement.place(path, value.pos());
+          Code code = compiler().code(isMapped ? value : place, scope);
+          Object found = code.of(frame(state, new Object[scope.most]));
+          texts.add(path + " = " + domains.of(place.type()).text(found));
+        });
+    return String.join(", ", texts);
+  }
+
+  private Compiler compiler() {
+    return new Compiler(automaton, domains, parameters, false);
   }
 
   private Frame frame(Row state, Object[] variables) {
@@ -265,7 +307,6 @@ public final class Machine {
 
   /** The part of an invariant that is false, where it is. */
   public Witness witness(Invariant invariant, Row state) {
-    Compiler compiler = new Compiler(automaton, domains, parameters, false);
-    return new Witness.Finder(compiler, state, parameters.size()).find(invariant.condition());
+    return new Witness.Finder(compiler(), state, parameters.size()).find(invariant.condition());
   }
 }

@@ -50,6 +50,8 @@ public record Witness(Pos pos, String variables, String why) {
       if (isFalse instanceof Expr.Enabled step) {
         Code[] arguments = compiler.codes(step.arguments(), scope);
         why = why(compiler, step, arguments, frame());
+      } else if (isFalse instanceof Expr.Started started) {
+        why = started.used() + " is no start state of " + started.automaton().name();
       }
       return isFalse.pos();
     }

@@ -15,6 +15,7 @@ import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
@@ -43,7 +44,7 @@ final class AutomatonScript {
       automaton.valueParameters().forEach(p -> declare("p." + p.name(), p.type()));
     }
     script.comment("s: a state");
-    before = new Scope(automaton, "s.", cells(automaton, "s."), Map.of());
+    before = before();
     automaton
         .assumptions()
         .forEach(each -> {
@@ -60,18 +61,51 @@ final class AutomatonScript {
     return script;
   }
 
+  /** Any state; a component that is an abstract state is what the others map to. */
+  private Scope before() {
+    List<Automaton.Component> own = new ArrayList<>(automaton.state());
+    automaton.refinements().forEach(of -> own.removeIf(each -> each.name().equals(of.name())));
+    Map<String, Val> cells = cells(own, "s.");
+    Scope state = new Scope(automaton, "s.", cells, Map.of());
+    Map<String, Val> all = new LinkedHashMap<>(cells);
+    for (Refinement each : automaton.refinements()) {
+      if (automaton.component(each.name()).isPresent()) {
+        script.comment(each.name() + ": what s maps to");
+        all.put(each.name(), mapped(each, each.of(), "", state));
+      }
+    }
+    return new Scope(automaton, "s.", all, Map.of());
+  }
+
+  private Val mapped(Refinement refinement, Automaton of, String path, Scope state) {
+    Map<String, Val> cells = new LinkedHashMap<>();
+    for (Automaton.Component each : of.state()) {
+      String name = path + each.name();
+      cells.put(
+          each.name(),
+          each.type() instanceof Type.StateOf used
+              ? mapped(refinement, used.automaton(), name + ".", state)
+              : translator.define(
+                  "s." + refinement.name() + "." + name,
+                  each.type(),
+                  translator.as(
+                      each.type(), Objects.requireNonNull(refinement.values().get(name)), state)));
+    }
+    return new Cells(cells);
+  }
+
   private Val declare(String name, Type type) {
     return translator.declare(name, type);
   }
 
-  private Map<String, Val> cells(Automaton of, String prefix) {
+  private Map<String, Val> cells(List<Automaton.Component> state, String prefix) {
     Map<String, Val> cells = new LinkedHashMap<>();
-    for (Automaton.Component each : of.state()) {
+    for (Automaton.Component each : state) {
       String name = prefix + each.name();
       cells.put(
           each.name(),
           each.type() instanceof Type.StateOf used
-              ? new Cells(cells(used.automaton(), name + "."))
+              ? new Cells(cells(used.automaton().state(), name + "."))
               : declare(name, each.type()));
     }
     return cells;

@@ -19,6 +19,7 @@ import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Refinement;
 
 /** Proves the invariants of an automaton. */
 public final class Prover {
@@ -342,6 +343,9 @@ public final class Prover {
       }
       List<Claim> result = new ArrayList<>(undefined.stream().distinct().toList());
       all.forEach(each -> result.add(Objects.requireNonNull(claims.get(each.name()))));
+      for (Refinement each : automaton.refinements()) {
+        result.add(refinement(each, general, kept, most));
+      }
       automaton.actions().forEach(action -> result.add(possible(action, kept)));
       return result;
     }
@@ -354,6 +358,57 @@ public final class Prover {
         general.forEach(each -> last.put(each.name(), invariant(each, general, false)));
       }
       return general;
+    }
+
+    /** Invariants that hold for any number are assumed, and if that is not enough, all that hold. */
+    private Claim refinement(
+        Refinement of, List<Invariant> general, List<Invariant> kept, Verdict most) {
+      if (most.compareTo(Verdict.PROVED_SMALL) > 0) {
+        return claim(of.mapping(), most);
+      }
+      Claim found = beside(of, general);
+      Verdict verdict = most;
+      if (!found.isGood() && general.size() < kept.size()) {
+        found = beside(of, kept);
+        verdict = Verdict.PROVED_SMALL;
+      }
+      return found.isGood() ? claim(of.mapping(), worst(verdict, found.verdict())) : found;
+    }
+
+    private Claim beside(Refinement of, List<Invariant> assumed) {
+      Prover prover =
+          new Prover(
+              of.beside(automaton),
+              limit,
+              (title, text) -> keep.accept("refinement-" + of.name() + "-" + title, text));
+      List<Invariant> known = new ArrayList<>(assumed);
+      known.add(of.mapping());
+      return prover.new Induction(known).refines(of);
+    }
+
+    /** Of the automaton beside which the abstract one is. */
+    private Claim refines(Refinement of) {
+      Invariant mapping = all.getLast();
+      Finding found = atStart(of.start());
+      Verdict verdict = Verdict.PROVED;
+      for (Claim each : found.isGood() ? undefinedWith(all) : List.<Claim>of()) {
+        if (!each.isGood()) {
+          String text =
+              (each.verdict() == Verdict.FAILED ? "fails: " : "is not decided: ")
+                  + each.subject()
+                  + " "
+                  + each.text();
+          return new Claim(of.title(), each.verdict(), text, each.lines());
+        }
+        verdict = worst(verdict, each.verdict());
+      }
+      found = worse(found, found.isGood() ? invariant(mapping, all, false) : found);
+      if (!found.isGood()) {
+        List<String> lines = found.lines();
+        return new Claim(
+            of.title(), found.verdict(), lines.getFirst(), lines.subList(1, lines.size()));
+      }
+      return claim(mapping, worst(verdict, found.verdict()));
     }
 
     private static Finding finding(Map<String, Finding> findings, Invariant of) {

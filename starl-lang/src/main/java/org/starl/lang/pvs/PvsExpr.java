@@ -32,9 +32,16 @@ final class PvsExpr {
   private static final int ATOM = 10;
 
   private final PvsNames names;
+  private final String own;
 
   PvsExpr(PvsNames names) {
+    this(names, "");
+  }
+
+  /** @param own of types of other automata, forms are named with their theory; empty: they are not */
+  PvsExpr(PvsNames names, String own) {
     this.names = names;
+    this.own = own;
   }
 
   /** A type where it is used. */
@@ -184,7 +191,7 @@ final class PvsExpr {
       case Expr.Started of ->
           Doc.of(PvsNames.id(of.automaton().name()) + ".start(" + state(of.used()) + ")");
       case Expr.Get of -> get(of);
-      case Expr.Make of -> call(PvsNames.id(of.constructor().name()), of.arguments());
+      case Expr.Make of -> call(form(of), of.arguments());
       case Expr.MakeRecord of -> record(of);
       case Expr.Is of -> Doc.of(PvsNames.id(of.constructor().name()) + "?(", of(of.of()), ")");
       case Expr.Match of -> match(of);
@@ -210,6 +217,12 @@ final class PvsExpr {
     };
   }
 
+  private String form(Expr.Make made) {
+    String owner = ((Type.Sum) made.type().base()).owner();
+    String name = PvsNames.id(made.constructor().name());
+    return own.isEmpty() || own.equals(owner) ? name : PvsNames.id(owner) + "." + name;
+  }
+
   /** A component of the state. */
   private static String state(String component) {
     return "s`" + PvsNames.id(component);
@@ -220,7 +233,7 @@ final class PvsExpr {
     return group(2, "(", join(all, ",", SOFT), ")");
   }
 
-  private Doc call(String name, List<Expr> arguments) {
+  Doc call(String name, List<Expr> arguments) {
     return arguments.isEmpty() ? Doc.of(name) : Doc.of(name, arguments(arguments));
   }
 

@@ -11,6 +11,7 @@ import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -68,6 +69,12 @@ final class PvsNames {
       action.eff().forEach(effect -> effect.parts().forEach(this::collect));
     }
     automaton.invariants().forEach(invariant -> collect(invariant.condition()));
+    for (Refinement each : automaton.refinements()) {
+      each.values().values().forEach(this::collect);
+      each.steps().values().stream()
+          .flatMap(List::stream)
+          .forEach(step -> step.parts().forEach(this::collect));
+    }
     ambiguous.forEach(declared::remove);
   }
 

@@ -8,9 +8,11 @@ import static org.starl.lang.pvs.Doc.join;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Declared;
@@ -18,6 +20,7 @@ import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
@@ -63,6 +66,7 @@ public final class PvsTheory {
     addTrans();
     block(List.of("  IMPORTING time_machine[states, actions, enabled, trans, start]"));
     automaton.invariants().forEach(this::addInvariant);
+    automaton.refinements().forEach(this::addRefinement);
     addLeftOut();
     text.setLength(text.length() - 1); // no empty line before END
     return text.append("END ").append(PvsNames.id(automaton.name())).append('\n').toString();
@@ -316,6 +320,90 @@ public final class PvsTheory {
             LINE,
             expressions.of(invariant.condition())),
         invariant.comment());
+  }
+
+  // --- refinement
+
+  /** The abstract state as a function, and what is to be proved of the start and of each action. */
+  private void addRefinement(Refinement refinement) {
+    PvsExpr mapping = new PvsExpr(names, automaton.name());
+    String name = PvsNames.id(refinement.name());
+    String of = PvsNames.id(refinement.of().name());
+    block(
+        List.of(
+            "  % It refines " + of + ", if these theorems are proved.",
+            "  IMPORTING " + instance(refinement.of())));
+    add(
+        group(
+            2,
+            name + "(s): " + of + ".states =",
+            LINE,
+            mapped(refinement, refinement.of(), "", mapping)),
+        List.of());
+    List<Object> known = new ArrayList<>(List.of("reachable(s)"));
+    automaton
+        .invariants()
+        .forEach(each -> known.addAll(List.of(" AND", LINE, PvsNames.id(each.name()) + "(s)")));
+    add(
+        group(2, name + "_known(s): bool =", LINE, new Doc.Group(Doc.of(known.toArray()))),
+        List.of());
+    add(
+        Doc.of(name + "_start: THEOREM start(s) IMPLIES " + of + ".start(" + name + "(s))"),
+        List.of());
+    for (Action action : automaton.actions()) {
+      add(
+          group(
+              2,
+              PvsNames.id(refinement.name() + "_" + action.name()) + ": THEOREM",
+              LINE,
+              theorem(refinement, action, mapping)),
+          List.of());
+    }
+  }
+
+  private Doc mapped(Refinement refinement, Automaton of, String path, PvsExpr mapping) {
+    List<Doc> all = new ArrayList<>();
+    for (Component each : of.state()) {
+      String name = path + each.name();
+      Doc value =
+          each.type() instanceof Type.StateOf used
+              ? mapped(refinement, used.automaton(), name + ".", mapping)
+              : mapping.of(Objects.requireNonNull(refinement.values().get(name)));
+      all.add(group(2, PvsNames.id(each.name()) + " :=", LINE, value));
+    }
+    return group(3, "(# ", join(all, ",", LINE), " #)");
+  }
+
+  /** From a state that can be reached, an action is its abstract step, or leaves the abstract state. */
+  private Doc theorem(Refinement refinement, Action action, PvsExpr mapping) {
+    String own = PvsExpr.pattern(action.name(), action.parameters()).replace(":", "");
+    String abs = PvsNames.id(refinement.name());
+    String after = abs + "(trans(" + own + ", s)) =";
+    Doc goal = Doc.of(after + " " + abs + "(s)");
+    for (Effect.Step step : refinement.steps().getOrDefault(action.name(), List.of()).reversed()) {
+      String of = PvsNames.id(refinement.of().name()) + ".";
+      Doc call = mapping.call(of + PvsNames.id(step.action().name()), step.arguments());
+      Doc taken =
+          new Doc.Group(
+              Doc.of(
+                  Doc.of(of + "enabled(", call, ", " + abs + "(s)) AND"),
+                  LINE,
+                  group(2, after, LINE, of + "trans(", call, ", " + abs + "(s))")));
+      goal =
+          step.condition().isEmpty()
+              ? taken
+              : new Doc.Group(
+                  Doc.of(
+                      group(2, "IF ", mapping.of(step.condition().get()), " THEN", LINE, taken),
+                      LINE,
+                      group(2, "ELSE", LINE, goal),
+                      LINE,
+                      "ENDIF"));
+    }
+    Doc body = group(2, abs + "_known(s) AND enabled(" + own + ", s) IMPLIES", LINE, goal);
+    return action.parameters().isEmpty()
+        ? body
+        : group(2, "FORALL " + names.binders(action.parameters()) + ":", LINE, body);
   }
 
   /** Lines with notes in one column. */

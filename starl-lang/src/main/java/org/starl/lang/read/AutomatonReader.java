@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -22,6 +23,7 @@ import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Automaton.Progress;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
@@ -30,22 +32,27 @@ final class AutomatonReader extends PartsReader {
 
   private final StarlParser.UnitContext unit;
   private final java.util.function.Function<String, Optional<Automaton>> others;
+  private final Predicate<String> isOpen;
   private final List<Invariant> assumptions = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
   private final List<Invariant> ends = new ArrayList<>();
   private final List<Progress> progress = new ArrayList<>();
+  private final List<Refinement> refinements = new ArrayList<>();
 
   /**
-   * @param others finds the automata that this one uses
+   * @param others finds the automata that this one uses or refines
+   * @param isOpen whether an automaton is in a file that is being read
    */
   AutomatonReader(
       StarlParser.UnitContext unit,
       SourceText source,
       Problems problems,
-      java.util.function.Function<String, Optional<Automaton>> others) {
+      java.util.function.Function<String, Optional<Automaton>> others,
+      Predicate<String> isOpen) {
     super(unit, unit.name.getText(), unit.part(), source, problems);
     this.unit = unit;
     this.others = others;
+    this.isOpen = isOpen;
   }
 
   /** Its result is complete only if no problem was told. */
@@ -88,6 +95,10 @@ final class AutomatonReader extends PartsReader {
     each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
     List<Invariant> invariants = invariants();
     each(StarlParser.ProgressPartContext.class, this::read);
+    RefinementReader refines = new RefinementReader(this, actions);
+    each(
+        StarlParser.RefinesPartContext.class,
+        at -> refinements.add(refines.read(at, instance(at, at.of, at.argument()))));
     Stream<Invariant> conditions = Stream.concat(ends.stream(), invariants.stream().distinct());
     requireUnique(
         Stream.concat(
@@ -120,6 +131,7 @@ final class AutomatonReader extends PartsReader {
         invariants,
         List.copyOf(ends),
         List.copyOf(progress),
+        List.copyOf(refinements),
         javaClass,
         java.util.Collections.unmodifiableMap(javaTypes),
         source.before(unit),
@@ -139,18 +151,9 @@ final class AutomatonReader extends PartsReader {
 
   private void use(StarlParser.UsesPartContext at) {
     String name = newName(at.name);
-    Automaton used =
-        others
-            .apply(at.of.getText())
-            .orElseThrow(() ->
-                expressions.wrong(
-                    at.of,
-                    "automaton '"
-                        + at.of.getText()
-                        + "' is not known; expected it before this one, or in "
-                        + at.of.getText()
-                        + ".starl beside this file"));
-    Automaton instance = instance(at, used);
+    scope.wrong.add(name);
+    Automaton instance = instance(at, at.of, at.argument());
+    scope.wrong.remove(name);
     scope.uses.put(name, instance);
     scope.state.put(name, new Type.StateOf(instance));
     state.add(
@@ -160,20 +163,29 @@ final class AutomatonReader extends PartsReader {
     scope.knowTypes(instance);
   }
 
-  /** The used automaton, with this one's types for its parameters; these must have the same names. */
-  private Automaton instance(StarlParser.UsesPartContext at, Automaton used) {
-    List<String> given = at.argument().stream().map(ParserRuleContext::getText).toList();
+  /** Another automaton, with this one's types for its parameters; these must have the same names. */
+  private Automaton instance(
+      ParserRuleContext at, StarlParser.IdContext of, List<StarlParser.ArgumentContext> arguments) {
+    Automaton used =
+        others
+            .apply(of.getText())
+            .orElseThrow(() ->
+                expressions.wrong(
+                    of,
+                    of.getText().equals(scope.automaton) || isOpen.test(of.getText())
+                        ? "'" + of.getText() + "' is or needs this automaton; expected no circle"
+                        : "automaton '"
+                            + of.getText()
+                            + "' is not known; expected it before this one, or in "
+                            + of.getText()
+                            + ".starl beside this file"));
+    List<String> given = arguments.stream().map(ParserRuleContext::getText).toList();
     List<String> wanted = new ArrayList<>(used.typeParameters());
     used.valueParameters().forEach(value -> wanted.add(value.name()));
     if (!given.equals(wanted)) {
       throw expressions.wrong(
           at,
-          "'"
-              + at.of.getText()
-              + given
-              + "' renames parameters; expected "
-              + at.of.getText()
-              + wanted);
+          "'" + of.getText() + given + "' renames parameters; expected " + of.getText() + wanted);
     }
     return used;
   }
@@ -301,6 +313,9 @@ final class AutomatonReader extends PartsReader {
     if (at instanceof StarlParser.UsedActionContext step) {
       String used = step.used.getText();
       Automaton automaton = scope.uses.get(used);
+      if (scope.wrong.contains(used)) {
+        throw new Wrong();
+      }
       if (automaton == null) {
         throw expressions.wrong(
             step,

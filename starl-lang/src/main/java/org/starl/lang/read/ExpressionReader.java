@@ -51,9 +51,29 @@ final class ExpressionReader {
 
   private Expr required(Expr expr, ExpressionContext at, Type wanted) {
     if (!expr.type().isA(wanted)) {
-      throw wrong(at, "'" + text(at) + "' is of type " + expr.type() + "; expected " + wanted);
+      String found = named(expr.type(), wanted);
+      String expected = named(wanted, expr.type());
+      throw wrong(at, "'" + text(at) + "' is of type " + found + "; expected " + expected);
     }
     return expr;
+  }
+
+  /** A type; with its automaton, if the other one has the same name. */
+  private static String named(Type type, Type other) {
+    String owner = type.toString().equals(other.toString()) ? owner(type.base()) : "";
+    return owner.isEmpty() ? type.toString() : type + " of " + owner;
+  }
+
+  private static String owner(Type type) {
+    return switch (type) {
+      case Type.Rec rec -> rec.owner();
+      case Type.Sum sum -> sum.owner();
+      case Type.SetOf set -> owner(set.element());
+      case Type.ListOf list -> owner(list.element());
+      case Type.OptionOf option -> owner(option.element());
+      case Type.MapOf map -> owner(map.result());
+      default -> "";
+    };
   }
 
   Expr bool(ExpressionContext at) {
@@ -66,7 +86,7 @@ final class ExpressionReader {
     return switch (at) {
       case StarlParser.ParenthesesContext inner -> any(inner.expression(), hint);
       case StarlParser.LiteralContext literal -> literal(literal, pos);
-      case StarlParser.NameContext name -> name(name, pos);
+      case StarlParser.NameContext name -> name(name, hint, pos);
       case StarlParser.FieldOfContext field -> field(field, pos);
       case StarlParser.ApplyContext apply -> apply(apply, hint, pos);
       case StarlParser.RecordOfContext made -> record(made, pos);
@@ -153,7 +173,7 @@ final class ExpressionReader {
     };
   }
 
-  private Expr name(StarlParser.NameContext at, Pos pos) {
+  private Expr name(StarlParser.NameContext at, @Nullable Type hint, Pos pos) {
     String name = at.name.getText();
     Optional<Field> bound = scope.bound(name);
     refer(at.name);
@@ -173,7 +193,7 @@ final class ExpressionReader {
       return new Expr.Call(
           "", function, arguments(name, function.parameters(), List.of(), at), pos);
     }
-    Scope.Known known = scope.constructors.get(name);
+    Scope.Known known = form(name, hint);
     if (known != null) {
       return new Expr.Make(
           known.constructor(),
@@ -182,6 +202,13 @@ final class ExpressionReader {
           pos);
     }
     throw unknown(at, name, scope.names());
+  }
+
+  /** A form of the type that is expected, which may be another automaton's, or else of this one's. */
+  private Scope.@Nullable Known form(String name, @Nullable Type hint) {
+    return hint != null && hint.base() instanceof Type.Sum sum && sum.constructor(name).isPresent()
+        ? new Scope.Known(sum, sum.constructor(name).get())
+        : scope.constructors.get(name);
   }
 
   /** Keeps the meaning of a name that is known here. */
@@ -278,7 +305,7 @@ final class ExpressionReader {
         refer(named.name);
         return new Expr.Call("", function, arguments(name, function.parameters(), given, at), pos);
       }
-      Scope.Known known = scope.constructors.get(name);
+      Scope.Known known = form(name, hint);
       if (known != null) {
         refer(named.name);
         return new Expr.Make(

@@ -123,6 +123,7 @@ final class Lowering {
         List.copyOf(all),
         List.of(),
         List.of(),
+        List.of(),
         "",
         Map.of(),
         program.comment(),

@@ -127,6 +127,7 @@ final class ProgramReader extends PartsReader {
             case StarlParser.StartPartContext at -> "a start value with each variable: 'x: T := e'";
             case StarlParser.ActionPartContext at -> "'location' and its branches";
             case StarlParser.ProgressPartContext at -> "an automaton with it, or an invariant";
+            case StarlParser.RefinesPartContext at -> "an invariant";
             case StarlParser.AssumePartContext at -> "a guard: 'when condition do ...'";
             default -> "";
           };

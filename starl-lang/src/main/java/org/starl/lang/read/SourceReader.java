@@ -136,7 +136,7 @@ public final class SourceReader {
 
     private void add(ParseTree unit, SourceText source) {
       if (unit instanceof StarlParser.UnitContext at) {
-        automata.add(new AutomatonReader(at, source, problems, this::find).read());
+        automata.add(new AutomatonReader(at, source, problems, this::find, this::isOpen).read());
       } else if (unit instanceof StarlParser.PrimitiveContext at) {
         new PrimitiveReader(at, source, problems, this::find, known())
             .read()
@@ -163,6 +163,11 @@ public final class SourceReader {
     private Optional<Automaton> find(String wanted) {
       Optional<Automaton> here = automata.stream().filter(a -> a.name().equals(wanted)).findFirst();
       return here.isPresent() ? here : SourceReader.this.find(wanted, path, problems);
+    }
+
+    private boolean isOpen(String wanted) {
+      Path beside = path == null ? null : path.resolveSibling(wanted + ".starl");
+      return beside != null && Source.EMPTY.equals(read.get(beside.toAbsolutePath().normalize()));
     }
 
     private Source source() {

@@ -20,6 +20,7 @@ import org.starl.lang.tree.Type.Field;
  * @param start the conjuncts that hold of a start state
  * @param ends each holds wherever no action is possible: there is no deadlock
  * @param progress what is to happen in each run, and what is assumed to
+ * @param refinements the automata that it refines
  * @param javaClass the full name of its executable form; empty if the source names none
  * @param javaTypes the Java types that stand for types of the source
  * @param comment the lines of comment before it
@@ -38,6 +39,7 @@ public record Automaton(
     List<Invariant> invariants,
     List<Invariant> ends,
     List<Progress> progress,
+    List<Refinement> refinements,
     String javaClass,
     Map<Type, JavaType> javaTypes,
     List<String> comment,
@@ -102,6 +104,20 @@ public record Automaton(
     return names.entrySet().stream()
         .map(each -> each.getKey() + ": " + String.join(", ", each.getValue()))
         .toList();
+  }
+
+  /** With the states of the automata that it refines as components: see {@link Refinement#beside}. */
+  public Automaton refined() {
+    Automaton all = this;
+    for (Refinement each : refinements) {
+      all = all.component(each.name()).isPresent() ? all : each.beside(all);
+    }
+    return all;
+  }
+
+  /** What is to hold of each start state. */
+  public List<Invariant> starts() {
+    return refinements.stream().map(Refinement::start).toList();
   }
 
   /** The action of this name. */

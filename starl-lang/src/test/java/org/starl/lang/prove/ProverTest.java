@@ -3,13 +3,20 @@ package org.starl.lang.prove;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.lang.check.RefinementModels;
 import org.starl.lang.prove.Claim.Verdict;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
+import org.starl.lang.tree.Automaton;
 
 class ProverTest {
 
@@ -332,6 +339,57 @@ class ProverTest {
         .hasMessageEndingWith("calls itself through another one");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"TwoPhase", "LockServer", "Everybody"})
+  void modelRefinesItsSpecification(String name) throws IOException, SourceErrors {
+    Automaton automaton = new SourceReader().read(RefinementModels.file(name)).getLast();
+    Report report = new Prover(automaton, LIMIT, (title, text) -> {}).prove();
+    assertThat(report.claims()).extracting(Claim::verdict).containsOnly(Verdict.PROVED);
+    String title = automaton.refinements().getFirst().title();
+    String types = String.join(" and ", automaton.typeParameters());
+    assertThat(report.lines()).contains(name + ": " + title + " holds, for any number of " + types);
+  }
+
+  @ParameterizedTest
+  @CsvSource(delimiter = '|', textBlock = RefinementModels.MUTANTS)
+  void mutantOfARefinementIsNotProved(String name, String from, String to, String action)
+      throws IOException, SourceErrors {
+    Automaton automaton = RefinementModels.mutant(name, from, to);
+    Report report = new Prover(automaton, LIMIT, (title, text) -> {}).prove();
+    Claim claim = report.claim(automaton.refinements().getFirst().title()).orElseThrow();
+    assertThat(claim.verdict()).isEqualTo(Verdict.FAILED);
+    assertThat(claim.lines()).anyMatch(line -> line.startsWith("action  "));
+  }
+
+  @Test
+  void refinementIsToldByWhatFails() throws IOException, SourceErrors {
+    String known = Files.readString(RefinementModels.file("TwoPhase"));
+    String told = known.replace("chooseToAbort(r) is decideAbort(r),", "");
+    assertThat(proved(told, "TwoPhase").lines())
+        .containsSequence(
+            "TwoPhase: Decided holds, for any number of RM",
+            "TwoPhase: refinement tc is not kept by chooseToAbort",
+            "  before  all empty, 0 or none",
+            "  action  chooseToAbort(bot0)",
+            "  after   rmState(bot0) = aborted",
+            "  fails   for r = bot0");
+    told = known.replace("if rmState(r) = prepared then decideCommit(r)", "decideCommit(r)");
+    assertThat(proved(told, "TwoPhase").lines())
+        .contains(
+            "TwoPhase: refinement tc fails: learnCommit takes tc.decideCommit where it is not enabled",
+            "  at 22:21",
+            "  action  learnCommit(bot0)");
+    told = known.replace("start forall r: RM :: rmState(r) = working,", "start");
+    assertThat(proved(told, "TwoPhase").claim("refinement tc").orElseThrow().text())
+        .isEqualTo("does not hold in a start state");
+  }
+
+  private static Report proved(String text, String beside) throws SourceErrors {
+    Automaton automaton =
+        new SourceReader().look("x", text, RefinementModels.file(beside)).automata().getLast();
+    return new Prover(automaton, LIMIT, (name, script) -> {}).prove();
+  }
+
   private static Report proved(String text) {
     try {
       return new Prover(lock(text), LIMIT, (name, script) -> {}).prove();
@@ -340,8 +398,8 @@ class ProverTest {
     }
   }
 
-  private static org.starl.lang.tree.Automaton lock(String text) throws SourceErrors {
-    List<org.starl.lang.tree.Automaton> all = new SourceReader().read("lock.starl", text);
+  private static Automaton lock(String text) throws SourceErrors {
+    List<Automaton> all = new SourceReader().read("lock.starl", text);
     return all.getLast();
   }
 }

@@ -2,13 +2,16 @@ package org.starl.lang.pvs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.lang.check.RefinementModels;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
+import org.starl.lang.tree.Automaton;
 
 class PvsTheoryTest {
 
@@ -301,5 +304,61 @@ class PvsTheoryTest {
   private static String theory(String source) throws SourceErrors {
     return PvsTheory.of(
         new SourceReader().read("doors.starl", source).getLast(), "starl/Doors.starl");
+  }
+
+  @Test
+  void refinementIsAFunctionAndTheorems() throws IOException, SourceErrors {
+    Automaton automaton = new SourceReader().read(RefinementModels.file("TwoPhase")).getLast();
+    String theory = PvsTheory.of(automaton, "TwoPhase.starl");
+    assertThat(theory.substring(theory.indexOf("  % It refines")))
+        .startsWith(
+            """
+              % It refines TCommit, if these theorems are proved.
+              IMPORTING TCommit[RM]
+
+              tc(s): TCommit.states =
+                (# rmState :=
+                     LAMBDA r:
+                       CASES s`rmState(r) OF
+                         working: TCommit.working,
+                         prepared: TCommit.prepared,
+                         committed: TCommit.committed,
+                         aborted: TCommit.aborted
+                       ENDCASES #)
+
+              tc_known(s): bool = reachable(s) AND Told(s) AND All_known(s) AND Was_prepared(s) AND Decided(s)
+
+              tc_start: THEOREM start(s) IMPLIES TCommit.start(tc(s))
+            """)
+        .contains(
+            """
+              tc_commit: THEOREM tc_known(s) AND enabled(commit, s) IMPLIES tc(trans(commit, s)) = tc(s)
+            """,
+            """
+              tc_learnCommit: THEOREM
+                FORALL r:
+                  tc_known(s) AND enabled(learnCommit(r), s) IMPLIES
+                    IF s`rmState(r) = prepared THEN
+                      TCommit.enabled(TCommit.decideCommit(r), tc(s)) AND
+                      tc(trans(learnCommit(r), s)) = TCommit.trans(TCommit.decideCommit(r), tc(s))
+                    ELSE tc(trans(learnCommit(r), s)) = tc(s)
+                    ENDIF
+            """);
+  }
+
+  @Test
+  void partsOfTheAbstractStateAreRecords() throws IOException, SourceErrors {
+    Automaton automaton = new SourceReader().read(RefinementModels.file("Everybody")).getLast();
+    assertThat(PvsTheory.of(automaton, "Everybody.starl"))
+        .contains(
+            """
+              group(s): Mutex_group_decls.states =
+                (# plist := LAMBDA i: all,
+                   mux :=
+                     (# crit_set := s`mux`crit_set, req_set := s`mux`req_set, rest_set := s`mux`rest_set #) #)
+
+              group_known(s): bool = reachable(s)
+            """,
+            "FORALL i, (RS: set[Zones]):");
   }
 }

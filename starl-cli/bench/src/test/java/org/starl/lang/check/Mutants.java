@@ -76,6 +76,7 @@ public final class Mutants {
         of.invariants(),
         of.ends(),
         of.progress(),
+        of.refinements(),
         of.javaClass(),
         of.javaTypes(),
         of.comment(),
