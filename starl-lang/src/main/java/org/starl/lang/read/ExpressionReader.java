@@ -89,7 +89,7 @@ final class ExpressionReader {
       case StarlParser.NameContext name -> name(name, hint, pos);
       case StarlParser.FieldOfContext field -> field(field, pos);
       case StarlParser.ApplyContext apply -> apply(apply, hint, pos);
-      case StarlParser.RecordOfContext made -> record(made, pos);
+      case StarlParser.RecordOfContext made -> record(made, hint, pos);
       case StarlParser.NotContext not -> new Expr.Not(bool(not.expression()), pos);
       case StarlParser.NegativeContext minus ->
           new Expr.Negative(read(minus.expression(), whole(hint)), pos);
@@ -425,9 +425,10 @@ final class ExpressionReader {
     };
   }
 
-  private Expr record(StarlParser.RecordOfContext at, Pos pos) {
+  private Expr record(StarlParser.RecordOfContext at, @Nullable Type hint, Pos pos) {
     String name = at.name.getText();
-    Type type = scope.types.get(name);
+    boolean isWanted = hint != null && hint.base().toString().equals(name);
+    Type type = isWanted ? hint : scope.types.get(name);
     if (type == null || !(type.base() instanceof Type.Rec rec)) {
       throw wrong(
           at.name,

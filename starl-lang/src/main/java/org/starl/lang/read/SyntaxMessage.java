@@ -145,6 +145,12 @@ final class SyntaxMessage {
     if (text.equals(".") && isAtOnce && last.getText().equals(".")) {
       return cureOf("..");
     }
+    if (text.equals("[") && at.getContext() instanceof StarlParser.PartContext) {
+      return "':' and an automaton after its name here, as in 'm: Mutex_decls[PIDS, Zones]'";
+    }
+    if (NO_WAY.matcher(message).matches() && isInside(at, StarlParser.MappingContext.class)) {
+      return "':=' after a component, or 'is' after an action";
+    }
     boolean isEffect = isInside(at, StarlParser.EffContext.class);
     if (NO_WAY.matcher(message).matches() && isEffect) {
       return "':=' after the place, as in 'c := c + 1'";

@@ -75,6 +75,8 @@ class RefinementReaderTest {
           is nothing ~ is move(i, n) ~ 18:17: 'move' is no action of Door; expected one of [turn]
           is nothing ~ is if at then nothing ~ 18:20: 'at' is of type nat; expected bool
           is nothing, ~ is nothing ~ 19:3: found 'use'; expected ',' before a further condition or effect, or the next declaration or branch
+          refines door: Door[ ~ refines Door[ ~ 15:13: found '['; expected ':' and an automaton after its name here, as in 'm: Mutex_decls[PIDS, Zones]'
+          by := none, ~ by = none, ~ 17:6: found '='; expected ':=' after a component, or 'is' after an action
           is nothing, ~ := nothing, ~ 18:14: found ':='; expected 'is'
           """)
   void mistakeIsTold(String instead, String mistake, String told) {
