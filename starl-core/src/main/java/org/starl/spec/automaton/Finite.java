@@ -5,6 +5,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.LongStream;
 
 /**
  * Conditions on all values of an infinite type that are evaluated at finitely many of them: the
@@ -38,6 +39,11 @@ public final class Finite {
       }
     }
     return false;
+  }
+
+  /** The whole numbers from {@code from} to {@code to}. */
+  public static Iterable<Long> range(long from, long to) {
+    return () -> LongStream.rangeClosed(from, to).iterator();
   }
 
   /** The elements of {@code where} at which {@code condition} is true. */

@@ -139,6 +139,7 @@ expression
     | '-' expression                                                    # negative
     | expression op=('*' | '/') expression                              # product
     | expression op=('+' | '++' | '-' | UNION | MINUS | INTERSECT) expression  # sum
+    | expression '..' expression                                        # range
     | expression op=('=' | '!=' | '<' | '<=' | '>' | '>=' | IN | SUBSET | DISJOINT) expression # comparison
     | expression IS name=id                                             # isOf
     | NOT expression                                                    # not

@@ -188,6 +188,12 @@ final class Finite {
   /** Of two conditions: a bound of one if both must hold, else the bounds of both. */
   private @Nullable List<Code> both(
       String variable, Expr.Binary of, boolean leftWanted, boolean rightWanted, boolean mustBoth) {
+    if (mustBoth && leftWanted && rightWanted && isRange(of, variable)) {
+      Expr from = ((Expr.Binary) of.left()).left();
+      Expr to = ((Expr.Binary) of.right()).right();
+      Code range = Code.call(quantifiers() + ".range", writer.of(from), writer.of(to));
+      return List.of(tried(List.of(from, to), range));
+    }
     List<Code> left = bounds(variable, of.left(), leftWanted);
     if (mustBoth && left != null) {
       return left;
@@ -200,6 +206,21 @@ final class Finite {
       return null;
     }
     return joined(left, right);
+  }
+
+  /** Whether {@code at} is {@code a <= variable and variable <= b}, of whole numbers. */
+  private static boolean isRange(Expr.Binary at, String variable) {
+    return at.left() instanceof Expr.Binary low
+        && at.right() instanceof Expr.Binary high
+        && low.operator() == Operator.AT_MOST
+        && high.operator() == Operator.AT_MOST
+        && isVariable(low.right(), variable)
+        && isVariable(high.left(), variable)
+        && Type.isNumber(low.right().type(), Type.Num::isWhole)
+        && Type.isNumber(low.left().type(), Type.Num::isWhole)
+        && Type.isNumber(high.right().type(), Type.Num::isWhole)
+        && !Exprs.mentions(low.left(), variable)
+        && !Exprs.mentions(high.right(), variable);
   }
 
   private static List<Code> joined(List<Code> left, List<Code> right) {

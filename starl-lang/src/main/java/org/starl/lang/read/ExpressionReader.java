@@ -21,6 +21,7 @@ import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.BuiltIn;
 import org.starl.lang.tree.Expr.Operator;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Signature;
 import org.starl.lang.tree.Substitution;
@@ -103,6 +104,7 @@ final class ExpressionReader {
           arithmetic(operator(sum.op.getText()), sum.expression(), hint, pos);
       case StarlParser.ProductContext product ->
           arithmetic(operator(product.op.getText()), product.expression(), hint, pos);
+      case StarlParser.RangeContext range -> range(range, hint, pos);
       case StarlParser.IsOfContext is -> is(is, pos);
       case StarlParser.QuantifiedContext quantified -> quantified(quantified, pos);
       case StarlParser.LetContext let -> let(let, hint);
@@ -401,6 +403,9 @@ final class ExpressionReader {
       Expr of = element == null ? any(argument, null) : read(argument, element);
       return new Expr.Some(of, whole(hint, new Type.OptionOf(of.type())), pos);
     }
+    if (name.equals("card") && inside(argument) instanceof StarlParser.RangeContext range) {
+      return size(range, pos);
+    }
     Expr of = any(argument, null);
     if (name.equals("the")) {
       if (!(of.type().base() instanceof Type.OptionOf option)) {
@@ -488,6 +493,9 @@ final class ExpressionReader {
     ExpressionContext right = sides.get(1);
     return switch (operator) {
       case IN -> {
+        if (inside(right) instanceof StarlParser.RangeContext range) {
+          yield within(range, read(left, Num.INT), pos);
+        }
         Expr set = set(any(right, null), right);
         Type element = ((Type.SetOf) set.type().base()).element();
         yield new Expr.Binary(operator, read(left, element), set, Type.Bool.BOOL, pos);
@@ -507,6 +515,53 @@ final class ExpressionReader {
         yield new Expr.Binary(operator, again(a, left, b), b, Type.Bool.BOOL, pos);
       }
     };
+  }
+
+  // --- ranges are sets of whole numbers, {n: nat | a <= n and n <= b}
+
+  private Expr range(StarlParser.RangeContext at, @Nullable Type hint, Pos pos) {
+    Expr from = bound(at, 0);
+    Expr to = bound(at, 1);
+    boolean isInt = hint != null && hint.base().equals(new Type.SetOf(Num.INT));
+    Type element = isInt || from.type().base() != Num.NAT ? Num.INT : Num.NAT;
+    String name = "n";
+    while (scope.taken(name).isPresent()
+        || Exprs.mentions(from, name)
+        || Exprs.mentions(to, name)) {
+      name += "_";
+    }
+    Expr body = within(at, new Expr.Variable(name, element, pos), pos);
+    return new Expr.SuchThat(
+        new Field(name, element), body, whole(hint, new Type.SetOf(element)), pos);
+  }
+
+  private Expr bound(StarlParser.RangeContext at, int number) {
+    return read(at.expression(number), Num.INT);
+  }
+
+  /** {@code a <= value and value <= b}. */
+  private Expr within(StarlParser.RangeContext at, Expr value, Pos pos) {
+    Type bool = Type.Bool.BOOL;
+    Expr low = new Expr.Binary(Operator.AT_MOST, bound(at, 0), value, bool, pos);
+    Expr high = new Expr.Binary(Operator.AT_MOST, value, bound(at, 1), bool, pos);
+    return new Expr.Binary(Operator.AND, low, high, bool, pos);
+  }
+
+  private Expr size(StarlParser.RangeContext at, Pos pos) {
+    Expr from = bound(at, 0);
+    Expr to = bound(at, 1);
+    Expr one = new Expr.Numeral(BigDecimal.ONE, Num.NAT, pos);
+    Expr zero = new Expr.Numeral(BigDecimal.ZERO, Num.NAT, pos);
+    Expr less = new Expr.Binary(Operator.LESS_BY, to, from, Num.INT, pos);
+    Expr size = new Expr.Binary(Operator.PLUS, less, one, Num.INT, pos);
+    Expr isFull = new Expr.Binary(Operator.AT_MOST, from, to, Type.Bool.BOOL, pos);
+    return new Expr.If(isFull, size, zero, Num.NAT, pos);
+  }
+
+  private static ExpressionContext inside(ExpressionContext at) {
+    return at instanceof StarlParser.ParenthesesContext parentheses
+        ? inside(parentheses.expression())
+        : at;
   }
 
   private Expr set(Expr expr, ExpressionContext at) {

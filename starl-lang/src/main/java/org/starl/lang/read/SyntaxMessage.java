@@ -43,6 +43,7 @@ final class SyntaxMessage {
           "'/'",
           "'('",
           "'.'",
+          "'..'",
           "'union'",
           "'minus'",
           "'intersect'",
@@ -80,7 +81,6 @@ final class SyntaxMessage {
           entry("#", "'//' before a comment"),
           entry("-", "'//' before a comment, or a value before '-'"),
           entry("/", "'//' before a comment, or a value before '/'"),
-          entry("..", "two comparisons: 0 <= n and n <= 2"),
           entry("let", "a function: 'fun name: type = ...'"),
           entry("var", "'state'"),
           entry("variables", "'state'"),
@@ -141,9 +141,6 @@ final class SyntaxMessage {
     }
     if (text.equals(">") && isAtOnce && last.getText().equals("<")) {
       return "'!=' for not equal";
-    }
-    if (text.equals(".") && isAtOnce && last.getText().equals(".")) {
-      return cureOf("..");
     }
     if (text.equals("[") && at.getContext() instanceof StarlParser.PartContext) {
       return "':' and an automaton after its name here, as in 'm: Mutex_decls[PIDS, Zones]'";
