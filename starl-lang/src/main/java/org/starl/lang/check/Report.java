@@ -1,6 +1,7 @@
 package org.starl.lang.check;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
@@ -8,6 +9,7 @@ import java.util.stream.Stream;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Refinement;
 import org.starl.lang.verdict.Verdict;
 
 /** The result of a search in words. It has no times: equal searches have equal reports. */
@@ -46,6 +48,7 @@ public final class Report {
             },
             () -> lines.add(head + counts + "; " + verdict(automaton, result) + never(result)));
     addNotes(lines, sizes, result);
+    automaton.refinements().forEach(each -> addUnused(lines, each, result));
     addFairness(lines, automaton);
     return List.copyOf(lines);
   }
@@ -103,6 +106,21 @@ public final class Report {
         .neverFalse()
         .forEach((action, texts) ->
             texts.forEach(text -> lines.add("  never false: '" + text + "' of " + action)));
+  }
+
+  /** The steps of an abstract automaton that no action that happens takes. */
+  private static void addUnused(List<String> lines, Refinement of, Search.Result result) {
+    Set<String> unused = new LinkedHashSet<>();
+    of.of().actions().forEach(action -> unused.add(action.name()));
+    of.steps()
+        .forEach((action, steps) -> {
+          if (!result.never().contains(action)) {
+            steps.forEach(step -> unused.remove(step.action().name()));
+          }
+        });
+    if (result.finding().isEmpty() && !unused.isEmpty()) {
+      lines.add("  never a step of " + of.name() + ": " + String.join(", ", unused));
+    }
   }
 
   /** Of which runs progress was asked. */

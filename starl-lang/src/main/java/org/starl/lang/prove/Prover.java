@@ -383,7 +383,12 @@ public final class Prover {
               (title, text) -> keep.accept("refinement-" + of.name() + "-" + title, text));
       List<Invariant> known = new ArrayList<>(assumed);
       known.add(of.mapping());
-      return prover.new Induction(known).refines(of);
+      try {
+        return prover.new Induction(known).refines(of);
+      } catch (Unprovable e) {
+        String text = "is not decided: " + e.getMessage();
+        return new Claim(of.title(), Verdict.UNDECIDED, text, List.of());
+      }
     }
 
     /** Of the automaton beside which the abstract one is. */

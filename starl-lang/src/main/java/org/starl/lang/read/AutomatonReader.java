@@ -187,7 +187,26 @@ final class AutomatonReader extends PartsReader {
           at,
           "'" + of.getText() + given + "' renames parameters; expected " + of.getText() + wanted);
     }
+    for (String each : used.typeParameters()) {
+      if (!new Type.Opaque(each).equals(scope.types.get(each))) {
+        throw noParameter(at, each, of, "an opaque type");
+      }
+    }
+    for (Field each : used.valueParameters()) {
+      Type type = scope.values.get(each.name());
+      if (type == null || !type.base().equals(each.type().base())) {
+        throw noParameter(at, each.name(), of, each.name() + ": " + each.type());
+      }
+    }
     return used;
+  }
+
+  private Wrong noParameter(
+      ParserRuleContext at, String parameter, StarlParser.IdContext of, String expected) {
+    return expressions.wrong(
+        at,
+        "'%s' of %s is no parameter of %s; expected %s in [ ] after its name"
+            .formatted(parameter, of.getText(), scope.automaton, expected));
   }
 
   private Action action(StarlParser.ActionPartContext at) {

@@ -33,7 +33,6 @@ final class RefinementReader {
   /** @param of the abstract automaton */
   Refinement read(StarlParser.RefinesPartContext at, Automaton of) {
     String name = reader.newName(at.name);
-    requireParameters(at, of);
     reader.scope.knowTypes(of);
     Map<String, Expr> given = new LinkedHashMap<>();
     reader.each(at.mapping(), StarlParser.MappedContext.class, each -> value(each, of, given));
@@ -55,29 +54,6 @@ final class RefinementReader {
         });
     return new Refinement(
         name, of, Collections.unmodifiableMap(values), Collections.unmodifiableMap(steps), pos(at));
-  }
-
-  /** The abstract automaton speaks of this one's parameters alone. */
-  private void requireParameters(StarlParser.RefinesPartContext at, Automaton of) {
-    for (String each : of.typeParameters()) {
-      if (!new Type.Opaque(each).equals(reader.scope.types.get(each))) {
-        throw wrong(at, each, of, "an opaque type");
-      }
-    }
-    for (Field each : of.valueParameters()) {
-      Type type = reader.scope.values.get(each.name());
-      if (type == null || !type.base().equals(each.type().base())) {
-        throw wrong(at, each.name(), of, each.name() + ": " + each.type());
-      }
-    }
-  }
-
-  private Wrong wrong(
-      StarlParser.RefinesPartContext at, String parameter, Automaton of, String expected) {
-    return reader.expressions.wrong(
-        at,
-        "'%s' of %s is no parameter of %s; expected %s in [ ] after its name"
-            .formatted(parameter, of.name(), reader.scope.automaton, expected));
   }
 
   // --- the abstract state

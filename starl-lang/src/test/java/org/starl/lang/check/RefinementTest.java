@@ -171,6 +171,17 @@ class RefinementTest {
   }
 
   @Test
+  void abstractStepsThatNoActionTakesAreNamed() throws IOException, SourceErrors {
+    Automaton automaton = new SourceReader().read(RefinementModels.file("LockServer")).getLast();
+    Sizes sizes = sizes(automaton);
+    assertThat(Report.lines(automaton, sizes, result(automaton, sizes, 1000), of -> of))
+        .contains("  never a step of mutex: withdraw, restart, stands_in");
+    assertThat(lines(COUNTERS)).noneMatch(line -> line.contains("never a step"));
+    assertThat(lines(counters("pre at(p) = 0,", "pre at(p) > 0,")))
+        .contains("  never a step of total: add");
+  }
+
+  @Test
   void whatIsNotExploredDoesNotHold() throws SourceErrors {
     assertThat(lines(counters("at(p) = 0\n", "at(p) = 0 and at(p) = 1\n")).getFirst())
         .contains("not decided: THERE IS NO START STATE");

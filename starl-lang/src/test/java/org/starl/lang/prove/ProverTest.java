@@ -384,6 +384,31 @@ class ProverTest {
         .isEqualTo("does not hold in a start state");
   }
 
+  @Test
+  void refinementThatIsNotTranslatedIsNotDecided() {
+    String text =
+        """
+        automaton Log
+        state last: option[set[nat]]
+        start last = none
+        action write
+          eff last := some({1})
+        automaton Switch
+        state on: bool
+        start not on
+        refines log: Log by
+          last := if on then some({1}) else none,
+          turn is write
+        action turn
+          eff on := true
+        invariant Any: on or not on
+        """;
+    assertThat(proved(text).lines()).contains("Switch: Any holds");
+    assertThat(proved(text).claim("refinement log").orElseThrow().text())
+        .startsWith("is not decided: ")
+        .contains("set[nat]");
+  }
+
   private static Report proved(String text, String beside) throws SourceErrors {
     Automaton automaton =
         new SourceReader().look("x", text, RefinementModels.file(beside)).automata().getLast();

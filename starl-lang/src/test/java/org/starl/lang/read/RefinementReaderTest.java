@@ -124,6 +124,26 @@ class RefinementReaderTest {
             "[lift.starl:1:21: automaton 'B' is not known; expected it before this one, or in B.starl beside this file]");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '~',
+      textBlock =
+          """
+          Use[n: nat] ~ 'P' of Low is no parameter of Use; expected an opaque type
+          Use[P] ~ 'n' of Low is no parameter of Use; expected n: nat
+          Use[P, n: int] ~ 'n' of Low is no parameter of Use; expected n: nat
+          """)
+  void usedAutomatonHasItsParameters(String head, String told) {
+    String text =
+        """
+        automaton Low[P, n: nat] state x: nat start x = 0 action clear eff x := n
+        automaton %s uses low: Low[P, n] start low.start? action clear eff low.clear()
+        """;
+    int column = 12 + head.length();
+    assertThat(errors(text.formatted(head)).errors())
+        .hasToString("[lift.starl:2:%d: %s in [ ] after its name]".formatted(column, told));
+  }
+
   @Test
   void programsRefineNothing() {
     String program =
