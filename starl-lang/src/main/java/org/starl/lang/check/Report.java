@@ -161,8 +161,11 @@ public final class Report {
                 automaton.claims().stream())
             .toList();
     if (names.size() > MOST_NAMED) {
-      String and = automaton.claims().isEmpty() ? "" : " and progress";
-      return "all %d invariants%s hold".formatted(names.size(), and);
+      List<String> refined = automaton.refinements().stream().map(Refinement::title).toList();
+      String and =
+          (refined.isEmpty() ? "" : " and " + String.join(", ", refined))
+              + (automaton.claims().isEmpty() ? "" : " and progress");
+      return "all %d invariants%s hold".formatted(names.size() - refined.size(), and);
     }
     return switch (names.size()) {
       case 0 -> "it has no invariant";

@@ -40,12 +40,13 @@ final class RefinementReader {
     reader.each(
         at.mapping(), StarlParser.StepOfContext.class, each -> steps(each, name, of, steps));
     Map<String, Expr> values = new LinkedHashMap<>();
+    boolean isRight = reader.problems.isEmpty();
     Refinement.paths(of)
         .forEach((path, type) -> {
           Expr value = given.get(path);
           if (value != null) {
             values.put(path, value);
-          } else if (reader.problems.isEmpty()) {
+          } else if (isRight) { // else its value may be what is wrong
             reader.problems.add(
                 at,
                 "'%s' of %s has no value; expected '%s := ...', of type %s"

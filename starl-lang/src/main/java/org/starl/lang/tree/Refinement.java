@@ -111,9 +111,13 @@ public record Refinement(
     Stream<Expr> assumed = of.assumptions().stream().map(Invariant::condition);
     List<Expr> all =
         Stream.concat(assumed, Stream.of(new Expr.Started(name, of, pos)))
-            .map(each -> Exprs.rebuild(each, pos, part -> part))
+            .map(each -> at(each, pos))
             .toList();
     return new Invariant(title(), Exprs.all(all, pos), List.of(), pos);
+  }
+
+  private static Expr at(Expr expr, Pos pos) {
+    return Exprs.rebuild(expr, pos, part -> at(part, pos));
   }
 
   /** The component of the abstract state that has this path. */

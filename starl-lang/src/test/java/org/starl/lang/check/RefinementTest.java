@@ -182,6 +182,16 @@ class RefinementTest {
   }
 
   @Test
+  void refinementIsNamedBesideManyInvariants() throws SourceErrors {
+    StringBuilder text = new StringBuilder(COUNTERS);
+    for (int i = 0; i < 9; i++) {
+      text.append("invariant I").append(i).append(": sum <= 2\n");
+    }
+    assertThat(lines(text.toString()).getFirst())
+        .endsWith("all 9 invariants and refinement total hold");
+  }
+
+  @Test
   void whatIsNotExploredDoesNotHold() throws SourceErrors {
     assertThat(lines(counters("at(p) = 0\n", "at(p) = 0 and at(p) = 1\n")).getFirst())
         .contains("not decided: THERE IS NO START STATE");

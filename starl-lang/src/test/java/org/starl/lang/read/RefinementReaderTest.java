@@ -86,6 +86,15 @@ class RefinementReaderTest {
   }
 
   @Test
+  void eachComponentWithoutAValueIsTold() {
+    String text = LIFT.replaceAll("(?s)is_at := match.*?by := none,", "");
+    assertThat(errors(text).errors())
+        .hasToString(
+            "[lift.starl:15:1: 'is_at' of Door has no value; expected 'is_at := ...', of type Way,"
+                + " lift.starl:15:1: 'by' of Door has no value; expected 'by := ...', of type option[PIDS]]");
+  }
+
+  @Test
   void refinementBecomesATree() throws SourceErrors {
     Automaton lift = new SourceReader().read("lift.starl", LIFT).getLast();
     Refinement door = lift.refinements().getFirst();
