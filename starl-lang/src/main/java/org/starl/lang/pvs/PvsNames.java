@@ -70,6 +70,7 @@ final class PvsNames {
     }
     automaton.invariants().forEach(invariant -> collect(invariant.condition()));
     for (Refinement each : automaton.refinements()) {
+      automaton.actions().forEach(action -> action.parameters().forEach(this::add));
       each.values().values().forEach(this::collect);
       each.steps().values().stream()
           .flatMap(List::stream)

@@ -359,6 +359,20 @@ class PvsTheoryTest {
 
               group_known(s): bool = reachable(s)
             """,
-            "FORALL i, (RS: set[Zones]):");
+            "RS: VAR set[Zones]",
+            "FORALL i, RS:");
+  }
+
+  @Test
+  void nameOfTwoTypesHasItsTypeInTheorems() throws SourceErrors {
+    String text =
+        """
+        automaton Low[P] state x: set[P] start x = {} action put(p: P) eff x := x union {p}
+        automaton High[P] state x: set[P] n: nat start x = {}, forall p: nat :: p >= 0
+        refines low: Low[P] by x := x, put(p) is put(p)
+        action put(p: P) eff x := x union {p}
+        """;
+    assertThat(PvsTheory.of(new SourceReader().read("x", text).getLast(), "x"))
+        .contains("FORALL (p: nat): p >= 0", "FORALL (p: P):");
   }
 }
