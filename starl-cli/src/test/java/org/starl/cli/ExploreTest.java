@@ -148,9 +148,9 @@ class ExploreTest {
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.out())
         .containsExactly(
-            "agreement (robots 3, crashes 0, voters 0, proposers 1, ballots 0): 75 states, all that"
-                + " there are, 492 steps; no invariant is violated",
-            "  in 10 of them a robot knows the decision");
+            "agreement (robots 3, crashes 0, timers 0, voters 0, proposers 1): 70 states, all that"
+                + " there are, 187 steps; no invariant is violated",
+            "  in 5 of them a robot knows the decision");
     Cli few = Cli.run("explore mutex --strategy states --crashes 1 --states 50 --json".split(" "));
     assertThat(few.text()).contains("\"crashes\":1", "\"states\":50", "\"complete\":false");
   }

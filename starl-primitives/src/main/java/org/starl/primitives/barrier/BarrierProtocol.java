@@ -4,6 +4,7 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.Collections;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -190,6 +191,20 @@ class BarrierProtocol extends SynodProtocol {
 
   ProcessId me() {
     return me;
+  }
+
+  /**
+   * The state without times and the Synod's: robots with equal texts behave alike. Acknowledgements are
+   * left out: they end repetitions alone.
+   */
+  String state() {
+    SortedMap<Long, SortedSet<ProcessId>> here = new TreeMap<>(arrivals);
+    here.values().removeIf(Set::isEmpty);
+    String known = decided + " " + outcomes + here + generation;
+    boolean isTurnSet = proposeAtNs != NEVER;
+    return waiting
+        ? known + isLate + suspicion.suspects(nowNs) + (isTurnSet ? "turn" : "") + givenUp
+        : known;
   }
 
   // The protocol.

@@ -1,249 +1,133 @@
 package org.starl.primitives.agreement;
 
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Deque;
 import java.util.List;
-import java.util.Optional;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
-import org.starl.primitives.exhaustive.StateSearch;
-import org.starl.primitives.exhaustive.StateSearch.Model;
-import org.starl.primitives.exhaustive.StateSearch.Steps;
+import org.starl.primitives.agreement.SynodRobot.Packet;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.random.Rng;
+import org.starl.spec.Monitor.Report;
 
-/** The states of robots that run the Synod's code for one decree, with writes that a crash loses. */
-public final class SynodStates implements Model<SynodStates.Node, SynodStates.Message, Integer> {
+/** The states of robots that run the Synod's code for one decree. */
+public final class SynodStates extends SynodModel<SynodStates.Node> {
 
-  private static final int MOST_ROBOTS = 5;
-
-  /**
-   * Robots decide one value; a crash loses what is not flushed, and the robot starts again.
-   */
+  /** Robots decide one value, some of them propose one of their own in each start. */
   public static final StateSpace SPACE =
-      new StateSpace(
+      space(
           "agreement",
           "a robot knows the decision",
-          List.of(
-              new Bound("robots", "robots", 1, 2, MOST_ROBOTS),
-              new Bound("crashes", "crashes, each with a restart", 0, 0, MOST_ROBOTS),
-              new Bound("voters", "robots that vote; 0: all", 0, 0, MOST_ROBOTS),
-              new Bound("proposers", "robots that propose", 1, 1, MOST_ROBOTS),
-              new Bound("ballots", "further ballots of one start of a robot", 0, 0, 3)),
-          SynodStates::search);
+          bounds -> new SynodStates(bounds, false),
+          new Bound("voters", "robots that vote; 0: all", 0, 0, 5),
+          new Bound("proposers", "robots that propose", 1, 1, 5));
 
-  private static StateSearch<?, ?, ?> search(ToIntFunction<String> bounds) {
-    int robots = bounds.applyAsInt("robots");
-    int voters = bounds.applyAsInt("voters");
-    Shape shape =
-        new Shape(
-            robots,
-            voters == 0 ? robots : Math.min(robots, voters),
-            Math.min(robots, bounds.applyAsInt("proposers")),
-            bounds.applyAsInt("ballots"),
-            bounds.applyAsInt("crashes"),
-            false);
-    return new StateSearch<>(new SynodStates(shape));
-  }
+  private final int voters;
+  private final int proposers;
+  private final boolean losesFlushed;
 
   /**
-   * The instance to explore.
-   *
-   * @param robots of which the first {@code acceptors} vote
-   * @param proposers the first robots, which propose a value of their own in each start
-   * @param ballots the largest number of ballots of one start beyond its first
-   * @param restarts the largest number of crashes, each with a restart
    * @param losesFlushed whether a crash loses even flushed writes, as broken storage does
    */
-  record Shape(
-      int robots, int acceptors, int proposers, int ballots, int restarts, boolean losesFlushed) {}
-
-  record Message(int from, int to, SynodMessage content) {}
-
-  private static RobotId robot(int i) {
-    return new RobotId("bot" + i);
+  SynodStates(ToIntFunction<String> bounds, boolean losesFlushed) {
+    super(bounds);
+    voters = bounds.applyAsInt("voters");
+    proposers = bounds.applyAsInt("proposers");
+    this.losesFlushed = losesFlushed;
   }
 
-  /** A robot with its storage, through all of its starts. */
-  static final class Node implements SynodLink, SynodListener {
-    final int me;
-    final Shape shape;
-    final Consumer<Message> net;
-    final TreeSet<String> learned = new TreeSet<>();
-    // Writes that a crash loses, and the version of the last one that it does not lose.
-    final Deque<byte[]> unflushed = new ArrayDeque<>();
-    long flushedVersion;
-    byte @Nullable [] stored;
-    int starts;
-    int ballots;
-    boolean hasProposed;
-    Synod synod;
+  /** A robot with the values that it has learned. */
+  final class Node extends SynodRobot<Node.Protocol> {
+    private final TreeSet<String> learned = new TreeSet<>();
+    private boolean hasProposed;
 
-    Node(int me, Shape shape, Consumer<Message> net) {
-      this.me = me;
-      this.shape = shape;
-      this.net = net;
-      this.synod = start();
+    Node(int me, Consumer<Packet> net) {
+      super(me, net, mayCrash() && !losesFlushed);
     }
 
-    private Synod start() {
-      starts++;
-      ballots = 0;
+    @Override
+    protected Protocol begin(ProcessId id) {
       hasProposed = false;
-      List<RobotId> voters = new ArrayList<>();
-      for (int i = 0; i < shape.acceptors(); i++) {
-        voters.add(robot(i));
-      }
-      return new Synod(
-          robot(me),
-          Participants.of(voters),
-          ProcessId.first(robot(me), starts),
-          SynodTiming.DEFAULT,
-          new Rng(1),
-          this,
-          this);
+      return new Protocol(id, nowNs);
     }
 
-    void restart() {
-      unflushed.clear();
-      flushedVersion = 0;
-      stored = shape.losesFlushed() ? null : stored;
-      synod = start();
-    }
-
-    void flush() {
-      stored = unflushed.remove();
-      flushedVersion++;
-      synod.flushed(flushedVersion);
-    }
-
-    /** Only a crash shows when a write is flushed. */
-    void flushIfNothingIsLost() {
-      while (!unflushed.isEmpty() && (shape.restarts() == 0 || shape.losesFlushed())) {
-        flush();
-      }
-    }
-
-    void propose() {
+    private void propose() {
       hasProposed = true;
       Value mine = Value.of(new byte[] {(byte) me});
-      synod.propose(1, Value.EMPTY, wishes -> mine, 0);
-      flushIfNothingIsLost();
-    }
-
-    /** The proposer's timer is due; counted if that is more than a repetition. */
-    void timer() {
-      String before = synod.state();
-      synod.timer(synod.wakeAtNs());
-      ballots += synod.state().equals(before) ? 0 : 1;
+      protocol().synod.propose(1, Value.EMPTY, wishes -> mine, nowNs);
     }
 
     @Override
     public byte @Nullable [] record() {
-      return stored;
+      return losesFlushed ? null : super.record();
     }
 
     @Override
-    public void send(RobotId to, SynodMessage message) {
-      net.accept(new Message(me, Integer.parseInt(to.name().substring(3)), message));
+    protected void received(Object message) {
+      throw new IllegalArgumentException("not of the Synod: " + message);
     }
 
     @Override
-    public void persist(long version, byte[] record) {
-      unflushed.add(record);
+    protected String state() {
+      return learned + " " + hasProposed;
     }
 
-    @Override
-    public void chosen(long number, Value value) {
-      learned.add(value.toString());
+    final class Protocol extends SynodProtocol {
+      Protocol(ProcessId id, long now) {
+        super(id.robot(), acceptors(), id, SynodTiming.DEFAULT, new Rng(1), Node.this, now);
+      }
+
+      @Override
+      public void chosen(long number, Value value) {
+        learned.add(value.toString());
+      }
+
+      @Override
+      public void learned(long number, Value value) {
+        learned.add(value.toString());
+      }
+
+      @Override
+      protected void ownTimers() {
+        // It has none.
+      }
+
+      @Override
+      protected long ownWakeAtNs() {
+        return NEVER;
+      }
     }
-
-    @Override
-    public void learned(long number, Value value) {
-      learned.add(value.toString());
-    }
-
-    @Override
-    public String toString() {
-      StringBuilder text = new StringBuilder();
-      text.append(learned).append(Arrays.toString(stored)).append(starts).append(ballots);
-      unflushed.forEach(write -> text.append(Arrays.toString(write)));
-      return text.append(hasProposed).append(synod.state()).toString();
-    }
   }
 
-  private final Shape shape;
-
-  /** The state outside the robots is the number of crashes. */
-  SynodStates(Shape shape) {
-    this.shape = shape;
+  private Participants acceptors() {
+    int most = Math.min(size(), voters == 0 ? size() : voters);
+    return Participants.of(names().asList().subList(0, most));
   }
 
   @Override
-  public int size() {
-    return shape.robots();
+  protected Node create(int i, Consumer<Packet> net) {
+    return new Node(i, net);
   }
 
   @Override
-  public Node make(int i, Consumer<Message> net) {
-    return new Node(i, shape, net);
-  }
-
-  @Override
-  public String text(Node node) {
-    return node.toString();
-  }
-
-  @Override
-  public int to(Message message) {
-    return message.to();
-  }
-
-  @Override
-  public void receive(Node node, Message message) {
-    node.synod.received(robot(message.from()), message.content(), 0);
-    node.flushIfNothingIsLost();
-  }
-
-  @Override
-  public boolean isSpent(Node recipient, Message message) {
-    return recipient.synod.isSpent(message.content());
-  }
-
-  @Override
-  public Integer begin() {
-    return 0;
-  }
-
-  @Override
-  public void addSteps(int i, Node node, Integer crashes, Steps<Node, Integer> steps) {
-    if (i < shape.proposers() && !node.hasProposed && node.synod.latest() == null) {
-      steps.add(robot(i) + " proposes", Node::propose, crashes);
-    }
-    if (node.synod.isProposing() && node.ballots < shape.ballots()) {
-      steps.add(robot(i) + "'s timer", Node::timer, crashes);
-    }
-    if (!node.unflushed.isEmpty()) {
-      steps.add(robot(i) + " flushes", Node::flush, crashes);
-    }
-    if (crashes < shape.restarts()) {
-      steps.add(robot(i) + " restarts", Node::restart, crashes + 1);
+  protected void addCalls(Node robot, BiConsumer<String, Consumer<Node>> calls) {
+    boolean isOpen = robot.protocol().synod.latest() == null;
+    if (robot.me < proposers && !robot.hasProposed && isOpen) {
+      calls.accept("proposes", Node::propose);
     }
   }
 
   @Override
-  public Optional<String> violation(List<Node> nodes, Integer crashes) {
+  protected void check(List<Node> all, Report report) {
     TreeSet<String> decided = new TreeSet<>();
-    nodes.forEach(node -> decided.addAll(node.learned));
-    return decided.size() > 1 ? Optional.of("Agreement: " + decided) : Optional.empty();
+    all.forEach(node -> decided.addAll(node.learned));
+    if (decided.size() > 1) {
+      report.violated("Agreement", 0, List.of(), decided.toString());
+    }
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.starl.primitives.exhaustive;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -18,6 +19,9 @@ import org.jspecify.annotations.Nullable;
  * checker visits those of a model. Messages stay in a set for ever, which covers loss, delay,
  * duplication and reordering. There is no clock: what a timer may do is a step that is always
  * possible.
+ *
+ * <p>A message that its recipient answers without a change of its own state is answered at once: this
+ * leaves out no state of participants, since they can do more, the more is sent.
  *
  * <p>Participants depend on each other only through messages and the shared state. So the protocol
  * runs once for each state of one participant and each step of it ({@link Local}); states of all
@@ -56,7 +60,7 @@ public final class StateSearch<N, M, S> {
     S begin();
 
     /** Adds the steps of participant {@code i} other than to receive a message. */
-    void addSteps(int i, N node, S shared, Steps<N, S> steps);
+    void addSteps(int i, List<N> nodes, S shared, Steps<N, S> steps);
 
     /** The first violated invariant, if one is violated. */
     Optional<String> violation(List<N> nodes, S shared);
@@ -83,7 +87,8 @@ public final class StateSearch<N, M, S> {
    * @param reached those in which the protocol has reached what it is for
    * @param steps the steps between them
    * @param isComplete whether there are no others
-   * @param violation the shortest steps to a violation, and what is violated; empty if nothing is
+   * @param violation the fewest steps that change a participant to a violation, with the answers between,
+   *     and what is violated; empty if nothing is
    */
   public record Outcome(
       int states, int reached, long steps, boolean isComplete, List<String> violation) {}
@@ -144,7 +149,46 @@ public final class StateSearch<N, M, S> {
       begun.add(reached.local());
       sent.or(reached.sent());
     }
-    return new State(begun, sent, model.begin(), null, "");
+    answer(begun, sent);
+    return new State(begun, sent, model.begin(), null, 0, "");
+  }
+
+  /** Messages that {@code message} brings its recipient to send, which stays as it is. */
+  private record Answers(int message, BitSet sent) {}
+
+  /**
+   * Adds to {@code sent} all answers of recipients that stay as they are, and drops what is spent. The
+   * more is sent, the more can happen: so no state of participants is left out.
+   */
+  private Deque<Answers> answer(List<Local> locals, BitSet sent) {
+    Deque<Answers> all = new ArrayDeque<>();
+    removeSpent(locals, sent);
+    BitSet open = (BitSet) sent.clone();
+    for (int m = open.nextSetBit(0); m >= 0; m = open.nextSetBit(0)) {
+      open.clear(m);
+      Local local = locals.get(model.to(messages.get(m)));
+      Reached<Local> reached = local.after(m);
+      if (reached.local() == local) {
+        BitSet answers = (BitSet) reached.sent().clone();
+        answers.andNot(sent);
+        removeSpent(locals, answers);
+        sent.or(answers);
+        open.or(answers);
+        if (!answers.isEmpty()) {
+          all.addFirst(new Answers(m, answers));
+        }
+      }
+    }
+    return all;
+  }
+
+  private void removeSpent(List<Local> locals, BitSet sent) {
+    for (int m = sent.nextSetBit(0); m >= 0; m = sent.nextSetBit(m + 1)) {
+      M message = messages.get(m);
+      if (model.isSpent(locals.get(model.to(message)).node, message)) {
+        sent.clear(m);
+      }
+    }
   }
 
   /** The state of a participant after a step, and the messages that the step sent. */
@@ -179,12 +223,19 @@ public final class StateSearch<N, M, S> {
     private final int i;
     private final List<Consumer<N>> steps;
     private final Map<String, Reached<Local>> after = new LinkedHashMap<>();
+    private final Map<Integer, Reached<Local>> afterMessage = new LinkedHashMap<>();
 
     Local(int i, N node, List<Consumer<N>> steps, int number) {
       this.i = i;
       this.node = node;
       this.steps = steps;
       this.number = number;
+    }
+
+    Reached<Local> after(int m) {
+      M message = messages.get(m);
+      return afterMessage.computeIfAbsent(
+          m, any -> after(message.toString(), participant -> model.receive(participant, message)));
     }
 
     Reached<Local> after(String line, Consumer<N> action) {
@@ -203,13 +254,18 @@ public final class StateSearch<N, M, S> {
     private final BitSet sent;
     private final S shared;
     private final @Nullable State before;
+    private final int who;
     private final String line;
 
-    State(List<Local> locals, BitSet sent, S shared, @Nullable State before, String line) {
+    /**
+     * @param before the state before, after which participant {@code who} took the step {@code line}
+     */
+    State(List<Local> locals, BitSet sent, S shared, @Nullable State before, int who, String line) {
       this.locals = locals;
       this.sent = sent;
       this.shared = shared;
       this.before = before;
+      this.who = who;
       this.line = line;
     }
 
@@ -230,10 +286,27 @@ public final class StateSearch<N, M, S> {
       return key.append(shared).toString();
     }
 
+    /** The steps to this state, with the answers that they need. */
     List<String> story(String last) {
       ArrayDeque<String> story = new ArrayDeque<>(List.of(last));
-      for (State state = this; state.before != null; state = state.before) {
+      BitSet needed = new BitSet();
+      State state = this;
+      for (State start = before; start != null; start = start.before) {
+        Reached<Local> step = start.locals.get(state.who).after(state.line, participant -> {});
+        BitSet all = (BitSet) start.sent.clone();
+        all.or(step.sent());
+        for (Answers each : answer(state.locals, all)) {
+          if (each.sent().intersects(needed)) {
+            needed.set(each.message());
+            story.addFirst(messages.get(each.message()).toString());
+          }
+        }
+        Integer message = messageNumbers.get(state.line);
+        if (message != null) {
+          needed.set(message);
+        }
         story.addFirst(state.line);
+        state = start;
       }
       return List.copyOf(story);
     }
@@ -241,35 +314,33 @@ public final class StateSearch<N, M, S> {
     /** The states after one step. */
     List<State> next() {
       List<State> all = new ArrayList<>();
+      List<N> nodes = nodes();
       for (int i = 0; i < locals.size(); i++) {
         int me = i;
         model.addSteps(
             i,
-            locals.get(i).node,
+            nodes,
             shared,
-            (text, action, after) -> all.add(after(me, text, action, after)));
+            (text, action, after) ->
+                all.add(after(me, text, locals.get(me).after(text, action), after)));
       }
       for (int m = sent.nextSetBit(0); m >= 0; m = sent.nextSetBit(m + 1)) {
-        M message = messages.get(m);
-        int to = model.to(message);
-        all.add(after(to, message.toString(), node -> model.receive(node, message), shared));
+        int to = model.to(messages.get(m));
+        Reached<Local> reached = locals.get(to).after(m);
+        if (reached.local() != locals.get(to)) {
+          all.add(after(to, messages.get(m).toString(), reached, shared));
+        }
       }
       return all;
     }
 
-    private State after(int i, String text, Consumer<N> action, S newShared) {
-      Reached<Local> reached = locals.get(i).after(text, action);
+    private State after(int i, String text, Reached<Local> reached, S newShared) {
       List<Local> now = new ArrayList<>(locals);
       now.set(i, reached.local());
       BitSet more = (BitSet) sent.clone();
       more.or(reached.sent());
-      for (int m = more.nextSetBit(0); m >= 0; m = more.nextSetBit(m + 1)) {
-        M message = messages.get(m);
-        if (model.isSpent(now.get(model.to(message)).node, message)) {
-          more.clear(m);
-        }
-      }
-      return new State(now, more, newShared, this, text);
+      answer(now, more);
+      return new State(now, more, newShared, this, i, text);
     }
   }
 }

@@ -199,7 +199,8 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
   }
 
   @Override
-  public void addSteps(int i, MutexNode node, World world, Steps<MutexNode, World> steps) {
+  public void addSteps(int i, List<MutexNode> nodes, World world, Steps<MutexNode, World> steps) {
+    MutexNode node = nodes.get(i);
     if (node.dead) {
       return;
     }

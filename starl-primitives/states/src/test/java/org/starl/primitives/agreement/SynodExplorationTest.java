@@ -3,54 +3,34 @@ package org.starl.primitives.agreement;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.starl.primitives.agreement.SynodStates.Shape;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.primitives.exhaustive.StateSearch;
 import org.starl.primitives.exhaustive.StateSearch.Outcome;
+import org.starl.primitives.exhaustive.Visits;
 
 /** All states of the Synod's code on small instances. */
 class SynodExplorationTest {
 
-  private static final int MOST_STATES = 1_000_000;
-
-  private static Outcome explore(Shape shape) {
-    return new StateSearch<>(new SynodStates(shape)).run(MOST_STATES, states -> {});
-  }
-
-  private static void assertAgrees(Shape shape) {
-    Outcome outcome = explore(shape);
-    assertThat(outcome.violation()).isEmpty();
-    assertThat(outcome.isComplete()).isTrue();
-    assertThat(outcome.reached()).isPositive();
-  }
-
-  @Test
-  void aProposerAndACrash() {
-    assertAgrees(new Shape(2, 2, 1, 1, 1, false));
-  }
-
-  @Test
-  void twoProposers() {
-    assertAgrees(new Shape(2, 2, 2, 0, 0, false));
-  }
-
-  @Test
-  void twoProposersWithOneVoterAndACrash() {
-    assertAgrees(new Shape(2, 1, 2, 0, 1, false));
+  @ParameterizedTest
+  @CsvSource({
+    "robots=2 crashes=1, 517",
+    "robots=2 proposers=2, 400",
+    "robots=2 proposers=2 timers=1, 1766",
+    "robots=2 voters=1 proposers=2 crashes=1, 1437",
+    "robots=3 crashes=1, 34376",
+    "robots=3 proposers=2, 11690",
+    "robots=3 proposers=2 timers=1, 86967",
+  })
+  void robotsAgree(String bounds, int states) {
+    Visits.assertHolds(SynodStates.SPACE, bounds, states);
   }
 
   @Test
   void anAcceptorThatForgetsIsFoundWithItsSteps() {
-    Outcome outcome = explore(new Shape(2, 1, 2, 0, 1, true));
-    assertThat(outcome.violation()).last().asString().startsWith("Agreement");
-  }
-
-  @Test
-  void threeVotersAndACrash() {
-    assertAgrees(new Shape(3, 3, 1, 0, 1, false));
-  }
-
-  @Test
-  void threeVotersAndTwoProposers() {
-    assertAgrees(new Shape(3, 3, 2, 0, 0, false));
+    String bounds = "robots=2 voters=1 proposers=2 crashes=1";
+    SynodStates forgets = new SynodStates(Visits.bounds(SynodStates.SPACE, bounds), true);
+    Outcome outcome = new StateSearch<>(forgets).run(1_000, states -> {});
+    assertThat(outcome.violation()).hasSize(12).last().asString().startsWith("Agreement");
   }
 }
