@@ -10,6 +10,7 @@ import java.util.Set;
 import org.starl.input.BadInput;
 import org.starl.primitives.agreement.SynodStates;
 import org.starl.primitives.barrier.BarrierStates;
+import org.starl.primitives.election.ElectionStates;
 import org.starl.primitives.exhaustive.StateSearch;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
@@ -24,7 +25,7 @@ final class StateExploration {
   static final int MOST_STATES = 100_000_000;
 
   private static final List<StateSpace> SPACES =
-      List.of(MutexStates.SPACE, SynodStates.SPACE, BarrierStates.SPACE);
+      List.of(MutexStates.SPACE, SynodStates.SPACE, BarrierStates.SPACE, ElectionStates.SPACE);
   private static final List<String> OWN_OPTIONS = List.of("--robots", "--crashes");
   private static final Set<String> OPTIONS =
       Set.of("--strategy", "--states", "--set", "--json", "--stacktrace", "--robots", "--crashes");

@@ -144,11 +144,11 @@ class ExploreTest {
 
   @Test
   void allStatesOfAProtocolAreVisited() {
-    Cli cli = Cli.run("explore", "agreement", "--strategy", "states", "--robots", "3");
+    Cli cli = Cli.run("explore agreement --strategy states --robots 3 --set callers=1".split(" "));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.out())
         .containsExactly(
-            "agreement (robots 3, crashes 0, timers 0, voters 0, proposers 1): 70 states, all that"
+            "agreement (robots 3, crashes 0, timers 0, callers 1, voters 0): 70 states, all that"
                 + " there are, 187 steps; no invariant is violated",
             "  in 5 of them a robot knows the decision");
     Cli few = Cli.run("explore mutex --strategy states --crashes 1 --states 50 --json".split(" "));

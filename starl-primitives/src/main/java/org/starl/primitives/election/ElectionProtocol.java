@@ -3,7 +3,9 @@ package org.starl.primitives.election;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.gvh.Wait;
 import org.starl.id.Participants;
@@ -159,6 +161,18 @@ class ElectionProtocol extends SynodProtocol {
     return me;
   }
 
+  /** The candidates that a strategy may propose now. */
+  SortedSet<ProcessId> choices() {
+    Candidates open = openPoll();
+    return new TreeSet<>(open == null ? List.of() : open.byDraw(Long.MIN_VALUE));
+  }
+
+  /** The state without times, draws and the Synod's: robots with equal texts behave alike. */
+  String state() {
+    String known = term + " " + leader + newest + takesPart;
+    return poll == null ? known : known + new TreeSet<>(poll.byDraw(Long.MIN_VALUE));
+  }
+
   // The protocol.
 
   /** {@code Election_agreement.candidate}: stands in {@code next}, with no leader yet. */
@@ -220,13 +234,18 @@ class ElectionProtocol extends SynodProtocol {
   /** Asks the strategy, until it proposes a candidate. */
   private void plan() {
     planAtNs = NEVER;
-    Candidates open = poll;
-    if (open != null && leader instanceof Leader.None && !synod.isProposing()) {
+    Candidates open = openPoll();
+    if (open != null) {
       switch (settings.strategy().plan(open, nowNs)) {
         case ElectionStrategy.Propose plan -> propose(plan.candidate());
         case ElectionStrategy.Wait plan -> planAtNs = plan.untilNs();
       }
     }
+  }
+
+  /** The candidates, while this robot is to propose one. */
+  private @Nullable Candidates openPoll() {
+    return leader instanceof Leader.None && !synod.isProposing() ? poll : null;
   }
 
   /** {@code Election_agreement.propose}. */

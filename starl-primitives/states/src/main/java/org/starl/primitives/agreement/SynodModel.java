@@ -33,6 +33,7 @@ public abstract class SynodModel<R extends SynodRobot<?>> implements Model<R, Pa
   private final int robots;
   private final int crashes;
   private final int timers;
+  private final int callers;
 
   /**
    * @param bounds the number of each bound of the {@link #space}, by name
@@ -41,6 +42,7 @@ public abstract class SynodModel<R extends SynodRobot<?>> implements Model<R, Pa
     robots = bounds.applyAsInt("robots");
     crashes = bounds.applyAsInt("crashes");
     timers = bounds.applyAsInt("timers");
+    callers = bounds.applyAsInt("callers");
   }
 
   /** The states of one protocol, with {@code more} bounds beside those of all. */
@@ -53,6 +55,7 @@ public abstract class SynodModel<R extends SynodRobot<?>> implements Model<R, Pa
     bounds.add(new Bound("robots", "robots", 1, 2, MOST_ROBOTS));
     bounds.add(new Bound("crashes", "crashes, each with a restart", 0, 0, MOST_ROBOTS));
     bounds.add(new Bound("timers", "times that timers of a robot are due", 0, 0, MOST_ROBOTS));
+    bounds.add(new Bound("callers", "robots that call it; 0: all", 0, 0, MOST_ROBOTS));
     bounds.addAll(Arrays.asList(more));
     return new StateSpace(name, goal, bounds, given -> new StateSearch<>(model.apply(given)));
   }
@@ -125,10 +128,13 @@ public abstract class SynodModel<R extends SynodRobot<?>> implements Model<R, Pa
   @Override
   public final void addSteps(int i, List<R> all, String none, Steps<R, String> steps) {
     R robot = all.get(i);
-    RobotId name = SynodRobot.robot(i);
-    addCalls(
-        robot,
-        (call, action) -> steps.add(name + " " + call, r -> r.call(() -> action.accept(r)), none));
+    RobotId name = robot.name;
+    if (callers == 0 || i < callers) {
+      addCalls(
+          robot,
+          (call, action) ->
+              steps.add(name + " " + call, r -> r.call(() -> action.accept(r)), none));
+    }
     if (sum(all, SynodRobot::timers) < timers) {
       steps.add(name + "'s timers", r -> r.timer(false), none);
       if (robot.hasDeadline()) {

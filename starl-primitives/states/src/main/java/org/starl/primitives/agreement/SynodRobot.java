@@ -30,11 +30,13 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
   // Longer than each wait but that for a deadline.
   private static final long PAUSE_MS = 20_000;
 
-  /** The number of this robot. */
-  public final int me;
+  public final RobotId name;
 
   /** The time on its clock. */
   protected long nowNs;
+
+  /** The number of this robot. */
+  protected final int me;
 
   private final Consumer<Packet> net;
   private final boolean isFlushSeen;
@@ -51,6 +53,7 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
    */
   protected SynodRobot(int me, Consumer<Packet> net, boolean isFlushSeen) {
     this.me = me;
+    this.name = robot(me);
     this.net = net;
     this.isFlushSeen = isFlushSeen;
   }
@@ -81,7 +84,7 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
   public final P protocol() {
     P program = running;
     if (program == null) {
-      throw new IllegalStateException(robot(me) + " is not started");
+      throw new IllegalStateException(name + " is not started");
     }
     return program;
   }
@@ -91,7 +94,7 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
     unflushed.clear();
     flushedVersion = 0;
     starts++;
-    running = begin(ProcessId.first(robot(me), starts));
+    running = begin(ProcessId.first(name, starts));
     settle();
   }
 

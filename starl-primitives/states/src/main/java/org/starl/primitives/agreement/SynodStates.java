@@ -17,17 +17,15 @@ import org.starl.spec.Monitor.Report;
 /** The states of robots that run the Synod's code for one decree. */
 public final class SynodStates extends SynodModel<SynodStates.Node> {
 
-  /** Robots decide one value, some of them propose one of their own in each start. */
+  /** Robots decide one value; those that call propose one of their own in each start. */
   public static final StateSpace SPACE =
       space(
           "agreement",
           "a robot knows the decision",
           bounds -> new SynodStates(bounds, false),
-          new Bound("voters", "robots that vote; 0: all", 0, 0, 5),
-          new Bound("proposers", "robots that propose", 1, 1, 5));
+          new Bound("voters", "robots that vote; 0: all", 0, 0, 5));
 
   private final int voters;
-  private final int proposers;
   private final boolean losesFlushed;
 
   /**
@@ -36,7 +34,6 @@ public final class SynodStates extends SynodModel<SynodStates.Node> {
   SynodStates(ToIntFunction<String> bounds, boolean losesFlushed) {
     super(bounds);
     voters = bounds.applyAsInt("voters");
-    proposers = bounds.applyAsInt("proposers");
     this.losesFlushed = losesFlushed;
   }
 
@@ -116,7 +113,7 @@ public final class SynodStates extends SynodModel<SynodStates.Node> {
   @Override
   protected void addCalls(Node robot, BiConsumer<String, Consumer<Node>> calls) {
     boolean isOpen = robot.protocol().synod.latest() == null;
-    if (robot.me < proposers && !robot.hasProposed && isOpen) {
+    if (!robot.hasProposed && isOpen) {
       calls.accept("proposes", Node::propose);
     }
   }

@@ -27,19 +27,16 @@ public class BarrierStates extends SynodModel<BarrierStates.Node> {
           "barrier",
           "a robot knows an outcome",
           BarrierStates::new,
-          new Bound("arrivers", "robots that arrive; 0: all", 0, 0, 5),
           new Bound("generations", "generations in which a robot arrives", 1, 1, 3));
 
   static final BarrierSettings SETTINGS =
       BarrierSettings.DEFAULT.withDeadlineMs(SynodRobot.DEADLINE_MS);
   private static final Instance SOURCE = Instance.of(BarrierFact.PRIMITIVE, "states");
 
-  private final int arrivers;
   private final int generations;
 
   BarrierStates(ToIntFunction<String> bounds) {
     super(bounds);
-    arrivers = bounds.applyAsInt("arrivers");
     generations = bounds.applyAsInt("generations");
   }
 
@@ -63,8 +60,7 @@ public class BarrierStates extends SynodModel<BarrierStates.Node> {
     }
 
     private boolean mayArrive() {
-      return (arrivers == 0 || me < arrivers)
-          && !protocol().isWaiting()
+      return !protocol().isWaiting()
           && protocol().generation() <= generations
           && !(protocol().outcome() instanceof BarrierOutcome.Excluded);
     }
@@ -122,13 +118,12 @@ public class BarrierStates extends SynodModel<BarrierStates.Node> {
       record.created(id, first());
     }
     for (Node node : all) {
-      ProcessId id = ProcessId.first(SynodRobot.robot(node.me), 1);
+      ProcessId id = ProcessId.first(node.name, 1);
       node.arrivals.forEach(generation -> record.arrived(generation, id));
     }
     for (Node node : all) {
-      RobotId robot = SynodRobot.robot(node.me);
       for (BarrierOutcome told : node.told.values()) {
-        record.told(new Variable(0, robot, SOURCE, BarrierFact.OUTCOME, told), told, report);
+        record.told(new Variable(0, node.name, SOURCE, BarrierFact.OUTCOME, told), told, report);
       }
     }
   }

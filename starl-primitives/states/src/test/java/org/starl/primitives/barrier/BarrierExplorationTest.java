@@ -22,8 +22,8 @@ class BarrierExplorationTest {
     "robots=2 crashes=1, 1985",
     "robots=2 crashes=1 timers=1, 88094",
     "robots=3, 15005",
-    "robots=3 arrivers=2 timers=1, 19949",
-    "robots=3 arrivers=1 timers=2, 17499",
+    "robots=3 callers=2 timers=1, 19949",
+    "robots=3 callers=1 timers=2, 17499",
   })
   void robotsAreToldOneOutcome(String bounds, int states) {
     Visits.assertHolds(BarrierStates.SPACE, bounds, states);
