@@ -62,8 +62,8 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
           "random: delays, losses and crashes are drawn. pct: links get priorities, a few of which"
               + " change. exhaustive: every order in which the next datagrams can arrive, the"
               + " smallest changes first. states: no run, but all states of a protocol's code"
-              + " (mutex, agreement, barrier, election) without a clock, within bounds (--robots,"
-              + " --crashes, --set)."
+              + " (mutex, agreement, barrier, election, registration) without a clock, within"
+              + " bounds (--robots, --crashes, --set)."
               + " Default: ${DEFAULT-VALUE}.")
   private String strategyName = "pct";
 

@@ -15,6 +15,7 @@ import org.starl.primitives.exhaustive.StateSearch;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.primitives.mutex.MutexStates;
+import org.starl.primitives.registration.RegistrationStates;
 import org.starl.time.Time;
 import picocli.CommandLine.Model.OptionSpec;
 
@@ -25,7 +26,12 @@ final class StateExploration {
   static final int MOST_STATES = 100_000_000;
 
   private static final List<StateSpace> SPACES =
-      List.of(MutexStates.SPACE, SynodStates.SPACE, BarrierStates.SPACE, ElectionStates.SPACE);
+      List.of(
+          MutexStates.SPACE,
+          SynodStates.SPACE,
+          BarrierStates.SPACE,
+          ElectionStates.SPACE,
+          RegistrationStates.SPACE);
   private static final List<String> OWN_OPTIONS = List.of("--robots", "--crashes");
   private static final Set<String> OPTIONS =
       Set.of("--strategy", "--states", "--set", "--json", "--stacktrace", "--robots", "--crashes");

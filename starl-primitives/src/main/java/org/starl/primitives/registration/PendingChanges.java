@@ -91,6 +91,12 @@ final class PendingChanges {
     return changes;
   }
 
+  /** The state. */
+  @Override
+  public String toString() {
+    return idle + " " + own + confinements + bodySections + announced;
+  }
+
   private void announce(Confinement confinement) {
     if (!confinement.equals(announced.put(confinement.who(), confinement))) {
       port.confines(confinement);

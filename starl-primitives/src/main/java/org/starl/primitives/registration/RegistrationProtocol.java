@@ -243,6 +243,12 @@ class RegistrationProtocol extends SynodProtocol {
     return agreed;
   }
 
+  /** The state without times, the Synod's, and what is only shown: robots with equal texts behave alike. */
+  String state() {
+    String mine = phase + " " + me + hasTakenId + evicted + current + askedIn + view;
+    return mine + (queryAtNs != NEVER) + nextQueried % acceptors.size() + staleView + pending;
+  }
+
   // The protocol.
 
   /** Calls {@link #change} if the wanted change is new. */

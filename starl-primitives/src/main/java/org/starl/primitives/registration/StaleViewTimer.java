@@ -73,6 +73,12 @@ final class StaleViewTimer {
     return due;
   }
 
+  /** The state without times. */
+  @Override
+  public String toString() {
+    return learned + " " + rumoured + expired + next;
+  }
+
   private void hideIfNew(boolean wasShown, long nowNs) {
     if (wasShown && !isListShown()) {
       await(Due.ASK, nowNs + boundNs);
