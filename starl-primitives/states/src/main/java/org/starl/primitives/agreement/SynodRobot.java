@@ -62,7 +62,9 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
   protected abstract P begin(ProcessId id);
 
   /** Receives a message that is not of the Synod. */
-  protected abstract void received(Object message);
+  protected void received(Object message) {
+    throw new IllegalArgumentException("not of the Synod: " + message);
+  }
 
   /** The state of the protocol beside its Synod, and what observers know of this robot. */
   protected abstract String state();

@@ -64,11 +64,6 @@ public final class SynodStates extends SynodModel<SynodStates.Node> {
     }
 
     @Override
-    protected void received(Object message) {
-      throw new IllegalArgumentException("not of the Synod: " + message);
-    }
-
-    @Override
     protected String state() {
       return learned + " " + hasProposed;
     }

@@ -42,8 +42,7 @@ public class RegistrationStates extends SynodModel<RegistrationStates.Node> {
               0,
               1));
 
-  // Registered robots do not ask before the deadline: what they would be told is on its way to
-  // them.
+  // Registered robots ask after a rumour, and not again and again.
   static final RegistrationSettings SETTINGS =
       new RegistrationSettings(
           SynodTiming.DEFAULT, SynodRobot.DEADLINE_MS, 1_000, SynodRobot.DEADLINE_MS / 10);
@@ -135,11 +134,6 @@ public class RegistrationStates extends SynodModel<RegistrationStates.Node> {
     @Override
     public void confines(Confinement confinement) {
       confined.put(confinement.toString(), confinement);
-    }
-
-    @Override
-    protected void received(Object message) {
-      throw new IllegalArgumentException("not of the Synod: " + message);
     }
 
     @Override
