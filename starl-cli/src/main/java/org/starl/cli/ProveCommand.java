@@ -73,7 +73,11 @@ final class ProveCommand extends SourceCommand {
       places(automaton, report.failures()).forEach(out()::println);
       if (report.verdict() == Verdict.NOT_DECIDED) {
         List<String> open =
-            report.claims().stream().filter(each -> !each.isGood()).map(Claim::subject).toList();
+            report.claims().stream()
+                .filter(each -> !each.isGood())
+                .map(Claim::subject)
+                .distinct()
+                .toList();
         out().println(automaton.name() + ": not decided: " + String.join(", ", open));
       }
       verdict = verdict.and(report.verdict());

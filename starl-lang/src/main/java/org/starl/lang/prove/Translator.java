@@ -34,9 +34,6 @@ import org.starl.lang.tree.Type.Num;
  */
 final class Translator {
 
-  /** As deep as functions are written out in each other. */
-  private static final int MOST_CALLS = 100;
-
   /**
    * A call of a recursive function.
    *
@@ -50,14 +47,12 @@ final class Translator {
   private final Map<String, String> names = new LinkedHashMap<>();
   private final Map<String, String> texts = new LinkedHashMap<>();
   private final List<Unfolded> unfolded = new ArrayList<>();
-  private final List<String> defining = new ArrayList<>();
   private final List<RecursiveCall> calls = new ArrayList<>();
   private @Nullable List<Obligation> obligations;
   private List<String> path = new ArrayList<>();
   private List<String> binders = new ArrayList<>();
   private int bound;
   private boolean isApproximate;
-  private int depth;
 
   Translator(Sorts sorts, Script script) {
     this.sorts = sorts;
@@ -825,24 +820,11 @@ final class Translator {
     List<Val> arguments = arguments(signature.parameters(), call.arguments(), scope);
     if (function.measure().isEmpty()) {
       Scope inner = owner.only(signature.parameters(), arguments);
-      return deeper(signature, () -> as(signature.result(), function.body(), inner));
+      return as(signature.result(), function.body(), inner);
     }
     String name = define(function, owner);
     calls.add(new RecursiveCall(name, arguments, List.copyOf(path), List.copyOf(binders)));
     return symbol(name, terms(signature.parameters(), arguments), signature.result());
-  }
-
-  /** Functions that call each other without a measure would be written out for ever. */
-  private Val deeper(Signature of, Supplier<Val> value) {
-    if (depth > MOST_CALLS) {
-      throw new Unprovable("function '" + of.name() + "' calls itself through another one");
-    }
-    depth++;
-    Val result = value.get();
-    depth--;
-    return result instanceof Fn map
-        ? new Fn(map.type(), x -> deeper(of, () -> map.at().apply(x)), map.array())
-        : result;
   }
 
   /** Defines a recursive function over the state of {@code scope}, if it is not yet; returns its name. */
@@ -850,13 +832,9 @@ final class Translator {
     String name = recursiveName(function, scope);
     String known = names.get(name);
     if (known != null) {
-      if (defining.contains(name) && !defining.getLast().equals(name)) {
-        throw new Unprovable("function '" + name + "' calls itself through another one");
-      }
       return known;
     }
     names.put(name, name);
-    defining.add(name);
     List<Field> parameters = function.signature().parameters();
     List<Val> values = new ArrayList<>();
     List<String> bindings = new ArrayList<>();
@@ -871,7 +849,6 @@ final class Translator {
       bindings.add("(" + more.getLast() + " " + sort + ")");
     }
     String body = withoutObligations(() -> body(function, scope, values, more));
-    defining.removeLast();
     String text = "(" + String.join(" ", bindings) + ") " + resultSort(result) + " " + body;
     // Over two states that are equal in all that it reads, it is one function.
     String same = texts.putIfAbsent(text.replace("(" + name + " ", "(self "), name);

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -91,7 +92,9 @@ class PartsReader {
 
   final List<Function> functions() {
     List<Function> functions = new ArrayList<>();
-    signatures().forEach(at -> orTold(() -> functions.add(function(at))));
+    List<StarlParser.FunPartContext> parts = signatures();
+    parts.forEach(at -> orTold(() -> functions.add(function(at))));
+    requireNoCircles(parts);
     return List.copyOf(functions);
   }
 
@@ -205,6 +208,40 @@ class PartsReader {
       });
     }
     return good;
+  }
+
+  /** PVS and Z3 take functions that call themselves, but not each other. */
+  private void requireNoCircles(List<StarlParser.FunPartContext> parts) {
+    Map<String, Set<String>> calls = new TreeMap<>();
+    for (StarlParser.FunPartContext at : parts) {
+      Set<String> others = calls.computeIfAbsent(at.name.getText(), any -> new TreeSet<>());
+      for (StarlParser.FunPartContext other : parts) {
+        if (other != at && mentions(at.expression(), Set.of(other.name.getText()))) {
+          others.add(other.name.getText());
+        }
+      }
+    }
+    Set<String> told = new TreeSet<>();
+    for (StarlParser.FunPartContext at : parts) {
+      String name = at.name.getText();
+      for (String other : calls.getOrDefault(name, Set.of())) {
+        Set<String> reached = reached(other, calls, new TreeSet<>());
+        if (reached.contains(name) && told.add(name)) {
+          told.addAll(reached);
+          problems.add(
+              at,
+              "'%s' calls itself through '%s'; expected a function that calls itself directly"
+                  .formatted(name, other));
+        }
+      }
+    }
+  }
+
+  private static Set<String> reached(String from, Map<String, Set<String>> calls, Set<String> all) {
+    if (all.add(from)) {
+      calls.getOrDefault(from, Set.of()).forEach(each -> reached(each, calls, all));
+    }
+    return all;
   }
 
   private static boolean mentions(ParseTree tree, Set<String> names) {
