@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.TreeSet;
@@ -317,6 +318,27 @@ class OccupancyMapTest {
     assertThatThrownBy(() -> read(MAP, EACH_PIXEL))
         .isInstanceOf(BadInput.class)
         .hasMessage(folder.resolve("map.pgm") + line);
+  }
+
+  @Test
+  void aDamagedPngIsRefused() throws IOException {
+    BufferedImage image = new BufferedImage(5, 3, BufferedImage.TYPE_BYTE_GRAY);
+    for (int i = 0; i < 15; i++) {
+      image.getRaster().setSample(i % 5, i / 5, 0, RING[i / 5][i % 5]);
+    }
+    Path file = folder.resolve("map.pgm");
+    ImageIO.write(image, "png", file.toFile());
+    byte[] good = Files.readAllBytes(file);
+    for (int i = 0; i < good.length; i++) {
+      byte[] bad = good.clone();
+      bad[i] ^= 4;
+      Files.write(file, bad);
+      assertThatThrownBy(() -> read(MAP, EACH_PIXEL)).as("byte %d", i).isInstanceOf(BadInput.class);
+      Files.write(file, Arrays.copyOf(good, i));
+      assertThatThrownBy(() -> read(MAP, EACH_PIXEL))
+          .as("first %d", i)
+          .isInstanceOf(BadInput.class);
+    }
   }
 
   @Test

@@ -4,10 +4,12 @@ import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
@@ -21,6 +23,9 @@ public final class GreyImage {
 
   /** 4000 x 4000: 200 m x 200 m at 5 cm. */
   private static final int MOST_PIXELS = 16_000_000;
+
+  /** The name of a PNG's last part. */
+  private static final int IEND = 0x49454e44;
 
   private final int width;
   private final int height;
@@ -89,7 +94,7 @@ public final class GreyImage {
     try (MemoryCacheImageInputStream in =
         new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
-      if (readers.hasNext()) {
+      if (readers.hasNext() && isWhole(ByteBuffer.wrap(bytes))) {
         ImageReader reader = readers.next();
         reader.setInput(in);
         // Before it is read: few bytes may stand for many pixels.
@@ -103,6 +108,28 @@ public final class GreyImage {
       // ImageIO has exceptions of both kinds for broken files.
     }
     throw new BadInput(file + ": is a broken PNG image; " + EXPECTED);
+  }
+
+  /** Whether each part of a PNG, up to its end, has its checksum: ImageIO does not look. */
+  private static boolean isWhole(ByteBuffer png) {
+    png.position(8); // after the signature
+    while (png.remaining() >= 12) {
+      long length = png.getInt() & 0xffff_ffffL;
+      if (length > png.remaining() - 8) {
+        return false;
+      }
+      CRC32 sum = new CRC32();
+      boolean isEnd = png.getInt(png.position()) == IEND;
+      sum.update(png.slice(png.position(), 4 + (int) length));
+      png.position(png.position() + 4 + (int) length);
+      if (png.getInt() != (int) sum.getValue()) {
+        return false;
+      }
+      if (isEnd) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static GreyImage png(String file, BufferedImage from) {
