@@ -134,7 +134,7 @@ final class CheckCommand extends SourceCommand {
     Search.Result result = search.run(stop()::isStopped);
     double seconds = Time.seconds(clock.elapsedNs());
     Report.lines(automaton, of, result, at -> file(at, automata)).forEach(out()::println);
-    result.finding().ifPresent(found -> places(automaton, found.story()).forEach(out()::println));
+    result.finding().ifPresent(found -> places(automaton, found.actions()).forEach(out()::println));
     err().println("%.1f s, %,.0f states a second".formatted(seconds, result.states() / seconds));
     return result.verdict();
   }

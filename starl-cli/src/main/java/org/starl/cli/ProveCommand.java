@@ -70,7 +70,7 @@ final class ProveCommand extends SourceCommand {
         continue;
       }
       report.lines().forEach(out()::println);
-      places(automaton, report.failures()).forEach(out()::println);
+      places(automaton, report.actions()).forEach(out()::println);
       if (report.verdict() == Verdict.NOT_DECIDED) {
         List<String> open =
             report.claims().stream()

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.starl.input.TextFile;
 import org.starl.lang.read.Source;
@@ -42,15 +41,13 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
     return run(source);
   }
 
-  /** Where the branches of a program are whose actions {@code lines} name. */
-  final List<String> places(Automaton automaton, List<String> lines) {
+  /** Where the branches of a program are whose actions have these names. */
+  final List<String> places(Automaton automaton, Set<String> actions) {
     if (programs.stream().noneMatch(each -> each.name().equals(automaton.name()))) {
       return List.of(); // an automaton's actions have their names in the source
     }
-    Set<String> words = new TreeSet<>();
-    lines.forEach(line -> words.addAll(List.of(line.split("\\W+"))));
     return automaton.actions().stream()
-        .filter(action -> words.contains(action.name()))
+        .filter(action -> actions.contains(action.name()))
         .map(action -> "  " + action.name() + " is at " + file() + ":" + action.pos())
         .toList();
   }

@@ -1,6 +1,7 @@
 package org.starl.lang.check;
 
 import java.util.List;
+import java.util.Set;
 import org.starl.lang.tree.Pos;
 
 /**
@@ -12,6 +13,7 @@ import org.starl.lang.tree.Pos;
  * @param steps the number of steps to the state
  * @param story a shortest run to it: the start state if it is one of several, then the steps, numbered; of a
  *     progress also what goes on for ever after it
+ * @param actions the names of the actions of these steps
  * @param automaton in whose source {@code pos} is
  * @param pos of what is false, or has no value
  * @param message what is wrong there
@@ -21,6 +23,7 @@ public record Finding(
     String what,
     int steps,
     List<String> story,
+    Set<String> actions,
     String automaton,
     Pos pos,
     String message) {}

@@ -191,6 +191,7 @@ final class Runs {
         "is false: " + what,
         before,
         story.lines(),
+        story.actions(),
         search.automaton.name(),
         claim.to().pos(),
         message);

@@ -346,6 +346,7 @@ public final class Search {
               (isStep ? "is false after " : "is undefined after ") + Report.count(steps, "step"),
               steps,
               story.lines(),
+              story.actions(),
               error.automaton(),
               error.pos(),
               message));
@@ -364,6 +365,7 @@ public final class Search {
                 + Report.count(steps, "step"),
             steps,
             story.lines(),
+            story.actions(),
             automaton.name(),
             witness.pos(),
             message));

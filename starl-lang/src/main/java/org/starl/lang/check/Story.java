@@ -2,6 +2,7 @@ package org.starl.lang.check;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -23,6 +24,7 @@ final class Story {
   private final Machine machine;
   private final Set<String> open;
   private final List<String> lines = new ArrayList<>();
+  private final Set<String> actions = new LinkedHashSet<>();
   private Row state;
   private int steps;
   private Row before;
@@ -54,6 +56,7 @@ final class Story {
   private void add(Step step) {
     String changes = String.join(", ", changes(state, step.after));
     lines.add(++steps + ". " + step.text + "   " + changes);
+    actions.add(machine.name(step.action));
     last = step;
     before = state;
     state = step.after;
@@ -72,6 +75,11 @@ final class Story {
 
   List<String> lines() {
     return List.copyOf(lines);
+  }
+
+  /** The names of the actions of its steps. */
+  Set<String> actions() {
+    return actions;
   }
 
   /** The state after the steps. */
@@ -120,6 +128,7 @@ final class Story {
     Step first = failed.getFirst();
     if (refinement.isEmpty()) {
       lines.add(steps + 1 + ". " + first.text);
+      actions.add(machine.name(first.action));
     } else {
       Row after = machine.afterAlone(state, first.action, first.arguments);
       add(new Step(first.action, first.arguments, first.text, after));

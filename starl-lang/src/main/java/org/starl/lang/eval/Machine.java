@@ -106,6 +106,11 @@ public final class Machine {
     return automaton;
   }
 
+  /** The name of an action by its number. */
+  public String name(int action) {
+    return acts.get(action).tree.name();
+  }
+
   /** The value parameters, those of used automata included: the first parts of a state. */
   public List<Field> parameters() {
     return parameters;

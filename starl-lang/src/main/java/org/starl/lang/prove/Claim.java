@@ -1,14 +1,22 @@
 package org.starl.lang.prove;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Something that is to hold of an automaton, and what came of it.
  *
  * @param subject an invariant, an action, a function, or {@code start}
  * @param lines what shows it, such as two states
+ * @param action the name of the action that does not keep it
  */
-public record Claim(String subject, Verdict verdict, String text, List<String> lines) {
+public record Claim(
+    String subject, Verdict verdict, String text, List<String> lines, Optional<String> action) {
+
+  /** One that is about no action alone. */
+  Claim(String subject, Verdict verdict, String text, List<String> lines) {
+    this(subject, verdict, text, lines, Optional.empty());
+  }
 
   /** What came of it. */
   public enum Verdict {

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.IntFunction;
@@ -44,9 +45,13 @@ public final class Prover {
   }
 
   /** What Z3 says of one obligation. */
-  private record Finding(Verdict verdict, List<String> lines) {
+  private record Finding(Verdict verdict, List<String> lines, Optional<String> action) {
 
     static final Finding PROVED = new Finding(Verdict.PROVED, List.of());
+
+    Finding(Verdict verdict, List<String> lines) {
+      this(verdict, lines, Optional.empty());
+    }
 
     boolean isGood() {
       return verdict == Verdict.PROVED || verdict == Verdict.PROVED_SMALL;
@@ -411,7 +416,11 @@ public final class Prover {
       if (!found.isGood()) {
         List<String> lines = found.lines();
         return new Claim(
-            of.title(), found.verdict(), lines.getFirst(), lines.subList(1, lines.size()));
+            of.title(),
+            found.verdict(),
+            lines.getFirst(),
+            lines.subList(1, lines.size()),
+            found.action());
       }
       return claim(mapping, worst(verdict, found.verdict()));
     }
@@ -457,7 +466,8 @@ public final class Prover {
                     each.name(),
                     finding.verdict(),
                     finding.lines().getFirst(),
-                    finding.lines().subList(1, finding.lines().size()))
+                    finding.lines().subList(1, finding.lines().size()),
+                    finding.action())
                 : new Claim(
                     each.name(),
                     Verdict.DEPENDS,
@@ -505,19 +515,24 @@ public final class Prover {
         worst =
             worse(
                 worst,
-                headed(found, "does not hold in a start state", "is not decided for start states"));
+                headed(
+                    found,
+                    Optional.empty(),
+                    "does not hold in a start state",
+                    "is not decided for start states"));
       }
       return worst;
     }
 
-    private Finding headed(Finding found, String failed, String undecided) {
+    private Finding headed(
+        Finding found, Optional<String> action, String failed, String undecided) {
       if (found.isGood()) {
         return found;
       }
       List<String> lines = new ArrayList<>();
       lines.add(found.verdict() == Verdict.FAILED ? failed : undecided);
       lines.addAll(found.lines());
-      return new Finding(found.verdict(), lines);
+      return new Finding(found.verdict(), lines, action);
     }
 
     private Finding kept(Invariant invariant, Action action, List<Invariant> assumed) {
@@ -537,6 +552,7 @@ public final class Prover {
                 worst,
                 headed(
                     found,
+                    Optional.of(action.name()),
                     "is not kept by " + action.name(),
                     found.lines().isEmpty()
                         ? "is not decided for " + action.name()

@@ -3,6 +3,8 @@ package org.starl.lang.prove;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.starl.lang.verdict.Verdict;
 
 /** What came of the claims on an automaton. */
@@ -28,9 +30,9 @@ public record Report(String automaton, List<Claim> claims) {
     return claims.stream().filter(claim -> claim.subject().equals(subject)).findFirst();
   }
 
-  /** What is said of the claims that do not hold. */
-  public List<String> failures() {
-    return claims.stream().filter(claim -> !claim.isGood()).map(Claim::text).toList();
+  /** The names of the actions that do not keep what is claimed. */
+  public Set<String> actions() {
+    return claims.stream().flatMap(claim -> claim.action().stream()).collect(Collectors.toSet());
   }
 
   /** For a person: a line for each claim, and below it what shows it. */
