@@ -109,7 +109,7 @@ class OwnAppApkTest {
     assertThat(selection.classes().keySet())
         .containsAll(selection.own())
         .noneMatch(name -> name.startsWith("org/starl/sim/") || name.startsWith("java/"))
-        .noneMatch(name -> name.matches(".*/(exhaustive/.*|(Synod|Mutex)States.*)"));
+        .noneMatch(name -> name.matches(".*/(exhaustive/.*|\\w+States.*|SynodRobot.*)"));
     selection.refuseGaps(Android8.shapesBeforeD8(CLASS_PATH));
   }
 
