@@ -69,7 +69,7 @@ final class ProveCommand extends SourceCommand {
         verdict = verdict.and(Verdict.NOT_DECIDED);
         continue;
       }
-      report.lines().forEach(out()::println);
+      report.lines(file()).forEach(out()::println);
       places(automaton, report.actions()).forEach(out()::println);
       if (report.verdict() == Verdict.NOT_DECIDED) {
         List<String> open =

@@ -2,6 +2,7 @@ package org.starl.lang.prove;
 
 import java.util.List;
 import java.util.Optional;
+import org.starl.lang.tree.Pos;
 
 /**
  * Something that is to hold of an automaton, and what came of it.
@@ -9,13 +10,19 @@ import java.util.Optional;
  * @param subject an invariant, an action, a function, or {@code start}
  * @param lines what shows it, such as two states
  * @param action the name of the action that does not keep it
+ * @param pos of the operation that has no value
  */
 public record Claim(
-    String subject, Verdict verdict, String text, List<String> lines, Optional<String> action) {
+    String subject,
+    Verdict verdict,
+    String text,
+    List<String> lines,
+    Optional<String> action,
+    Optional<Pos> pos) {
 
-  /** One that is about no action alone. */
+  /** One that is about no action alone, and no operation. */
   Claim(String subject, Verdict verdict, String text, List<String> lines) {
-    this(subject, verdict, text, lines, Optional.empty());
+    this(subject, verdict, text, lines, Optional.empty(), Optional.empty());
   }
 
   /** What came of it. */

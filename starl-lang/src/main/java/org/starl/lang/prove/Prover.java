@@ -205,17 +205,17 @@ public final class Prover {
       if (found.verdict() == Verdict.PROVED) {
         continue;
       }
-      List<String> lines = new ArrayList<>(List.of("at " + all.get(i).pos()));
-      lines.addAll(found.lines());
       String text = all.get(i).otherwise();
       claims.add(
-          switch (found.verdict()) {
-            case FAILED -> new Claim(subject, Verdict.FAILED, text, lines);
-            case PROVED_SMALL ->
-                new Claim(subject, found.verdict(), "has values " + small(), List.of());
-            default ->
-                new Claim(subject, found.verdict(), "perhaps " + text + ": not decided", lines);
-          });
+          found.verdict() == Verdict.PROVED_SMALL
+              ? new Claim(subject, found.verdict(), "has values " + small(), List.of())
+              : new Claim(
+                  subject,
+                  found.verdict(),
+                  found.verdict() == Verdict.FAILED ? text : "perhaps " + text + ": not decided",
+                  found.lines(),
+                  Optional.empty(),
+                  Optional.of(all.get(i).pos())));
     }
     return claims;
   }
@@ -408,7 +408,8 @@ public final class Prover {
                   + each.subject()
                   + " "
                   + each.text();
-          return new Claim(of.title(), each.verdict(), text, each.lines());
+          return new Claim(
+              of.title(), each.verdict(), text, each.lines(), each.action(), each.pos());
         }
         verdict = worst(verdict, each.verdict());
       }
@@ -420,7 +421,8 @@ public final class Prover {
             found.verdict(),
             lines.getFirst(),
             lines.subList(1, lines.size()),
-            found.action());
+            found.action(),
+            Optional.empty());
       }
       return claim(mapping, worst(verdict, found.verdict()));
     }
@@ -467,7 +469,8 @@ public final class Prover {
                     finding.verdict(),
                     finding.lines().getFirst(),
                     finding.lines().subList(1, finding.lines().size()),
-                    finding.action())
+                    finding.action(),
+                    Optional.empty())
                 : new Claim(
                     each.name(),
                     Verdict.DEPENDS,

@@ -35,11 +35,16 @@ public record Report(String automaton, List<Claim> claims) {
     return claims.stream().flatMap(claim -> claim.action().stream()).collect(Collectors.toSet());
   }
 
-  /** For a person: a line for each claim, and below it what shows it. */
-  public List<String> lines() {
+  /**
+   * For a person: a line for each claim, and below it what shows it.
+   *
+   * @param file in which the automaton is
+   */
+  public List<String> lines(String file) {
     List<String> lines = new ArrayList<>();
     for (Claim claim : claims) {
       lines.add(automaton + ": " + claim.subject() + " " + claim.text());
+      claim.pos().ifPresent(pos -> lines.add("  at " + file + ":" + pos));
       claim.lines().forEach(line -> lines.add("  " + line));
     }
     return lines;

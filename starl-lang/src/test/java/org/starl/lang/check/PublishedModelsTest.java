@@ -51,7 +51,7 @@ class PublishedModelsTest {
     Search.Result result = checked(automaton, new Sizes(Map.of("Actors", 3), 6, 1), false);
     assertThat(result.states()).isEqualTo(21_527);
     assertThat(result.verdict()).isEqualTo(Verdict.HOLDS);
-    assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines())
+    assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines("x.starl"))
         .contains("ReadersWriters: Safety holds, for any number of Actors");
   }
 
@@ -69,7 +69,7 @@ class PublishedModelsTest {
             "1");
     assertThat(result.states()).isEqualTo(77);
     assertThat(result.verdict()).isEqualTo(Verdict.HOLDS);
-    assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines())
+    assertThat(new Prover(automaton, LIMIT, (name, script) -> {}).prove().lines("x.starl"))
         .contains("Voting: Votes holds, for any number of Acceptor and Value");
   }
 }

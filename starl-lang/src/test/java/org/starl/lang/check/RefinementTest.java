@@ -234,7 +234,8 @@ class RefinementTest {
         read(
             text.replace("pre i in has\n  eff works", "pre i in has, not i in works\n  eff works"));
     assertThat(result(right, sizes, 1000).verdict()).isEqualTo(Verdict.HOLDS);
-    List<String> proved = new Prover(right, 10_000_000, (title, script) -> {}).prove().lines();
+    List<String> proved =
+        new Prover(right, 10_000_000, (title, script) -> {}).prove().lines("x.starl");
     assertThat(manual).contains("    " + String.join("\n    ", proved.subList(1, 3)) + "\n");
   }
 }

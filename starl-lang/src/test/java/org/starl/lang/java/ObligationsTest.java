@@ -89,9 +89,9 @@ class ObligationsTest {
   void cardOfASetThatIsNotKnownToBeFiniteIsNotDecided() throws SourceErrors {
     String text = SOURCE.replace("EFFECT", "n := card({k: nat | k > n})");
     assertThat(checked(last(text)).verdict()).isEqualTo(Verdict.NOT_DECIDED);
-    assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines())
+    assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines("x.starl"))
         .contains(
-            "Partial: go perhaps has no value: card of an infinite set: not decided", "  at 13:32");
+            "Partial: go perhaps has no value: card of an infinite set: not decided", "  at x.starl:13:32");
     assertThat(PvsTheory.of(last(text), "x.starl"))
         .containsSubsequence("IF enabled(a, s) THEN", "`n := card({k | k > s`n})", "ELSE s ENDIF");
     assertThatThrownBy(() -> JavaSources.of(last(text), "x.starl"))
@@ -121,8 +121,8 @@ class ObligationsTest {
   private static void assertAskedAt(String place, String text) throws SourceErrors {
     assertThat(checked(last(text)).finding())
         .hasValueSatisfying(finding -> assertThat(finding.pos()).hasToString(place));
-    assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines())
-        .contains("  at " + place);
+    assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines("x.starl"))
+        .contains("  at x.starl:" + place);
   }
 
   private static Automaton last(String text) throws SourceErrors {

@@ -95,7 +95,7 @@ class RangesOfNumbersTest {
                 10_000_000,
                 (title, text) -> {})
             .prove()
-            .lines();
+            .lines("x.starl");
     assertThat(lines)
         .contains(
             "Shelf: Below holds", "Shelf: Low holds", "Shelf: Size holds", "Shelf: Set holds");

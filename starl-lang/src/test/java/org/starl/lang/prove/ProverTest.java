@@ -45,7 +45,7 @@ class ProverTest {
 
   @Test
   void invariantsHoldForAnyNumberOfRobots() {
-    assertThat(proved(LOCK).lines())
+    assertThat(proved(LOCK).lines("x.starl"))
         .containsExactly(
             "Lock: start is possible",
             "Lock: Holder holds, for any number of PIDS",
@@ -90,7 +90,7 @@ class ProverTest {
           eff l := tail(l)
         invariant Some: l = [] or head(l) = [] or distinct(head(l)) and distinct(l)
         """;
-    assertThat(proved(lists).lines()).contains("Lists: second can happen");
+    assertThat(proved(lists).lines("x.starl")).contains("Lists: second can happen");
   }
 
   @Test
@@ -130,10 +130,10 @@ class ProverTest {
           eff q := tail(q), got := got ++ [t]
         invariant Short: length(q) <= most
         """;
-    assertThat(proved(channel).lines())
+    assertThat(proved(channel).lines("x.starl"))
         .contains("Channel: Short holds, for any number of T", "Channel: receive can happen");
     String wrong = channel + "invariant First: q != [] => q(0) = 1\n";
-    assertThat(proved(wrong).lines())
+    assertThat(proved(wrong).lines("x.starl"))
         .contains("Channel: First is not kept by send", "  after   q = [2]")
         .doesNotContain("Channel: First holds, for any number of T");
   }
@@ -159,14 +159,14 @@ class ProverTest {
         invariant Sum: card(yes union no) = card(yes) + card(no)
         invariant Empty: card(yes) = 0 <=> yes = {}
         """;
-    assertThat(proved(votes).lines())
+    assertThat(proved(votes).lines("x.starl"))
         .contains(
             "Votes: Empty holds, for any number of P",
             "Votes: Sum holds for 1 to 5 of P; for more it is not decided",
             "Votes: vote can happen");
-    assertThat(proved(votes + "invariant One: card(yes) <= 1\n").lines())
+    assertThat(proved(votes + "invariant One: card(yes) <= 1\n").lines("x.starl"))
         .contains("Votes: One is not kept by vote", "  after   yes = {bot0, bot1}");
-    assertThat(proved(votes + "invariant None: card(all) = card(yes)\n").lines())
+    assertThat(proved(votes + "invariant None: card(all) = card(yes)\n").lines("x.starl"))
         .contains("Votes: None is not decided for vote");
   }
 
@@ -214,7 +214,7 @@ class ProverTest {
   void stepThatBreaksAnInvariantIsShown() {
     Report report = proved(LOCK.replace("pre by = none", "pre true"));
     assertThat(report.isProved()).isFalse();
-    assertThat(report.lines())
+    assertThat(report.lines("x.starl"))
         .startsWith(
             "Lock: start is possible",
             "Lock: Holder is not kept by take",
@@ -246,7 +246,7 @@ class ProverTest {
   void contradictoryStartIsTold() {
     Report report = proved(LOCK.replace("count = 0", "count = 0, by != none"));
     assertThat(report.isProved()).isFalse();
-    assertThat(report.lines())
+    assertThat(report.lines("x.starl"))
         .containsExactly("Lock: start contradicts itself: there is no start state");
   }
 
@@ -261,7 +261,7 @@ class ProverTest {
   @Test
   void numberBelowZeroIsTold() {
     Report report = proved(LOCK.replace(", count > 0", ""));
-    assertThat(report.lines())
+    assertThat(report.lines("x.starl"))
         .contains(
             "Lock: leave makes a number negative", "  after   by = none, inside = {}, count = -1");
     assertThat(report.claim("Holder").orElseThrow().isGood()).isFalse();
@@ -271,7 +271,7 @@ class ProverTest {
   void functionWhoseMeasureGrowsIsNotTrusted() {
     String endless = "fun f(n: nat): nat = f(n + 1) + 1 measure n\n";
     Report report = proved(LOCK + endless + "invariant Absurd: f(0) > f(0)\n");
-    assertThat(report.lines().getFirst())
+    assertThat(report.lines("x.starl").getFirst())
         .isEqualTo("Lock: f may not end: its measure may not become smaller");
     assertThat(report.claim("Absurd")).isEmpty();
     assertThat(report.isProved()).isFalse();
@@ -314,7 +314,7 @@ class ProverTest {
           eff n := card({p: P | true}) - card(s)
         invariant Same: s subset s
         """;
-    assertThat(proved(counted).lines())
+    assertThat(proved(counted).lines("x.starl"))
         .contains(
             "Counted: Same holds for 1 to 5 of P; for more it is not decided",
             "Counted: count has values for 1 to 5 of P; for more it is not decided");
@@ -351,7 +351,8 @@ class ProverTest {
     assertThat(report.claims()).extracting(Claim::verdict).containsOnly(Verdict.PROVED);
     String title = automaton.refinements().getFirst().title();
     String types = String.join(" and ", automaton.typeParameters());
-    assertThat(report.lines()).contains(name + ": " + title + " holds, for any number of " + types);
+    assertThat(report.lines("x.starl"))
+        .contains(name + ": " + title + " holds, for any number of " + types);
   }
 
   @ParameterizedTest
@@ -369,7 +370,7 @@ class ProverTest {
   void refinementIsToldByWhatFails() throws IOException, SourceErrors {
     String known = Files.readString(RefinementModels.file("TwoPhase"));
     String told = known.replace("chooseToAbort(r) is decideAbort(r),", "");
-    assertThat(proved(told, "TwoPhase").lines())
+    assertThat(proved(told, "TwoPhase").lines("x.starl"))
         .containsSequence(
             "TwoPhase: Decided holds, for any number of RM",
             "TwoPhase: refinement tc is not kept by chooseToAbort",
@@ -378,10 +379,10 @@ class ProverTest {
             "  after   rmState(bot0) = aborted",
             "  fails   for r = bot0");
     told = known.replace("if rmState(r) = prepared then decideCommit(r)", "decideCommit(r)");
-    assertThat(proved(told, "TwoPhase").lines())
+    assertThat(proved(told, "TwoPhase").lines("x.starl"))
         .contains(
             "TwoPhase: refinement tc fails: learnCommit takes tc.decideCommit where it is not enabled",
-            "  at 22:21",
+            "  at x.starl:22:21",
             "  action  learnCommit(bot0)");
     told = known.replace("start forall r: RM :: rmState(r) = working,", "start");
     assertThat(proved(told, "TwoPhase").claim("refinement tc").orElseThrow().text())
@@ -407,7 +408,7 @@ class ProverTest {
           eff on := true
         invariant Any: on or not on
         """;
-    assertThat(proved(text).lines()).contains("Switch: Any holds");
+    assertThat(proved(text).lines("x.starl")).contains("Switch: Any holds");
     assertThat(proved(text).claim("refinement log").orElseThrow().text())
         .startsWith("is not decided: ")
         .contains("set[nat]");
