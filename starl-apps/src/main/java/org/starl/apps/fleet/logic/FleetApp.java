@@ -52,7 +52,7 @@ public final class FleetApp extends LogicThread {
   private static final long HANDLE_MS = 2_000;
   private static final long TRY_MS = 60_000;
   private static final long MOMENT_MS = 10_000;
-  // A station that nobody has chosen before is free soon; one whose robot is lost, never.
+  // The station of a delivery is free soon, unless a robot is lost there.
   private static final long STATION_MS = 60_000;
   private static final long ROOM_MS = 2_000;
   // Robots wait for each other for minutes. With 30 % loss, a live one is silent for 10 s now and
@@ -305,7 +305,7 @@ public final class FleetApp extends LogicThread {
 
   /**
    * Gets a private vertex before the robot drives there. At a station, where others may wait for it, it
-   * waits for a moment only, and then goes home; so no robots wait for each other's stations.
+   * waits for a minute at most, and then goes home; so no robots wait for each other's stations.
    *
    * @param isWanted asked after each failed request; false ends the search
    * @return whether it holds the vertex
