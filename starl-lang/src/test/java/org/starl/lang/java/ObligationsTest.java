@@ -91,7 +91,8 @@ class ObligationsTest {
     assertThat(checked(last(text)).verdict()).isEqualTo(Verdict.NOT_DECIDED);
     assertThat(new Prover(last(text), LIMIT, (name, script) -> {}).prove().lines("x.starl"))
         .contains(
-            "Partial: go perhaps has no value: card of an infinite set: not decided", "  at x.starl:13:32");
+            "Partial: go perhaps has no value: card of an infinite set: not decided",
+            "  at x.starl:13:32");
     assertThat(PvsTheory.of(last(text), "x.starl"))
         .containsSubsequence("IF enabled(a, s) THEN", "`n := card({k | k > s`n})", "ELSE s ENDIF");
     assertThatThrownBy(() -> JavaSources.of(last(text), "x.starl"))
