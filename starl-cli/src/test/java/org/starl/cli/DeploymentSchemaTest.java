@@ -52,7 +52,7 @@ class DeploymentSchemaTest {
                   + " h:4747 h:0 h:04747 h:65536 'h:' ':4747' 192.168.1.10 192.168.1.10:4747 [fe80::1]"
                   + " '[fe80::1]:4747' 'fe80::1' 'a b' ' ' '' [1] '{a}' 5d 0x1p3 NaN"
                   + " "
-                  + "ros2 direct '/{robot}/pose' PoseStamped Pose map odom base_link reliable volatile /car Twist Bool hit "
+                  + "ros2 direct '/{robot}/pose' '{robot}/pose' /pose PoseStamped Pose map odom base_link reliable volatile /car Twist Bool hit "
                   + PUBLIC_KEY)
               .split(" (?=(?:[^']*'[^']*')*[^']*$)"));
 

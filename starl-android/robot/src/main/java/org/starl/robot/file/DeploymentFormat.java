@@ -188,11 +188,11 @@ public final class DeploymentFormat {
           HOST_PATTERN,
           "the only host whose lines are taken; without it, every host's are");
   static final Field<String> POSE_TOPIC =
-      Field.of(
+      Field.matching(
               "topic",
-              new Form.Words("a topic such as /{robot}/pose, with {robot} in it", "\\{robot\\}"),
-              "the topic of each robot's pose; {robot} stands for the robot's rigidBody",
-              text -> text.contains(RosTopic.ROBOT) && text.startsWith("/") ? text : null)
+              "a topic such as /{robot}/pose, with {robot} in it",
+              "^/.*\\{robot\\}.*$",
+              "the topic of each robot's pose; {robot} stands for the robot's rigidBody")
           .defaultsTo("/{robot}/pose");
   static final Field<String> POSE_TYPE =
       Field.choice(
