@@ -432,7 +432,8 @@ final class ExpressionReader {
 
   private Expr record(StarlParser.RecordOfContext at, @Nullable Type hint, Pos pos) {
     String name = at.name.getText();
-    boolean isWanted = hint != null && hint.base().toString().equals(name);
+    boolean isWanted =
+        hint != null && hint.base() instanceof Type.Rec wanted && wanted.name().equals(name);
     Type type = isWanted ? hint : scope.types.get(name);
     if (type == null || !(type.base() instanceof Type.Rec rec)) {
       throw wrong(
