@@ -120,6 +120,13 @@ final class RosNode implements AutoCloseable {
     }
   }
 
+  /** All nodes share the participant's types: one looks and registers at a time. */
+  private static synchronized void register(Domain domain, Participant participant, RawType type) {
+    if (domain.getRegisteredType(participant, type.getName()) == null) {
+      domain.registerType(participant, type);
+    }
+  }
+
   /**
    * The library copies its native part into the user's home when it first starts there, and takes a file that exists for a whole
    * one: a second process must wait until the first has copied.
@@ -303,9 +310,7 @@ final class RosNode implements AutoCloseable {
 
   private <A extends CommonAttributes<A>> A attributes(A attributes, RosTopic topic, RosType type) {
     RawType raw = new RawType(type);
-    if (domain.getRegisteredType(participant, raw.getName()) == null) {
-      domain.registerType(participant, raw);
-    }
+    register(domain, participant, raw);
     return attributes
         .topicDataType(raw)
         .topicName("rt" + topic.name())

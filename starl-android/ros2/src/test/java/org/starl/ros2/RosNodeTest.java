@@ -4,9 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Phaser;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.body.WheelCommand;
@@ -57,6 +65,34 @@ class RosNodeTest {
           .isEqualTo(
               "robot: /starl_test/two: a node is there, but not with Twist, best_effort, volatile; set"
                   + " robots.bot0.topics.command.reliability: reliable");
+    }
+  }
+
+  @RepeatedTest(10)
+  void nodesOpenTopicsOfOneTypeAtOneTime() throws Exception {
+    int nodes = 4;
+    Phaser together = new Phaser(nodes);
+    List<Callable<Void>> openings = new ArrayList<>();
+    for (int i = 0; i < nodes; i++) {
+      openings.add(() -> {
+        try (RosNode node = node("node")) {
+          for (RosType type : RosType.values()) {
+            together.arriveAndAwaitAdvance();
+            node.subscribe(
+                new RosTopic("key", "/starl_test/three", type.shortName(), true, false),
+                false,
+                message -> {});
+          }
+        } finally {
+          together.arriveAndDeregister();
+        }
+        return null;
+      });
+    }
+    try (ExecutorService threads = Executors.newFixedThreadPool(nodes)) {
+      for (Future<Void> opening : threads.invokeAll(openings)) {
+        opening.get();
+      }
     }
   }
 
