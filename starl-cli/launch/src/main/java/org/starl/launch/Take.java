@@ -146,10 +146,12 @@ public record Take(List<Snapshot> frames, int framesPerS) {
         axisRow = row();
       }
       titles.removeIf(each -> each.stream().allMatch(String::isEmpty));
-      if (axisRow == null || !axisRow.contains(TIME) || titles.size() < 3) {
+      // Format 1.21 and older have the short title.
+      int time = axisRow == null ? -1 : Math.max(axisRow.indexOf(TIME), axisRow.indexOf("Time"));
+      if (axisRow == null || time < 0 || titles.size() < 3) {
         throw wrong("has no row of titles with 'Frame' and '" + TIME + "'; " + EXPECTED);
       }
-      return frames(columns(titles, axisRow), axisRow.indexOf(TIME), axisRow.size(), metres);
+      return frames(columns(titles, axisRow), time, axisRow.size(), metres);
     }
 
     private static String setting(List<String> header, String key) {

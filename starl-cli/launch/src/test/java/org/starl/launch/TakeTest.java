@@ -65,6 +65,16 @@ class TakeTest {
   }
 
   @Test
+  void aTakeOfFormat121IsRead() throws IOException {
+    String old =
+        GOOD.replace("1.25", "1.21")
+            .replaceAll(",(Type|Name|ID),", ",,")
+            .replace("Time (Seconds)", "Time")
+            .replace("Mean Marker Error", "Error Per Marker");
+    assertThat(read(old)).isEqualTo(read(GOOD));
+  }
+
+  @Test
   void aTakeIsPlayedOnceByItsTimes() throws IOException {
     long[] nowNs = {5_000_000_000L};
     PoseSource source = read(GOOD).from(6_000_000_000L, () -> nowNs[0]);
