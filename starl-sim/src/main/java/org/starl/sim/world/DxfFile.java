@@ -25,6 +25,7 @@ final class DxfFile {
   private static final String EXPECTED = "expected a drawing in ASCII DXF";
   private static final String UNITS =
       "expected $INSUNITS 1 (inches), 2 (feet), 4 (mm), 5 (cm) or 6 (m)";
+  private static final String ENTITIES = "expected LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE";
   private static final Field<Double> NUMBER = Field.decimal("", -1e99, 1e99, "");
   private static final Map<String, Double> MM_BY_UNIT =
       Map.of("1", 25.4, "2", 304.8, "4", 1.0, "5", 10.0, "6", 1000.0, "14", 100.0);
@@ -98,6 +99,9 @@ final class DxfFile {
     }
     if (!hasEntities) {
       throw new BadInput(file + ": has no section ENTITIES; " + EXPECTED);
+    }
+    if (drawing.walls.isEmpty()) {
+      throw new BadInput(file + ": has no wall: " + ENTITIES + " in its model space");
     }
     return new Obstacles(drawing.walls);
   }
@@ -229,8 +233,9 @@ final class DxfFile {
       default ->
           throw wrong(
               BadInput.quote(type)
-                  + ": expected LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE; explode blocks (INSERT)"
-                  + " and other curves in the program that drew them");
+                  + ": "
+                  + ENTITIES
+                  + "; explode blocks (INSERT) and other curves in the program that drew them");
     }
     requireRoom(way.size());
     points += way.size();

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
@@ -48,6 +49,20 @@ class DxfFileTest {
             wall(
                 "0 POLYLINE 66 1 10 0 20 0 70 0 0 VERTEX 10 1 20 3 0 VERTEX 10 1 20 4 0 SEQEND 8 0"))
         .containsExactly(p(1000, 3000), p(1000, 4000));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "0 TEXT 10 0 20 0 1 Hall",
+        "0 LINE 67 1 10 0 20 0 11 4 21 0", // of the paper space
+        "0 HATCH 70 1"
+      })
+  void aDrawingWithoutWallsIsRefused(String entities) {
+    assertThatThrownBy(() -> DxfFile.parse("a.dxf", drawing("6", entities)))
+        .isInstanceOf(BadInput.class)
+        .hasMessage(
+            "a.dxf: has no wall: expected LINE, LWPOLYLINE, POLYLINE, ARC or CIRCLE in its model space");
   }
 
   /** A bulge of 1 is a half circle to the right of the way, which turns left. */
@@ -127,8 +142,10 @@ class DxfFileTest {
 
   @Test
   void textAndThePaperSpaceAreLeftOut() {
-    String entities = "0 TEXT 10 0 20 0 40 2.5 1 door 0 LINE 67 1 10 0 20 0 11 4 21 0";
-    assertThat(DxfFile.parse("a.dxf", drawing("4", entities)).all()).isEmpty();
+    assertThat(
+            wall(
+                "0 TEXT 10 0 20 0 40 2.5 1 door 0 LINE 67 1 10 0 20 0 11 4 21 0 0 LINE 10 0 20 0 11 1 21 0"))
+        .containsExactly(p(0, 0), p(1000, 0));
   }
 
   @ParameterizedTest

@@ -120,7 +120,8 @@ public final class Roads {
       if (merged > MOST_MERGED) {
         throw new IllegalArgumentException(
             "a way between parking places and stations has too many vertices: expected at most "
-                + Sections.MAX_COUNT * MOST_MERGED);
+                + Sections.MAX_COUNT * MOST_MERGED
+                + "; on a map of cells, a larger spacing makes fewer");
       }
     }
   }
@@ -142,7 +143,7 @@ public final class Roads {
               + Math.round(gapMm)
               + " mm from all others: expected one for each of "
               + robots
-              + " robots");
+              + " robots, or fewer robots");
     }
     homes.subList(robots, homes.size()).clear();
   }
