@@ -26,6 +26,9 @@ public final class DocumentReader {
 
   private static final int MAX_CHARACTERS = 3_000_000;
 
+  /** Of the tags that say of a value what it is already. */
+  private static final String STANDARD_TAG = "tag:yaml.org,2002:";
+
   private final String file;
   private final String expected;
   private final YAMLParser parser;
@@ -91,6 +94,7 @@ public final class DocumentReader {
     if (depth == MAX_DEPTH) {
       throw wrong(key + ": expected at most " + MAX_DEPTH + " levels");
     }
+    requireNoTag(key);
     if (token == JsonToken.START_OBJECT) {
       return mapping(line, depth + 1);
     }
@@ -114,6 +118,13 @@ public final class DocumentReader {
     }
     requireNoZero(key + ": ", parser.getText());
     return new Node.Text(line, parser.getText());
+  }
+
+  private void requireNoTag(String key) throws IOException {
+    String tag = parser.getTypeId();
+    if (tag != null && !tag.isEmpty() && !tag.startsWith(STANDARD_TAG)) {
+      throw wrong(key + ": the tag '!" + tag + "': expected a value without it");
+    }
   }
 
   /** An escape may stand for it; the system refuses it in names of files. */

@@ -114,6 +114,14 @@ class DocumentReaderTest {
   }
 
   @Test
+  void tagsThatYamlDoesNotHaveAreRefused() {
+    assertRefused("a: 1\nb: !degrees 45", "2: b: the tag '!degrees': expected a value without it");
+    assertRefused("a:\n  - !x {b: 1}", "2: a: the tag '!x': expected a value without it");
+    assertRefused("a: !list [1]", "1: a: the tag '!list': expected a value without it");
+    assertThat(read("a: !!str 007\nb: !!int 7\nc: ! x").toString()).contains("007", "7", "x");
+  }
+
+  @Test
   void aTextThatIsTooLongIsNamedAsSuch() {
     StringBuilder text = new StringBuilder("app: hello\n");
     for (int i = 0; text.length() <= 3_000_000; i++) {
