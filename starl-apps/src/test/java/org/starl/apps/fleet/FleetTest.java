@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.Request;
@@ -114,15 +115,19 @@ class FleetTest {
     assertThat(result.results()).hasSize(robots);
   }
 
-  /** Two homes at the ends of a corridor for one robot, and four stations beside it. */
   private static NavGraph corridor() {
+    return corridor(1_300);
+  }
+
+  /** Two homes at the ends of a corridor for one robot, and four stations beside it. */
+  private static NavGraph corridor(double laneMm) {
     List<Vertex> vertices = new ArrayList<>();
     for (int i = 0; i < 5; i++) {
       boolean isHome = i == 0 || i == 4;
-      vertices.add(new Vertex("v" + i, new Point(1_300 * i, 0), false, false, isHome));
+      vertices.add(new Vertex("v" + i, new Point(laneMm * i, 0), false, false, isHome));
     }
     for (int i = 0; i < 4; i++) {
-      Point at = new Point(i < 2 ? 1_300 : 3_900, i % 2 == 0 ? 1_300 : -1_300);
+      Point at = new Point(i < 2 ? laneMm : 3 * laneMm, i % 2 == 0 ? laneMm : -laneMm);
       vertices.add(new Vertex("s" + i, at, false, true, false));
     }
     List<Lane> lanes = new ArrayList<>();
@@ -159,11 +164,14 @@ class FleetTest {
   }
 
   private static SimResult run(Function<GlobalVarHolder, LogicThread> app) {
-    NavGraph graph = corridor();
+    return run(corridor(), app);
+  }
+
+  private static SimResult run(NavGraph graph, Function<GlobalVarHolder, LogicThread> app) {
     Simulation.Builder simulation =
         Simulation.builder()
             .seed(1)
-            .settings(SimSettings.builder().set("duration", "300s").build())
+            .settings(SimSettings.builder().set("duration", "1000s").build())
             .monitor(() -> new FleetSpec(graph, BOTH_WAYS, 60 * Time.NS_PER_S));
     for (int i = 0; i < 2; i++) {
       Pose start = new Pose(graph.vertices().get(4 * i).at().xMm(), 0, 0);
@@ -195,5 +203,15 @@ class FleetTest {
     assertThat(result.spec().violations())
         .filteredOn(violation -> !violation.lemma().equals("fleet.in_time"))
         .isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {5_000, 15_000})
+  void robotsStayOnLongLanes(double laneMm) {
+    NavGraph graph = corridor(laneMm);
+    Roads roads = new Roads(graph, BODY_MM, 2);
+    SimResult result = run(graph, gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0));
+    assertThat(result.unfinished()).isEmpty();
+    assertThat(result.spec().violations("fleet.on_lane")).isZero();
   }
 }

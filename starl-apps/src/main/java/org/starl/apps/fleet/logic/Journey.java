@@ -28,9 +28,10 @@ final class Journey {
   private static final long RETRY_NS = Time.NS_PER_S;
   private static final long REGISTER_MS = 60_000;
 
-  // Vertices on a straight line are passed without a stop. On a long one a robot misses its lane by
-  // more.
+  // Vertices on a straight line are passed without a stop. On a long way to its goal a robot misses
+  // its lane by more, so a long lane has goals between its vertices.
   private static final double LONGEST_MM = 4_000;
+  private static final double BETWEEN_MM = 2_000;
   private static final double STRAIGHT_MM = 10;
 
   // Farther beside its lane than this, a robot gets no farther goal: it aims at the one that it
@@ -195,13 +196,28 @@ final class Journey {
       goal = null;
       retryAtNs = gvh.plat.clock.nowNs() + RETRY_NS;
     }
-    Point target = points.get(reach);
-    boolean mayAim = gvh.plat.clock.nowNs() >= retryAtNs && (goal == null || isNearLane());
+    Point target = reach == passed + 1 ? onLane(points.get(reach)) : points.get(reach);
+    boolean isAiming = goal != null && gvh.plat.moat.motionflag().get() != MotionFlag.DONE;
+    boolean mayAim = gvh.plat.clock.nowNs() >= retryAtNs && (!isAiming || isNearLane());
     if (reach > passed && !target.equals(goal) && mayAim) {
       goal = target;
       tell();
       gvh.plat.moat.doMove(new ItemPosition("v" + vertices.get(reach), target.xMm(), target.yMm()));
     }
+  }
+
+  /** The end of the lane, or a point of it that is not too far ahead. */
+  private Point onLane(Point end) {
+    Point start = points.get(passed);
+    Point way = end.minus(start);
+    double lengthMm = start.distanceMm(end);
+    if (lengthMm <= LONGEST_MM) {
+      return end;
+    }
+    double reachMm = gvh.gps.pose().at().minus(start).dot(way) / lengthMm + LONGEST_MM;
+    return reachMm >= lengthMm
+        ? end
+        : start.plus(way.times(Math.floor(reachMm / BETWEEN_MM) * BETWEEN_MM / lengthMm));
   }
 
   private boolean isNearLane() {
