@@ -52,6 +52,9 @@ class PlacesTest {
         "campaign hello --seeds 1..2",
         "record hello --png",
         "verify-determinism hello --seed 1",
+        "explore election --seed 1 --schedules 1",
+        "keygen robot.key",
+        "completion bash",
         "new robots",
         "list"
       })
@@ -67,7 +70,17 @@ class PlacesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"run hello --seed 1", "campaign hello --seeds 1..2", "list", "schema"})
+  @ValueSource(
+      strings = {
+        "run hello --seed 1",
+        "campaign hello --seeds 1..2",
+        "explore election --seed 1 --schedules 1",
+        "verify-determinism hello --seed 1",
+        "completion bash",
+        "help run",
+        "list",
+        "schema"
+      })
   void aFullDiskIsToldInOneLine(String words) throws IOException, InterruptedException {
     assumeTrue(Files.isWritable(Path.of("/dev/full")), "skipped: no /dev/full here");
     Ended full = run(folder, "C.UTF-8", "/dev/full", words);
