@@ -3,6 +3,8 @@ package org.starl.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
@@ -63,20 +65,22 @@ class AvoidGuardTest {
       double headingRad,
       Bumps bumps,
       LingeringSpeeds late) {
-    return nearestMm(p, command, headingRad, 0, bumps, late);
+    return nearestMm(p, command, headingRad, 0, 0, bumps, late);
   }
 
   private static double nearestMm(
       MotionParameters p,
       WheelCommand command,
       double headingRad,
+      double errorMm,
       double errorRad,
       Bumps bumps,
       LingeringSpeeds late) {
     AvoidGuard guard = new AvoidGuard(new Rectangle(-1e4, -1e4, 1e4, 0), p);
     double gapMm = RADIUS_MM;
     while (true) {
-      Location.Known at = new Location.Known(new Pose(0, gapMm, headingRad), 0, errorRad, 0, 0);
+      Location.Known at =
+          new Location.Known(new Pose(0, gapMm, headingRad), errorMm, errorRad, 0, 0);
       if (guard.limit(command, at, bumps, late).equals(command)) {
         return gapMm;
       }
@@ -112,13 +116,24 @@ class AvoidGuardTest {
         .isGreaterThan(RADIUS_MM + 25 + 40 * StrictMath.sin(0.5));
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 20, 60, 499})
+  void aPositionErrorIsAllowedForHoweverLargeItIs(double errorMm) {
+    WheelCommand down = new WheelCommand(25, 0);
+    double rad = -StrictMath.PI / 2;
+    assertThat(
+            nearestMm(LATE, down, rad, errorMm, 0, Bumps.NONE, LingeringSpeeds.NONE)
+                - nearestMm(LATE, down, rad, Bumps.NONE, LingeringSpeeds.NONE))
+        .isBetween(errorMm - 0.2, errorMm + 0.2);
+  }
+
   @Test
   void aHeadingErrorIsAllowedFor() {
     MotionParameters p = MotionParameters.DEFAULT;
     WheelCommand along = new WheelCommand(250, 0);
-    assertThat(nearestMm(p, along, 0, 0.5, Bumps.NONE, LingeringSpeeds.NONE))
+    assertThat(nearestMm(p, along, 0, 0, 0.5, Bumps.NONE, LingeringSpeeds.NONE))
         .isGreaterThan(RADIUS_MM + 15 * StrictMath.sin(0.5));
-    assertThat(nearestMm(p, along, 0, 0, Bumps.NONE, LingeringSpeeds.NONE))
+    assertThat(nearestMm(p, along, 0, 0, 0, Bumps.NONE, LingeringSpeeds.NONE))
         .isLessThan(RADIUS_MM + 3);
   }
 

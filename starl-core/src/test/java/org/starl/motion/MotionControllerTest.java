@@ -84,6 +84,22 @@ class MotionControllerTest {
   }
 
   @Test
+  void aFixCountsFromTheReactionTimeAfterTheStartAndNotBefore() {
+    FakeWorld late = new FakeWorld("bot0");
+    FakePlatform bot = late.boot("bot0");
+    MotionParameters parameters = MotionParameters.builder().reactionMs(100).build();
+    GlobalVarHolder program = new GlobalVarHolder(bot.platform(parameters), 1);
+    late.runMs(99);
+    bot.fix(new Fix(new Pose(0, 0, 0), late.nowNs(), 4, 0));
+    late.runMs(0);
+    assertThat(program.gps.hasFix()).as("its wheels may still turn").isFalse();
+    late.runMs(1);
+    bot.fix(new Fix(new Pose(0, 0, 0), late.nowNs(), 4, 0));
+    late.runMs(0);
+    assertThat(program.gps.hasFix()).isTrue();
+  }
+
+  @Test
   void aStartingProgramStopsTheWheels() {
     assertThat(robot.driven).containsExactly(WheelCommand.STOP);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);

@@ -93,6 +93,24 @@ class MotionRunTest {
   }
 
   @Test
+  void theWheelsStopWhenThePositionIsLessCertainThanItMustBeAndNotBefore() {
+    MotionParameters p = MotionParameters.DEFAULT;
+    double mostMm = p.maxErrorMm();
+    assertThat(firstCommand(p, mostMm)).isNotEqualTo(WheelCommand.STOP);
+    assertThat(firstCommand(p, Math.nextUp(mostMm))).isEqualTo(WheelCommand.STOP);
+  }
+
+  private static WheelCommand firstCommand(MotionParameters p, double errorMm) {
+    return MotionRun.goTo(TARGET, new Nowhere(), Nowhere::new, p, new Rng(1), 0)
+        .step(
+            new Location.Known(new Pose(0, 0, 0), errorMm, 0, 0, 0),
+            false,
+            Bumps.NONE,
+            LingeringSpeeds.NONE,
+            0);
+  }
+
+  @Test
   void aWaitForFixesIsNoTimeWithoutProgress() {
     MotionWorld world = world();
     world.mobility = 0;

@@ -193,6 +193,7 @@ class PositionFilterTest {
     fix(0, 0, 0, 0, 0);
     filter.commanded(new WheelCommand(100, 0), true, 0);
     assertThat(at(100).errorMm()).isCloseTo(20, within(1e-9));
+    assertThat(at(100).errorRad()).as("it rolls along the object").isCloseTo(0.1, within(1e-9));
   }
 
   @Test

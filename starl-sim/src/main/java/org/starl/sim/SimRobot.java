@@ -127,7 +127,14 @@ final class SimRobot implements TraceSink {
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     mayDeviate = settings.positionNoise().boundMm() > SHOWN_MM / 2;
     if (engine.observers().isOn()) {
-      positioning.afterFix(this::traceDeviation);
+      // Between two fixes nothing but its bound keeps a belief true.
+      positioning.aroundFix(
+          () -> traceDeviation(Double.MAX_VALUE),
+          () -> {
+            if (mayDeviate) {
+              traceDeviation(SHOWN_MM);
+            }
+          });
     }
     Impairment impairment = engine.impairmentOf(spec.id());
     if (impairment.equals(Impairment.NONE)) {
@@ -139,18 +146,20 @@ final class SimRobot implements TraceSink {
     }
   }
 
-  /** Traces how far the program's belief is from the truth, if that has changed visibly. */
-  private void traceDeviation() {
+  /**
+   * Traces how far the program's belief is from the truth, if that has changed by more than {@code
+   * leastMm}, or if it has become false or true.
+   */
+  private void traceDeviation(double leastMm) {
     GlobalVarHolder gvh = runner.gvh();
     Body at = body;
-    if (mayDeviate
-        && gvh != null
+    if (gvh != null
         && at != null
         && gvh.gps.currentlocation().get() instanceof Location.Known belief) {
       Pose truth = at.pose();
       Point place = truth.at().minus(spec.origin());
       Deviation now = Deviation.of(belief, Pose.of(place, truth.headingRad()));
-      if (now.differs(deviation, SHOWN_MM)) {
+      if (now.differs(deviation, leastMm)) {
         deviation = now;
         engine
             .observers()
@@ -193,9 +202,8 @@ final class SimRobot implements TraceSink {
   /** Sets the impairment of its parts. */
   void applyImpairment(Impairment impairment) {
     mayDeviate = true;
-    SimSettings settings = engine.settings();
     chassis.impair(impairment.wheels(), impairment.wheels());
-    positioning.setNoise(settings.positionNoise().plus(impairment.noise()));
+    positioning.setNoise(impairment.noise());
     positioning.setOffset(
         impairment.offXMm() - spec.origin().xMm(), impairment.offYMm() - spec.origin().yMm());
     positioning.turn(!impairment.isBlind());

@@ -36,6 +36,8 @@ final class MotionClient extends Client {
 
   private static final long CANCEL_MS = 4_000;
 
+  private static final long[] REACTIONS_MS = {0, 0, 50, 150};
+
   private final MotionPrim motion;
   private Point home = new Point(0, 0);
   private boolean hasHome;
@@ -52,7 +54,7 @@ final class MotionClient extends Client {
     Obstacles walls = hasWalls ? setup.walls() : Obstacles.NONE;
     setup.simulation().obstacles(walls);
     MotionParameters parameters = setup.settings().motionParameters(0);
-    setup.simulation().monitor(() -> new MotionSpec(parameters).backingOff(walls));
+    setup.simulation().monitor(() -> new MotionSpec(parameters).located().backingOff(walls));
     setup.promise(hasWalls ? parameters.longestMs(2 * REACH_MM) : promptMs(parameters), 0, true);
   }
 
@@ -60,14 +62,16 @@ final class MotionClient extends Client {
    * The time to turn around and to drive the longest way at the speeds of a motion that nothing is in
    * the way of, and twice the time after which it fails without progress. So 64 s, or 70 s with errors
    * of the wheels. The factor two is chosen after runs: the longest wait seen, 52.6 s, needed more than
-   * one. Only {@link MotionParameters#longestMs}, 222 s, is the contract.
+   * one, and one of 70 s more than two where a reaction is longer than a step. Only {@link MotionParameters#longestMs}, 222 s, is the contract.
    */
   private static long promptMs(MotionParameters p) {
     double slowTurnS = p.slowTurnAngleRad() / p.turnSpeedMinRadPerS();
     double turnS = slowTurnS + (Math.PI - p.slowTurnAngleRad()) / p.turnSpeedMaxRadPerS();
     double slowS = p.slowFwdRadiusMm() / p.linSpeedMinMmPerS();
     double driveS = slowS + (2 * REACH_MM - p.slowFwdRadiusMm()) / p.linSpeedMaxMmPerS();
-    return 2 * p.noProgressMs() + (long) Math.ceil(1e3 * (turnS + driveS) / (1 - p.speedError()));
+    long tries = p.reactionMs() > p.automatonPeriodMs() ? 3 : 2;
+    return tries * p.noProgressMs()
+        + (long) Math.ceil(1e3 * (turnS + driveS) / (1 - p.speedError()));
   }
 
   /** One of the reactions to a bump, and {@link #errors}. */
@@ -81,14 +85,15 @@ final class MotionClient extends Client {
 
   /**
    * Wheels and fixes with errors. Half of the runs have no error of a kind: then a margin for
-   * another kind that is too small is not made up for.
+   * another kind that is too small is not made up for. In the longest reaction several commands are
+   * in effect, as a robot gives one each 60 ms.
    */
   static void errors(Rng drawn, SimSettings.Builder settings) {
     settings
         .set(Setting.SPEED_ERROR, drawn.nextBoolean(0.5) ? 0.2 : 0)
         .set(Setting.POSITION_NOISE, drawn.nextBoolean(0.5) ? 20.0 : 0)
         .set(Setting.HEADING_NOISE, drawn.nextBoolean(0.5) ? 0.1 : 0)
-        .set(Setting.REACTION, Duration.ofMillis(drawn.nextBoolean(0.5) ? 50 : 0));
+        .set(Setting.REACTION, Duration.ofMillis(REACTIONS_MS[drawn.nextInt(REACTIONS_MS.length)]));
   }
 
   @Override

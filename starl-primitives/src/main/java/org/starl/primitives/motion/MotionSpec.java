@@ -13,6 +13,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.motion.Deviation;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFailure;
 import org.starl.motion.MotionFlag;
@@ -37,6 +38,7 @@ public final class MotionSpec extends LemmaMonitor {
   static final String AVOIDS = "motion.avoids";
   static final String ARRIVES = "motion.arrives";
   static final String TOLD = "motion.told";
+  static final String LOCATED = "motion.located";
   static final String FLAG = "motion.motionflag";
 
   private static final long NEVER = Long.MAX_VALUE;
@@ -70,6 +72,7 @@ public final class MotionSpec extends LemmaMonitor {
   private final long heldUpMs;
   private Obstacles walls = Obstacles.NONE;
   private boolean isBackingOff;
+  private boolean isLocated;
 
   /** For robots with the default motion parameters, and position errors below 50 mm. */
   public MotionSpec() {
@@ -131,6 +134,13 @@ public final class MotionSpec extends LemmaMonitor {
     return this;
   }
 
+  /** Also requires that robots are where they believe to be: of fixes and wheels within their bounds. */
+  public MotionSpec located() {
+    lemma(LOCATED, "A robot is within its error bound of the place where it believes to be.");
+    isLocated = true;
+    return this;
+  }
+
   @Override
   public List<Monitor> companions() {
     return List.of(new MotionConformance(p));
@@ -147,7 +157,10 @@ public final class MotionSpec extends LemmaMonitor {
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
       case Action action -> acted(action, report);
-      case Variable variable -> flagged(variable, report);
+      case Variable variable -> {
+        checkLocated(variable, report);
+        flagged(variable, report);
+      }
       case Moved moved when standsFromNs.getOrDefault(moved.robot(), NEVER) < moved.timeNs() ->
           checkStands(moved.robot(), moved.timeNs(), report);
       case Joined joined -> startOf(joined.robot(), joined.timeNs());
@@ -311,6 +324,9 @@ public final class MotionSpec extends LemmaMonitor {
       report.violated(TOLD, nowNs, List.of(motion.robot), "DONE without a body on the floor");
       return;
     }
+    if (isLocated) {
+      report.checked(LOCATED);
+    }
     Pose truth = bodies.poseAt(motion.robot, nowNs);
     if (!bodies.isNear(motion, nowNs)) {
       String detail = "DONE " + truth.distanceMm(motion.target) + " mm from " + motion.target;
@@ -337,6 +353,13 @@ public final class MotionSpec extends LemmaMonitor {
       report.violated(ARRIVES, nowNs, List.of(motion.robot), detail);
     }
     motion.owesArrives = false;
+  }
+
+  private void checkLocated(Variable variable, Report report) {
+    Deviation deviation = variable.of(Deviation.VAR);
+    if (isLocated && deviation != null && deviation.isFalse()) {
+      report.violated(LOCATED, variable.timeNs(), List.of(variable.robot()), deviation.toString());
+    }
   }
 
   /** A motion that is held back must wait, and one that does not move must try, before it fails. */

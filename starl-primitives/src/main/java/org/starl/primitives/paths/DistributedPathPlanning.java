@@ -171,7 +171,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
           int last = Math.min(i + 1, tube.points().size() - 1);
           Tube leg = new Tube(tube.points().subList(i, last + 1), tube.radiusMm());
           if (!claims.held().equals(List.of(leg))) {
-            claims.keep(List.of(leg));
+            holdOnly(leg);
           }
           return claims.held().equals(List.of(leg)); // not before it is on stable storage
         }
@@ -362,7 +362,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
     for (Tube tube : held) {
       if (tube.capsules().stream().anyMatch(part -> TubeDriver.isInside(gvh, part))) {
-        claims.keep(List.of(tube));
+        holdOnly(tube);
         return false;
       }
     }
@@ -460,7 +460,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     if (TubeDriver.isInside(gvh, tube.part(0))) {
       entering = null;
       timer.cancel();
-      claims.keep(List.of(tube));
+      holdOnly(tube);
       flag.set(TubeFlag.MOVING);
       driver.drive(tube);
     } else if (nowNs() >= deadlineNs) {
@@ -469,6 +469,16 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     } else {
       timer.set(Math.min(deadlineNs, nowNs() + settings.resendNs()));
     }
+  }
+
+  /** Releases all but {@code rest}, which contains the whole body, position error included. */
+  private void holdOnly(Tube rest) {
+    Point at = gvh.gps.pose().at();
+    gvh.trace.action(
+        source,
+        TubeFact.SHAPE,
+        new TubeFact.frees(new TubeList(List.of(rest)), at.xMm(), at.yMm(), gvh.gps.errorMm()));
+    claims.keep(List.of(rest));
   }
 
   /** Releases a granted tube: the robot has not moved, so it needs only what it held before. */
@@ -527,12 +537,12 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private final class DriverWiring implements TubeDriver.Listener {
     @Override
     public void passed(int parts, Tube rest) {
-      claims.keep(List.of(rest));
+      holdOnly(rest);
     }
 
     @Override
     public void arrived(Tube end) {
-      claims.keep(List.of(end));
+      holdOnly(end);
       flag.set(TubeFlag.DONE);
     }
 

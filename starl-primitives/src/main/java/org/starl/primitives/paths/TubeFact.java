@@ -1,5 +1,6 @@
 package org.starl.primitives.paths;
 
+import static org.starl.shape.Shapes.REAL;
 import static org.starl.shape.Shapes.part;
 
 import org.starl.primitives.Phases;
@@ -28,11 +29,21 @@ public sealed interface TubeFact {
   /** A call of {@code goTo} or {@code goAlong}. */
   record goTo(TubeGoal goal) implements TubeFact {}
 
+  /** The robot will hold only {@code rest}; it takes its place to be this one, within the error bound. */
+  record frees(TubeList rest, double xMm, double yMm, double errorMm) implements TubeFact {}
+
   /** The shapes of all facts. */
   SumShape<TubeFact> SHAPE =
       Shapes.oneOf(
           TubeFact.class,
-          Shapes.of(goTo.class, part("goal", TubeGoal.SHAPE, goTo::goal), goTo::new));
+          Shapes.of(goTo.class, part("goal", TubeGoal.SHAPE, goTo::goal), goTo::new),
+          Shapes.of(
+              frees.class,
+              part("rest", TubeList.SHAPE, frees::rest),
+              part("xMm", REAL, frees::xMm),
+              part("yMm", REAL, frees::yMm),
+              part("errorMm", REAL, frees::errorMm),
+              frees::new));
 
   /** What a reader of traces needs. */
   Vocabulary VOCABULARY =

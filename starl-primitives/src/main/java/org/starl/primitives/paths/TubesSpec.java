@@ -27,6 +27,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       of a robot that holds no tube yet. A crashed robot keeps its tubes.
  *   <li>{@code Inside}: the true body of a robot that holds tubes lies wholly in one part of a
  *       tube. Checked every 10 ms of movement.
+ *   <li>{@code Freed}: a robot frees a part only when its body is certainly in the rest: by its own
+ *       position and error bound.
  *   <li>{@code Told}: every {@code goTo} is DONE or FAIL within the bound, unless its robot
  *       crashes. A robot drives in its tube only.
  * </ul>
@@ -35,6 +37,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   static final String TUBES = "tubes.Tubes";
   static final String INSIDE = "tubes.Inside";
+  static final String FREED = "tubes.Freed";
   static final String TOLD = "tubes.Told";
 
   private static final long STEP_NS = 10_000_000;
@@ -65,6 +68,9 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
     super(TubeFact::isTubes);
     lemma(TUBES, "No two robots hold tubes that meet.");
     lemma(INSIDE, "A robot's body lies wholly within a tube that it holds.");
+    lemma(
+        FREED,
+        "A robot frees a part of its tube only when its whole body is in the rest, within its error bound.");
     tasks =
         new Deadlines(
             TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
@@ -97,8 +103,31 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   @Override
   protected void acted(Action action, Report report) {
-    if (action.fact() instanceof TubeFact.goTo) {
-      tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
+    switch (action.fact()) {
+      case TubeFact.goTo f ->
+          tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
+      case TubeFact.frees f -> checkFreed(action, f, report);
+      default -> {}
+    }
+  }
+
+  /** Before the error is as large as its bound, and the body outside: that is rare. */
+  private void checkFreed(Action action, TubeFact.frees f, Report report) {
+    report.checked(FREED);
+    double radiusMm = bodies.radiusMm(action.robot()) + f.errorMm() - ROUNDING_MM;
+    Point at = new Point(f.xMm(), f.yMm());
+    if (f.rest().tubes().stream().noneMatch(rest -> rest.containsDisc(at, radiusMm))) {
+      String detail =
+          "frees all but "
+              + f.rest()
+              + ", and may be up to "
+              + Math.round(f.errorMm())
+              + " mm from ("
+              + Math.round(at.xMm())
+              + ", "
+              + Math.round(at.yMm())
+              + ") mm";
+      report.violated(FREED, action.timeNs(), List.of(action.robot()), detail);
     }
   }
 

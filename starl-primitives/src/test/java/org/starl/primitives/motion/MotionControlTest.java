@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -310,6 +311,24 @@ class MotionControlTest {
               robot.await();
             });
     assertThat(result.spec().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  /** The same error of its fixes, in their bound or beyond it. */
+  @ParameterizedTest
+  @CsvSource({"'noise(all,30mm)', 0", "'jump(all,30mm)', 1"})
+  void aRobotIsWhereItBelievesToBeUnlessItsFixesAreWrong(String fault, int violations) {
+    SimSettings settings =
+        SimSettings.builder().robots(1).set("faults", fault).set("duration", "60s").build();
+    SimResult result =
+        Simulation.builder()
+            .seed(1)
+            .settings(settings)
+            .monitor(() -> new MotionSpec(settings.motionParameters(0)).located())
+            .robots(1, Driver::new)
+            .build()
+            .run();
+    assertThat(result.spec().checks(MotionSpec.LOCATED)).isPositive();
+    assertThat(result.spec().violations(MotionSpec.LOCATED)).isEqualTo(violations);
   }
 
   @Test

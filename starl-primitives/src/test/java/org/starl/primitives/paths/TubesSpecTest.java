@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -63,6 +65,18 @@ class TubesSpecTest {
     assertThat(monitors.report().violations(TubesSpec.INSIDE)).isEqualTo(1);
     assertThat(monitors.report().violations().get(0).timeNs())
         .isBetween(2_350 * S / 1000, 2_380 * S / 1000);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"35, 0", "36, 1"})
+  void aPartThatIsFreedBeforeTheBodyIsCertainlyInTheRestViolatesFreed(
+      double errorMm, int violations) {
+    monitors.observe(new Joined(0, A, new Pose(1000, 100, 0), 165));
+    TubeList rest = new TubeList(List.of(tube(300, 1000, 0, 2000, 0)));
+    TubeFact frees = new TubeFact.frees(rest, 1000, 100, errorMm);
+    monitors.observe(Action.of(S, A, X, TubeFact.SHAPE, frees));
+    assertThat(monitors.report().checks(TubesSpec.FREED)).isEqualTo(1);
+    assertThat(monitors.report().violations(TubesSpec.FREED)).isEqualTo(violations);
   }
 
   @Test

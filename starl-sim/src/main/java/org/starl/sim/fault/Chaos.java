@@ -62,7 +62,7 @@ final class Chaos {
     }
     if (drives(envelope) && rng.nextBoolean(0.3)) {
       // One at most: several would add up to more than geocasts allow for.
-      chaos.add(fault("skew", "any", chaos.ms(-20, 20)), 0, chaos.untilMs);
+      chaos.add(fault("skew", "any", chaos.upTo(20) + "ms"), 0, chaos.untilMs);
     }
     if (chaos.faults.isEmpty()) {
       chaos.add(kinds.get(0).get(), 0, chaos.untilMs / 2);
@@ -183,12 +183,12 @@ final class Chaos {
         || envelope == Envelope.MORTAL
         || envelope == Envelope.HOSTILE) {
       kinds.add(() -> fault("compute", anyOr("all"), ms(1, 20)));
-      kinds.add(() -> fault("drift", "any", ppm(100_000)));
+      kinds.add(() -> fault("drift", "any", upTo(100_000) + "ppm"));
       kinds.add(() -> fault("skew", "any", ms(-1000, 1000)));
     }
     if (drives(envelope) || envelope == Envelope.MOVING) {
-      kinds.add(() -> fault("drift", "any", ppm(200)));
-      kinds.add(() -> fault("noise", anyOr("all"), rng.nextLong(1, 20) + "mm", angle()));
+      kinds.add(() -> fault("drift", "any", upTo(200) + "ppm"));
+      kinds.add(() -> fault("noise", anyOr("all"), Math.abs(upTo(19)) + 1 + "mm", angle()));
     }
     if (drives(envelope)) {
       kinds.add(() -> DROPOUT);
@@ -252,8 +252,9 @@ final class Chaos {
     return rng.nextLong(least, most) + "ms";
   }
 
-  private String ppm(long most) {
-    return rng.nextLong(-most, most) + "ppm";
+  /** From {@code -most} to {@code most}, in a third of the cases one of these two. */
+  private long upTo(long most) {
+    return Math.clamp(rng.nextLong(-3 * most, 3 * most) / 2, -most, most);
   }
 
   private String angle() {

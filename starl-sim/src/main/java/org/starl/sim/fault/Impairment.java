@@ -6,7 +6,7 @@ import org.starl.sim.world.PositionNoise;
  * The impairments of one robot's parts, summed over its faults.
  *
  * @param wheels wheel speed as a fraction of the commanded speed, from 0 (stuck) to 1
- * @param noise additional error of fixes, included in the bound that they report
+ * @param noise additional error of fixes, as large as this, included in the bound that they report
  * @param isBlind whether there are no fixes
  * @param offXMm additional error of fixes along x, not included in that bound
  * @param offYMm additional error of fixes along y, not included in that bound

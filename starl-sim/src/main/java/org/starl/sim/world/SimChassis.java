@@ -33,8 +33,8 @@ public final class SimChassis implements Chassis {
    *
    * @param strand the robot's strand, on which bumps are reported
    * @param rng the chassis's own generator
-   * @param speedError forward and turning speed of each new command have independent factors,
-   *     uniform from 1 - speedError to 1 + speedError; 0 for perfect wheels
+   * @param speedError forward and turning speed of each new command have independent factors from 1 -
+   *     speedError to 1 + speedError, half of them at these bounds; 0 for perfect wheels
    */
   public SimChassis(Strand strand, Rng rng, double speedError) {
     this(strand, rng, speedError, null, 0);
@@ -135,6 +135,6 @@ public final class SimChassis implements Chassis {
   }
 
   private double drawFactor() {
-    return 1 + speedError * (2 * rng.nextDouble() - 1);
+    return 1 + speedError * Math.clamp(4 * rng.nextDouble() - 2, -1, 1);
   }
 }

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
@@ -32,13 +33,15 @@ public final class SimPositioning implements Positioning {
   private final long phaseNs;
   private final Timer timer;
   private PositionNoise noise;
+  private PositionNoise offset = PositionNoise.NONE;
   private double offXMm;
   private double offYMm;
   private boolean isOn = true;
   private final MeasuredRobots measured;
   private final MeasuredRobots.Newest own;
   private Consumer<StartNeeds> needsListener = needs -> {};
-  private Runnable fixListener = () -> {};
+  private Runnable beforeFix = () -> {};
+  private Runnable afterFix = () -> {};
   private @Nullable Receiver receiver;
   private boolean hasMeasured;
   private @Nullable Body body;
@@ -110,9 +113,10 @@ public final class SimPositioning implements Positioning {
     needsListener = listener;
   }
 
-  /** Sets what is called after each fix that the program has received. */
-  public void afterFix(Runnable listener) {
-    fixListener = listener;
+  /** Sets what is called before and after the program receives a fix. */
+  public void aroundFix(Runnable before, Runnable after) {
+    beforeFix = before;
+    afterFix = after;
   }
 
   /** Whether it has delivered a fix. */
@@ -143,9 +147,9 @@ public final class SimPositioning implements Positioning {
     isOn = on;
   }
 
-  /** Sets the error of fixes. */
-  public void setNoise(PositionNoise newNoise) {
-    noise = newNoise;
+  /** Sets a further error of fixes, included in their bound: as large as that, in any direction. */
+  public void setNoise(PositionNoise further) {
+    offset = further;
   }
 
   /** Sets an additional error of fixes that their bound does not include. */
@@ -159,14 +163,16 @@ public final class SimPositioning implements Positioning {
     timer.set(nextNs(nowNs + 1));
     if (isOn && receiver != null && body != null) {
       hasMeasured = true;
-      Pose pose = drawn(body.pose());
-      Fix fix = new Fix(pose, nowNs, noise.boundMm(), noise.boundRad());
+      beforeFix.run();
+      PositionNoise bound = noise.plus(offset);
+      Pose pose = offset(drawn(body.pose()));
+      Fix fix = new Fix(pose, nowNs, bound.boundMm(), bound.boundRad());
       own.fix = fix;
       receiver.fixed(
           robotClock == trueClock
               ? fix
-              : new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
-      fixListener.run();
+              : new Fix(pose, robotClock.nowNs(), bound.boundMm(), bound.boundRad()));
+      afterFix.run();
     }
   }
 
@@ -186,6 +192,20 @@ public final class SimPositioning implements Positioning {
         offRad == 0
             ? truth.headingRad()
             : Angles.normalize(truth.headingRad() + noise.boundRad() * offRad));
+  }
+
+  private Pose offset(Pose pose) {
+    if (offset.equals(PositionNoise.NONE)) {
+      return pose;
+    }
+    double inRad = 2 * StrictMath.PI * rng.nextDouble();
+    double offRad = rng.nextBoolean(0.5) ? offset.boundRad() : -offset.boundRad();
+    return Pose.of(
+        pose.at()
+            .plus(
+                new Point(StrictMath.cos(inRad), StrictMath.sin(inRad))
+                    .times(INSIDE * offset.boundMm())),
+        Angles.normalize(pose.headingRad() + INSIDE * offRad));
   }
 
   /** The time of the first fix at or after {@code fromNs}. */
