@@ -38,6 +38,9 @@ final class MotionClient extends Client {
 
   private static final long[] REACTIONS_MS = {0, 0, 50, 150};
 
+  /** Between fixes that are this far apart a robot needs its odometry; older ones stop it. */
+  private static final Duration SELDOM = Duration.ofMillis(250);
+
   private final MotionPrim motion;
   private Point home = new Point(0, 0);
   private boolean hasHome;
@@ -89,6 +92,9 @@ final class MotionClient extends Client {
    * in effect, as a robot gives one each 60 ms.
    */
   static void errors(Rng drawn, SimSettings.Builder settings) {
+    if (drawn.nextBoolean(0.3)) {
+      settings.set(Setting.POSITION_PERIOD, SELDOM);
+    }
     settings
         .set(Setting.SPEED_ERROR, drawn.nextBoolean(0.5) ? 0.2 : 0)
         .set(Setting.POSITION_NOISE, drawn.nextBoolean(0.5) ? 20.0 : 0)

@@ -36,7 +36,7 @@ final class PathsClient extends Client {
 
   private static final long CANCEL_MS = 10_000;
 
-  static final TubeSettings TUBES = new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
+  static final TubeSettings TUBES = tubes(60);
 
   /** The tubes' deadline, and the longest drive with its stops. */
   private static final long TOLD_NS = 600 * Time.NS_PER_S;
@@ -44,21 +44,30 @@ final class PathsClient extends Client {
   private final double sideMm;
   private final DistributedPathPlanning paths;
 
-  private PathsClient(GlobalVarHolder gvh, Setup setup, boolean isOptimal) {
+  private PathsClient(GlobalVarHolder gvh, Setup setup, boolean isOptimal, TubeSettings tubes) {
     super(gvh, setup, THINK_MS);
     sideMm = setup.sideMm();
     Rectangle floor = new Rectangle(0, 0, sideMm, sideMm);
     paths =
         new DistributedPathPlanning(
-            gvh, "floor", gvh.id.participants(), planner(rng, isOptimal), floor, TUBES);
+            gvh, "floor", gvh.id.participants(), planner(rng, isOptimal), floor, tubes);
   }
 
   static void setUp(Setup setup) {
     boolean isOptimal = setup.request().choice(PLANNER).equals("optimal");
-    setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
+    // A tube may allow for less than the error that a robot has between two fixes, or while one is
+    // due.
+    int noiseMm = (int) Math.ceil(setup.settings().positionNoise().boundMm());
+    boolean isSmall = new Rng(setup.request().seed()).fork("paths/tubes").nextBoolean(0.5);
+    TubeSettings tubes = isSmall ? tubes(noiseMm) : TUBES;
+    setup.place(gvh -> new PathsClient(gvh, setup, isOptimal, tubes));
     setup.simulation().obstacles(setup.walls());
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, true);
+  }
+
+  private static TubeSettings tubes(int positionErrorMm) {
+    return new TubeSettings(positionErrorMm, 1_000, 30_000, 200, 2_000, 200, 2_000);
   }
 
   /** Wheels and fixes with errors, as for motion. */

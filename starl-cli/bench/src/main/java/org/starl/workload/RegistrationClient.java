@@ -22,6 +22,11 @@ final class RegistrationClient extends Client {
   /** A robot stays for at most a twentieth of the busy time, so that some views live long. */
   private static final int STAYS = 20;
 
+  /** Part of the stays that last up to {@link #LONG_MS}: so long that a robot must ask for newer views. */
+  private static final double LONG = 0.1;
+
+  private static final long LONG_MS = 3 * RegistrationSettings.DEFAULT.queryMs();
+
   private final Registration reg;
   private final long stayMs;
 
@@ -74,7 +79,7 @@ final class RegistrationClient extends Client {
 
   @Override
   protected void use() {
-    pause(rng.nextLong(0, stayMs));
+    pause(rng.nextLong(0, rng.nextBoolean(LONG) ? LONG_MS : stayMs));
     while (!reg.isUnregistered()) {
       reg.unregister();
       await(() -> reg.isUnregistered() || reg.failed().get());
