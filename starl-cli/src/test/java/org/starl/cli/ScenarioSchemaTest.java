@@ -53,7 +53,7 @@ class ScenarioSchemaTest {
     return JsonSchemaFactory.getInstance(VersionFlag.V7).getSchema(json);
   }
 
-  private static Set<ValidationMessage> errors(String yaml) throws IOException {
+  static Set<ValidationMessage> errors(String yaml) throws IOException {
     return SCHEMA.validate(YAML.readTree(yaml));
   }
 

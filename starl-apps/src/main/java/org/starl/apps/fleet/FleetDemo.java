@@ -132,7 +132,9 @@ public final class FleetDemo implements FactoryDemo {
     double rangeMm = FleetFactory.rangeMm(request, roads);
     FleetStory story = new FleetStory(deliveries);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
-    fill(simulation, robots, roads, deliveries, rangeMm, boundNs(roads, deliveries));
+    RobotProgram program =
+        FleetFactory.program(roads, deliveries, rangeMm, FleetFactory.broken(request));
+    fill(simulation, robots, roads, deliveries, program, boundNs(roads, deliveries));
     return new Plan(simulation, story, new FleetLayer(roads, deliveries), Obstacles.NONE);
   }
 
@@ -142,9 +144,8 @@ public final class FleetDemo implements FactoryDemo {
       int robots,
       Roads roads,
       List<Delivery> deliveries,
-      double rangeMm,
+      RobotProgram program,
       long boundNs) {
-    RobotProgram program = FleetFactory.program(roads, deliveries, rangeMm);
     List<RobotId> all = new ArrayList<>();
     for (int i = 0; i < robots; i++) {
       all.add(new RobotId(simulation.settings().robotName() + i));

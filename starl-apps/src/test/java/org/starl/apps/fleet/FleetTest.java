@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.function.Function;
 import org.junit.jupiter.api.Tag;
@@ -14,7 +15,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.RobotProgram;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.FleetApp;
 import org.starl.apps.fleet.logic.FleetFact;
@@ -58,7 +61,8 @@ class FleetTest {
     NavGraph graph = FleetFactory.grid(robots);
     Roads roads = new Roads(graph, settings.robotRadiusMm(), robots);
     List<Delivery> deliveries = FleetFactory.drawn(request, graph);
-    FleetDemo.fill(simulation, robots, roads, deliveries, 500_000, 7_200 * Time.NS_PER_S);
+    RobotProgram program = FleetFactory.program(roads, deliveries, 500_000, Set.of());
+    FleetDemo.fill(simulation, robots, roads, deliveries, program, 7_200 * Time.NS_PER_S);
   }
 
   @StarlTest(seeds = 2, atMost = "7200s")
@@ -115,12 +119,40 @@ class FleetTest {
     assertThat(result.results()).hasSize(robots);
   }
 
-  private static NavGraph corridor() {
-    return corridor(1_300);
+  /** How many of ten deliveries are put down after a robot has crashed on its way. */
+  private static long completedAfter(String fault, String broken) {
+    SortedMap<String, String> parameters = DEMO.defaults();
+    parameters.put("deliveries", "10");
+    parameters.put("broken", broken);
+    Request request = new Request(12, OptionalInt.of(5), parameters);
+    SimSettings settings =
+        DEMO.defaultSettings(request)
+            .set(Setting.FAULTS.key(), fault)
+            .set(Setting.DURATION.key(), "1500s")
+            .build();
+    Plan plan = DEMO.plan(request, settings);
+    plan.simulation().name("fleet").seed(12).build().run();
+    return plan.story().measures().completed();
   }
 
-  /** Two homes at the ends of a corridor for one robot, and four stations beside it. */
-  private static NavGraph corridor(double laneMm) {
+  /** Two without ways around, and with robots that wait for its stations. */
+  @Test
+  void robotsDriveAroundOneThatIsLost() {
+    assertThat(completedAfter("crash(bot2,at=69361ms)", "")).isGreaterThanOrEqualTo(7);
+  }
+
+  @Test
+  void aBrokenRobotGivesBackWhatItsBodyIsNotIn() {
+    assertThat(completedAfter("crash(bot2,at=69361ms,restart=100s)", "bot2"))
+        .isGreaterThan(completedAfter("crash(bot2,at=69361ms)", ""));
+  }
+
+  private static NavGraph corridor(String group) {
+    return corridor(group, 1_300);
+  }
+
+  /** Two homes at the ends of a corridor for one robot, of this group, and four stations beside it. */
+  private static NavGraph corridor(String group, double laneMm) {
     List<Vertex> vertices = new ArrayList<>();
     for (int i = 0; i < 5; i++) {
       boolean isHome = i == 0 || i == 4;
@@ -133,8 +165,9 @@ class FleetTest {
     List<Lane> lanes = new ArrayList<>();
     for (int[] pair :
         new int[][] {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 5}, {1, 6}, {3, 7}, {3, 8}}) {
-      lanes.add(new Lane(pair[0], pair[1], ""));
-      lanes.add(new Lane(pair[1], pair[0], ""));
+      String its = (pair[0] == 1 && pair[1] == 2) || pair[0] == 2 ? group : "";
+      lanes.add(new Lane(pair[0], pair[1], its));
+      lanes.add(new Lane(pair[1], pair[0], its));
     }
     return new NavGraph(vertices, lanes);
   }
@@ -144,7 +177,7 @@ class FleetTest {
 
   /** A robot with bodies of no size in mind: it needs no section, and asks for none. */
   private static LogicThread unasked(GlobalVarHolder gvh) {
-    return new FleetApp(gvh, new Roads(corridor(), -50, 2), BOTH_WAYS, 0);
+    return new FleetApp(gvh, new Roads(corridor(""), -50, 2), BOTH_WAYS, 0, false);
   }
 
   /** A robot that says what is not so. */
@@ -164,7 +197,7 @@ class FleetTest {
   }
 
   private static SimResult run(Function<GlobalVarHolder, LogicThread> app) {
-    return run(corridor(), app);
+    return run(corridor("tunnel"), app);
   }
 
   private static SimResult run(NavGraph graph, Function<GlobalVarHolder, LogicThread> app) {
@@ -184,6 +217,7 @@ class FleetTest {
   @CsvSource({
     "unasked, fleet.apart",
     "unasked, fleet.one_way",
+    "unasked, fleet.group",
     "unasked, fleet.in_time",
     "liar, fleet.on_lane",
     "liar, fleet.once",
@@ -197,8 +231,8 @@ class FleetTest {
 
   @Test
   void robotsOfBothDirectionsPassTheCorridor() {
-    Roads roads = new Roads(corridor(), BODY_MM, 2);
-    SimResult result = run(gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0));
+    Roads roads = new Roads(corridor("tunnel"), BODY_MM, 2);
+    SimResult result = run(gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0, false));
     assertThat(result.unfinished()).isEmpty();
     assertThat(result.spec().violations())
         .filteredOn(violation -> !violation.lemma().equals("fleet.in_time"))
@@ -208,9 +242,9 @@ class FleetTest {
   @ParameterizedTest
   @ValueSource(doubles = {5_000, 15_000})
   void robotsStayOnLongLanes(double laneMm) {
-    NavGraph graph = corridor(laneMm);
+    NavGraph graph = corridor("tunnel", laneMm);
     Roads roads = new Roads(graph, BODY_MM, 2);
-    SimResult result = run(graph, gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0));
+    SimResult result = run(graph, gvh -> new FleetApp(gvh, roads, BOTH_WAYS, 0, false));
     assertThat(result.unfinished()).isEmpty();
     assertThat(result.spec().violations("fleet.on_lane")).isZero();
   }

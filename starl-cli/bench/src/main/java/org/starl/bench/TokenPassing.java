@@ -62,8 +62,8 @@ final class TokenPassing {
   private final List<List<Integer>> next = new ArrayList<>();
   private final List<List<Integer>> previous = new ArrayList<>();
 
-  /** Of each cell the number of its group; -1 for none. */
-  private final List<Integer> groups = new ArrayList<>();
+  /** Of each cell the numbers of its groups. */
+  private final List<List<Integer>> groups = new ArrayList<>();
 
   private final double stepMs;
   private final int handleSteps;
@@ -89,21 +89,20 @@ final class TokenPassing {
     stepMs = 1000 * cellMm / speedMmPerS;
     handleSteps = (int) StrictMath.ceil(handleMs / stepMs);
     this.homes = List.copyOf(homes);
-    graph.vertices().forEach(vertex -> addCell(-1));
+    graph.vertices().forEach(vertex -> addCell(List.of()));
     List<String> names = new ArrayList<>();
     Map<List<Integer>, List<Integer>> chains = new LinkedHashMap<>();
     for (Lane lane : graph.lanes()) {
-      int group = -1;
-      if (!lane.group().isEmpty()) {
-        if (!names.contains(lane.group())) {
-          names.add(lane.group());
+      for (String name : graph.groups(lane)) {
+        if (!names.contains(name)) {
+          names.add(name);
           takenGroups.add(new BitSet());
         }
-        group = names.indexOf(lane.group());
       }
+      List<Integer> its = graph.groups(lane).stream().map(names::indexOf).toList();
       // Both directions of a lane have the same cells.
       List<Integer> chain = chains.get(List.of(lane.to(), lane.from()));
-      chain = chain == null ? chain(lane, cells(graph, lane, cellMm), group) : chain.reversed();
+      chain = chain == null ? chain(lane, cells(graph, lane, cellMm), its) : chain.reversed();
       chains.put(List.of(lane.from(), lane.to()), chain);
       for (int i = 0; i + 1 < chain.size(); i++) {
         next.get(chain.get(i)).add(chain.get(i + 1));
@@ -133,23 +132,23 @@ final class TokenPassing {
 
   /** A lane of a group has one cell of its own at least. */
   private static int cells(NavGraph graph, Lane lane, double mm) {
-    int least = lane.group().isEmpty() ? 1 : 2;
+    int least = graph.groups(lane).isEmpty() ? 1 : 2;
     return (int) Math.max(least, Math.round(graph.lengthMm(lane) / mm));
   }
 
-  private List<Integer> chain(Lane lane, int count, int group) {
+  private List<Integer> chain(Lane lane, int count, List<Integer> its) {
     List<Integer> chain = new ArrayList<>(List.of(lane.from()));
     for (int i = 1; i < count; i++) {
-      chain.add(addCell(group));
+      chain.add(addCell(its));
     }
     chain.add(lane.to());
     return chain;
   }
 
-  private int addCell(int group) {
+  private int addCell(List<Integer> its) {
     next.add(new ArrayList<>());
     previous.add(new ArrayList<>());
-    groups.add(group);
+    groups.add(its);
     taken.add(new BitSet());
     return groups.size() - 1;
   }
@@ -182,8 +181,8 @@ final class TokenPassing {
     List<List<Integer>> cells = new ArrayList<>();
     takenGroups.forEach(group -> cells.add(new ArrayList<>()));
     for (int cell = 0; cell < groups.size(); cell++) {
-      if (groups.get(cell) >= 0) {
-        cells.get(groups.get(cell)).add(cell);
+      for (int group : groups.get(cell)) {
+        cells.get(group).add(cell);
       }
     }
     return cells;
@@ -300,9 +299,10 @@ final class TokenPassing {
   }
 
   private boolean isOpen(int robot, int from, int to, int step) {
-    int group = groups.get(to);
     boolean isHome = homes.contains(to) && homes.get(robot) != to;
-    boolean isTaken = taken.get(to).get(step) || (group >= 0 && takenGroups.get(group).get(step));
+    boolean isTaken =
+        taken.get(to).get(step)
+            || groups.get(to).stream().anyMatch(group -> takenGroups.get(group).get(step));
     return !isHome
         && !isTaken
         && !isHeld(robot, to, step)
@@ -325,9 +325,7 @@ final class TokenPassing {
       int step = path.size();
       moves.add(List.of(path.get(step - 1), cell, step));
       taken.get(cell).set(step);
-      if (groups.get(cell) >= 0) {
-        takenGroups.get(groups.get(cell)).set(step);
-      }
+      groups.get(cell).forEach(group -> takenGroups.get(group).set(step));
       path.add(cell);
       ends[robot] = cell;
     }

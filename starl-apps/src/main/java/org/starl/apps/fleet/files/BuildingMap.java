@@ -30,8 +30,7 @@ import org.starl.input.Field;
  *   <li>Chargers are {@code is_charger}. Robots may park on {@code is_parking_spot}, {@code
  *       is_holding_point} and chargers. Stations have a {@code pickup_dispenser} or a {@code
  *       dropoff_ingestor}; if fewer than two have: the named places but chargers; else all but chargers; else all.
- *   <li>A lane's group is its {@code mutex}, else that of the vertex at its end, else at its
- *       beginning.
+ *   <li>The group of a lane or a vertex is its {@code mutex}.
  *   <li>A place without a name is called v and its number in the level's list.
  * </ul>
  *
@@ -132,9 +131,9 @@ final class BuildingMap {
       if (points.get(from).distanceMm(points.get(to)) < 1) {
         throw lane.wrong("a lane between two places that are at least 1 mm apart");
       }
-      add(directed, new Lane(from, to, group(lane, ends.to(), ends.from())));
+      add(directed, new Lane(from, to, word(lane, 2, "mutex")));
       if (flag(lane, 2, "bidirectional")) {
-        add(directed, new Lane(to, from, group(lane, ends.from(), ends.to())));
+        add(directed, new Lane(to, from, word(lane, 2, "mutex")));
       }
     }
     return NavGraphs.withStations(
@@ -187,13 +186,6 @@ final class BuildingMap {
     return number.as(Field.whole("", 0, vertices.size() - 1, ""));
   }
 
-  /** The mutex of a lane, or of one of its ends. */
-  private String group(Part lane, int end, int beginning) {
-    String group = word(lane, 2, "mutex");
-    group = group.isEmpty() ? word(vertices.get(end), 4, "mutex") : group;
-    return group.isEmpty() ? word(vertices.get(beginning), 4, "mutex") : group;
-  }
-
   private Vertex vertex(int index, Point at, Set<String> given) {
     Part vertex = vertices.get(index);
     String name = name(vertex).isEmpty() ? "v" + index : name(vertex);
@@ -204,7 +196,7 @@ final class BuildingMap {
     boolean isStation = hasWord(vertex, "pickup_dispenser") || hasWord(vertex, "dropoff_ingestor");
     boolean isParking =
         isCharger || flag(vertex, 4, "is_parking_spot") || flag(vertex, 4, "is_holding_point");
-    return new Vertex(name, at, isCharger, isStation, isParking);
+    return new Vertex(name, at, isCharger, isStation, isParking, word(vertex, 4, "mutex"));
   }
 
   private static boolean hasWord(Part vertex, String key) {

@@ -94,7 +94,7 @@ public final class NavGraphs {
     for (int place : places) {
       Vertex v = vertices.get(place);
       if (!v.isStation()) {
-        vertices.set(place, new Vertex(v.name(), v.at(), false, true, false));
+        vertices.set(place, new Vertex(v.name(), v.at(), false, true, false, v.group()));
       }
     }
     return new NavGraph(vertices, graph.lanes());
@@ -108,7 +108,8 @@ public final class NavGraphs {
       if (graph.vertices().stream().filter(rule).count() >= 2) {
         List<Vertex> vertices = new ArrayList<>();
         for (Vertex v : graph.vertices()) {
-          vertices.add(new Vertex(v.name(), v.at(), v.isCharger(), rule.test(v), v.isParking()));
+          vertices.add(
+              new Vertex(v.name(), v.at(), v.isCharger(), rule.test(v), v.isParking(), v.group()));
         }
         return new NavGraph(vertices, graph.lanes());
       }

@@ -3,13 +3,10 @@ package org.starl.apps.fleet.logic;
 import static org.starl.shape.Shapes.part;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -23,7 +20,6 @@ import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodTiming;
-import org.starl.primitives.ledger.Allocation;
 import org.starl.primitives.ledger.LedgerCall;
 import org.starl.primitives.ledger.LedgerOutcome;
 import org.starl.primitives.ledger.LedgerPrim;
@@ -69,8 +65,6 @@ public final class FleetApp extends LogicThread {
   private static final double FAR_MS = 2_000;
   // Another robot at a station, or on its way there, is as this way.
   private static final double BUSY_MM = 10_000;
-  // Deliveries under way end within this time, or never.
-  private static final long UNDER_WAY_NS = 300 * Time.NS_PER_S;
 
   /**
    * The load of the delivery that this robot has begun.
@@ -91,6 +85,7 @@ public final class FleetApp extends LogicThread {
   private final Roads roads;
   private final List<Delivery> deliveries;
   private final double rangeMm;
+  private final boolean isBroken;
   private final int number;
   private final int robots;
   private final int home;
@@ -100,6 +95,9 @@ public final class FleetApp extends LogicThread {
   private final LedgerPrim<Delivery> ledger;
   private final Rng rng;
   private final Persistent<Load> load;
+  private final Persistent<Integer> goal; // the private vertex to which the robot drives
+  private final Choice choice = new Choice();
+  private final Closures closures;
   private final GvhCell<Work> work;
   private final GvhCell<List<Integer>> way;
   private final GvhCell<List<Integer>> lane;
@@ -108,15 +106,20 @@ public final class FleetApp extends LogicThread {
   private int at; // the private vertex where the robot stands, or from where it drives
   private @Nullable LedgerCall adding;
   private @Nullable Battery battery;
-  private Set<Integer> busy = Set.of(); // the stations of the deliveries under way
-  private long busySinceNs; // since when these are the same
 
   /**
    * @param deliveries in the order of their times, the same on all robots
    * @param rangeMm way on one charge of the battery; 0 for a battery that is never empty
+   * @param isBroken whether a program that starts anew on this robot does not drive
    */
-  public FleetApp(GlobalVarHolder gvh, Roads roads, List<Delivery> deliveries, double rangeMm) {
+  public FleetApp(
+      GlobalVarHolder gvh,
+      Roads roads,
+      List<Delivery> deliveries,
+      double rangeMm,
+      boolean isBroken) {
     super(gvh);
+    this.isBroken = isBroken;
     this.roads = roads;
     this.deliveries = List.copyOf(deliveries);
     this.rangeMm = rangeMm;
@@ -129,9 +132,11 @@ public final class FleetApp extends LogicThread {
     floorList = new Registration(gvh, "floor", voters);
     floor = new M_Mutex(gvh, "floor", floorList, TIMES);
     places = new Places(gvh, roads, home, voters, TIMES);
+    closures = new Closures(gvh, roads, floor, places);
     ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LEASES);
     rng = gvh.plat.entropy.fork("app");
     load = gvh.plat.persistent("load", Load.SHAPE, Load.NONE);
+    goal = gvh.plat.persistent("goal", Shapes.INT, home);
     work = gvh.variable(FleetFact.WORK, Work.STARTS);
     way = gvh.variable(FleetFact.WAY, List.of());
     lane = gvh.variable(FleetFact.LANE, List.of());
@@ -151,6 +156,10 @@ public final class FleetApp extends LogicThread {
     every(500, this::addDue);
     await("a good fix", () -> gvh.gps.errorMm() < SURE_MM);
     battery = new Battery(gvh, rangeMm);
+    if (isBroken && gvh.id.boot() > 1) {
+      stay();
+      return List.of();
+    }
     leaveLanes();
     await("the ledger", ledger.ready()::get);
     List<Object> done = new ArrayList<>();
@@ -226,25 +235,13 @@ public final class FleetApp extends LogicThread {
     }
   }
 
-  /**
-   * The nearest open delivery that has no station in common with one under way: the robot would stand at one
-   * station and wait for the other. If those under way do not end, the nearest of all.
-   */
   private Optional<TaskId> nearest() {
-    Set<Integer> stations = new TreeSet<>();
-    List<LedgerTask<Delivery>> tasks = new ArrayList<>(ledger.tasks().values());
-    tasks.stream()
-        .filter(task -> !task.isOpen())
-        .forEach(task -> stations.addAll(task.what().stops()));
-    long nowNs = gvh.plat.clock.nowNs();
-    if (!stations.equals(busy)) {
-      busy = stations;
-      busySinceNs = nowNs;
-    }
-    if (nowNs - busySinceNs < UNDER_WAY_NS) {
-      tasks.removeIf(task -> !Collections.disjoint(busy, task.what().stops()));
-    }
-    return Allocation.nearest(tasks, this::awayMm);
+    List<LedgerTask<Delivery>> tasks = List.copyOf(ledger.tasks().values());
+    return choice.nearest(tasks, this::isShut, gvh.plat.clock.nowNs(), this::awayMm);
+  }
+
+  private boolean isShut(Delivery delivery) {
+    return closures.isShut(at, List.of(delivery.pick(), delivery.drop(), home));
   }
 
   private double awayMm(Delivery delivery) {
@@ -259,6 +256,10 @@ public final class FleetApp extends LogicThread {
       sleep(500);
       return;
     }
+    if (!its.isBegun() && isShut(its.what())) {
+      told(ledger.giveBack(task));
+      return;
+    }
     Load onTheWay = new Load(task.number(), false);
     Load down = new Load(task.number(), true);
     if (!load.get().equals(down)) {
@@ -268,7 +269,7 @@ public final class FleetApp extends LogicThread {
       while (ledger.tasks().containsKey(task)) {
         told(ledger.finish(task));
       }
-      store(Load.NONE);
+      store(load, Load.NONE);
       done.add(task.number());
     }
   }
@@ -279,24 +280,24 @@ public final class FleetApp extends LogicThread {
     List<Integer> leg = roads.leg(at, isFree ? List.of(delivery.drop()) : delivery.stops(), home);
     int from = at;
     int end = leg.get(leg.size() - 1);
-    if (!enter(end, () -> isFree || ledger.held().get().contains(task))) {
-      return; // it has gone home, or its claim has been given to another robot
+    if (!enter(end, () -> isFree || (ledger.held().get().contains(task) && !isShut(delivery)))) {
+      return; // it has gone home, or no longer has its claim, or a dead robot is in the way
     }
-    Journey journey = journey(roads.way(from, leg), List.of(home, from, end));
+    Journey journey = journey(List.of(from), leg, List.of(home, from, end));
     for (int i = 0; i < leg.size(); i++) {
       int stop = leg.get(i);
       work.set(isAboard(onTheWay) ? Work.CARRIES : stop == home ? Work.RETURNS : Work.FETCHES);
-      drive(journey, roads.way(from, leg.subList(0, i + 1)).size() - 1);
+      drive(journey, i);
       if (isAboard(onTheWay) && stop == delivery.drop()) {
         sleep(HANDLE_MS);
-        store(down);
+        store(load, down);
         aboard.set(0L);
         delivered.set(task.number());
       } else if (stop == delivery.pick()
           && !load.get().equals(down)
           && told(ledger.begin(task)) == LedgerOutcome.DONE) {
         sleep(HANDLE_MS);
-        store(onTheWay);
+        store(load, onTheWay);
         aboard.set(task.number());
       }
     }
@@ -366,8 +367,9 @@ public final class FleetApp extends LogicThread {
       return;
     }
     NavGraph.Lane lane = roads.laneAt(stands, home);
-    places.standsIn(List.of(lane.from(), lane.to()));
-    List<Integer> refuges = roads.refuges(stands, home);
+    places.standsIn(List.of(lane.from(), lane.to(), goal.get()));
+    List<Integer> refuges = new ArrayList<>(List.of(goal.get()));
+    refuges.addAll(roads.refuges(stands, home));
     int tried = 0;
     while (!places.acquire(refuges.get(tried), MOMENT_MS)) {
       tried++; // the last one is its home, which it always has
@@ -375,13 +377,39 @@ public final class FleetApp extends LogicThread {
     int end = refuges.get(tried);
     NavGraph.Lane first = roads.laneAt(stands, end);
     List<Integer> own = List.of(home, first.from(), first.to(), end);
-    List<Integer> vertices = new ArrayList<>(List.of(first.from()));
-    vertices.addAll(roads.way(first.to(), List.of(end)));
-    Journey journey = journey(vertices, own);
-    journey.resume(first, roads.occupied(stands, gvh.gps.errorMm(), own.subList(0, 3)));
-    drive(journey, journey.end());
+    Journey journey = journey(List.of(first.from(), first.to()), List.of(end), own);
+    List<String> sections =
+        new ArrayList<>(roads.occupied(stands, gvh.gps.errorMm(), own.subList(0, 3)));
+    sections.addAll(roads.groups(stands, first));
+    journey.resume(first, sections);
+    drive(journey, 0);
     arrive(end);
     places.standsIn(List.of());
+  }
+
+  /**
+   * A broken robot gives back what its body is not in, and its delivery, unless the load is aboard. Its
+   * program may run on another computer: where the body is comes from the positioning.
+   */
+  private void stay() {
+    Point stands = gvh.gps.pose().at();
+    boolean isAtHome = stands.distanceMm(roads.at(home)) < AT_HOME_MM;
+    NavGraph.Lane lane = roads.laneAt(stands, home);
+    List<Integer> ends = List.of(lane.from(), lane.to());
+    List<String> sections = new ArrayList<>();
+    if (!isAtHome) {
+      sections.addAll(roads.occupied(stands, gvh.gps.errorMm(), ends));
+      sections.addAll(roads.groups(stands, lane));
+    }
+    floor.standsIn(sections);
+    places.standsIn(isAtHome ? List.of() : ends);
+    await("the ledger", ledger.ready()::get);
+    if (load.get().equals(Load.NONE)) {
+      for (TaskId task : ledger.held().get()) {
+        told(ledger.reopen(task));
+      }
+    }
+    work.set(Work.ENDS);
   }
 
   /** Charges at its home, where it stands, or at a charger. */
@@ -401,25 +429,27 @@ public final class FleetApp extends LogicThread {
   }
 
   private void driveOver(int from, int to) {
-    Journey journey = journey(roads.way(from, List.of(to)), List.of(home, from, to));
-    drive(journey, journey.end());
+    drive(journey(List.of(from), List.of(to), List.of(home, from, to)), 0);
   }
 
   /** The nearest one of those for which fewest robots wait. */
   private int nearestCharger() {
     return roads.chargers().stream()
         .min(
-            Comparator.<Integer>comparingInt(each -> places.contenders(each))
+            Comparator.<Integer, Boolean>comparing(closures::isAt)
+                .thenComparingInt(each -> places.contenders(each))
                 .thenComparingDouble(each -> roads.at(each).distanceMm(roads.at(home))))
         .orElseThrow();
   }
 
-  private Journey journey(List<Integer> vertices, List<Integer> own) {
-    return new Journey(gvh, roads, floorList, floor, vertices, own, way, lane);
+  private Journey journey(List<Integer> begin, List<Integer> stops, List<Integer> own) {
+    store(goal, stops.get(stops.size() - 1));
+    return new Journey(
+        gvh, roads, floorList, floor, begin, stops, closures::sections, own, way, lane);
   }
 
-  private void drive(Journey journey, int until) {
-    while (!journey.step(until)) {
+  private void drive(Journey journey, int stop) {
+    while (!journey.step(stop)) {
       sleep(PERIOD_MS);
       battery().tick(false);
     }
@@ -433,9 +463,9 @@ public final class FleetApp extends LogicThread {
     return its;
   }
 
-  private void store(Load value) {
-    load.set(value);
-    await("storage", load::isFlushed);
+  private <T> void store(Persistent<T> variable, T value) {
+    variable.set(value);
+    await("storage", variable::isFlushed);
   }
 
   private LedgerOutcome told(LedgerCall call) {

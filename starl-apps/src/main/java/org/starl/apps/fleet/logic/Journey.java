@@ -6,6 +6,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
@@ -45,9 +47,12 @@ final class Journey {
   private final Collection<Integer> own;
   private final GvhCell<List<Integer>> wayAhead;
   private final GvhCell<List<Integer>> lane;
-  private final List<Integer> vertices;
-  private final List<Point> points = new ArrayList<>();
-  private final List<List<String>> needs;
+  private final List<Integer> begin;
+  private final List<Integer> stops;
+  private final Supplier<Set<String>> shut;
+  private List<Integer> vertices = List.of();
+  private List<Point> points = List.of();
+  private List<List<String>> needs = List.of();
   private final Set<String> stands = new TreeSet<>(); // since before a restart
   private int passed; // the robot is between this point and the next one
   private @Nullable Point goal;
@@ -55,6 +60,9 @@ final class Journey {
   private long askAtNs;
 
   /**
+   * @param begin the first vertices, in their order
+   * @param stops the vertices to which it drives then, by the shortest ways; the last one is private
+   * @param shut the sections that dead robots may be in
    * @param own the robot's home, and the charger that it uses
    * @param wayAhead the traced variable {@code way}
    * @param lane the traced variable {@code lane}
@@ -64,7 +72,9 @@ final class Journey {
       Roads roads,
       Registration reg,
       PipelinePrim mutex,
-      List<Integer> vertices,
+      List<Integer> begin,
+      List<Integer> stops,
+      Supplier<Set<String>> shut,
       Collection<Integer> own,
       GvhCell<List<Integer>> wayAhead,
       GvhCell<List<Integer>> lane) {
@@ -72,13 +82,33 @@ final class Journey {
     this.roads = roads;
     this.reg = reg;
     this.mutex = mutex;
+    this.shut = shut;
     this.own = own;
     this.wayAhead = wayAhead;
     this.lane = lane;
-    this.vertices = List.copyOf(vertices);
-    vertices.forEach(vertex -> points.add(roads.at(vertex)));
+    this.begin = List.copyOf(begin);
+    this.stops = List.copyOf(stops);
+    choose(Set.of());
+  }
+
+  /** Chooses the way: around these sections, if there is such a way. */
+  private void choose(Set<String> sections) {
+    int last = begin.get(begin.size() - 1);
+    List<Integer> all = new ArrayList<>(begin.subList(0, begin.size() - 1));
+    all.addAll(roads.wayAround(last, stops, sections).orElseGet(() -> roads.way(last, stops)));
+    vertices = List.copyOf(all);
+    points = new ArrayList<>(vertices.stream().map(roads::at).collect(Collectors.toList()));
     needs = new ArrayList<>(roads.needs(vertices));
     tell();
+  }
+
+  /** The point of a stop, which may be on the way to an earlier one, too. */
+  private int pointOf(int stop) {
+    int point = begin.size() - 1;
+    for (int i = 0; i <= stop; i++) {
+      point += vertices.subList(point, vertices.size()).indexOf(stops.get(i));
+    }
+    return point;
   }
 
   /**
@@ -110,17 +140,18 @@ final class Journey {
   }
 
   /** The last point of the way. */
-  int end() {
+  private int end() {
     return points.size() - 1;
   }
 
   /**
-   * Takes the next step towards a point of the way.
+   * Takes the next step towards a stop.
    *
    * @return whether the robot stands there; at the end, whether it also has released all
    */
-  boolean step(int until) {
+  boolean step(int stop) {
     request();
+    int until = pointOf(stop);
     if (!gvh.gps.hasFix()) {
       return false;
     }
@@ -144,6 +175,10 @@ final class Journey {
       return;
     }
     if (reg.register(REGISTER_MS)) {
+      if (passed == 0 && goal == null && mine().isEmpty()) {
+        choose(shut.get());
+        rest = needsFrom(0);
+      }
       Set<String> all = new LinkedHashSet<>(mutex.held());
       all.addAll(rest);
       mutex.doSequence(List.copyOf(all));
@@ -155,7 +190,8 @@ final class Journey {
     Point at = gvh.gps.pose().at();
     while (passed < until && goal != null) {
       Point next = points.get(passed + 1);
-      Point along = next.minus(points.get(passed));
+      // To the goal: the next point may be a few mm behind a robot that has restarted at a vertex.
+      Point along = goal.minus(points.get(passed));
       boolean isHere =
           next.equals(goal)
               ? gvh.plat.moat.motionflag().get() == MotionFlag.DONE

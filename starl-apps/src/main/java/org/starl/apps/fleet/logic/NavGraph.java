@@ -2,6 +2,8 @@ package org.starl.apps.fleet.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.starl.geometry.Point;
 
 /**
@@ -20,16 +22,27 @@ public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
    * @param isCharger whether a robot can charge there
    * @param isStation whether loads are picked up and put down there
    * @param isParking whether a robot without work may wait there
+   * @param group which a robot uses that stands there, or is on a lane from or to it; empty for none
    */
   public record Vertex(
-      String name, Point at, boolean isCharger, boolean isStation, boolean isParking) {}
+      String name,
+      Point at,
+      boolean isCharger,
+      boolean isStation,
+      boolean isParking,
+      String group) {
+
+    public Vertex(String name, Point at, boolean isCharger, boolean isStation, boolean isParking) {
+      this(name, at, isCharger, isStation, isParking, "");
+    }
+  }
 
   /**
    * A straight way in one direction.
    *
    * @param from number of the vertex where it begins
    * @param to number of the vertex where it ends
-   * @param group lanes of one group are used by one robot at a time; empty for none
+   * @param group each group is used by one robot at a time; empty for none
    */
   public record Lane(int from, int to, String group) {
 
@@ -64,6 +77,16 @@ public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
       }
     }
     return stations;
+  }
+
+  /** The groups of a lane: its own, and those of its ends. */
+  public SortedSet<String> groups(Lane lane) {
+    SortedSet<String> groups = new TreeSet<>();
+    groups.add(lane.group());
+    groups.add(vertices.get(lane.from()).group());
+    groups.add(vertices.get(lane.to()).group());
+    groups.remove("");
+    return groups;
   }
 
   /** Length of a lane in mm. */

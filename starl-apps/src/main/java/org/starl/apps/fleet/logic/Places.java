@@ -3,10 +3,12 @@ package org.starl.apps.fleet.logic;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.id.Participants;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.mutex.MutexPrim.Occupant;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
 
@@ -82,6 +84,19 @@ final class Places {
       }
       mutexes.get(i).standsIn(sections);
     }
+  }
+
+  /** The robots that were given up as crashed and may still be at a place. */
+  List<Occupant> occupants() {
+    return mutexes.stream()
+        .flatMap(mutex -> mutex.occupants().stream())
+        .collect(Collectors.toList());
+  }
+
+  /** Whether one of these robots may be at this vertex. */
+  boolean isAt(Collection<Occupant> occupants, int vertex) {
+    return mutexOf(vertex) >= 0
+        && occupants.stream().anyMatch(one -> one.sections().contains(section(vertex)));
   }
 
   /** How many other robots are known to hold it or to wait for it. */

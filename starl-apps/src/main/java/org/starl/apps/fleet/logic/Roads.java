@@ -10,11 +10,13 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
 import org.starl.geometry.Point;
@@ -46,6 +48,10 @@ public final class Roads {
   // A robot stops so near to a vertex. It may choose among lanes that are as near; a body drives
   // beside none by more than SPARE_MM.
   private static final double AT_VERTEX_MM = 20;
+
+  // A robot that waits before a lane stops so near to the lane's end, and knows its position so
+  // well.
+  private static final double AT_END_MM = 60;
 
   private static final int MOST_MERGED = 8;
   private static final int MOST_REFUGES = 8;
@@ -92,9 +98,7 @@ public final class Roads {
     for (int i = 0; i < graph.lanes().size(); i++) {
       Lane lane = graph.lanes().get(i);
       lanesFrom.get(lane.from()).add(i);
-      if (!lane.group().isEmpty()) {
-        groups.putIfAbsent(lane.group(), "g" + groups.size());
-      }
+      graph.groups(lane).forEach(group -> groups.putIfAbsent(group, "g" + groups.size()));
     }
     chooseHomes(robots);
     for (int v = 0; v < graph.vertices().size(); v++) {
@@ -104,7 +108,7 @@ public final class Roads {
     }
     closed.addAll(homes);
     closed.addAll(chargers);
-    stations.stream().filter(this::isApart).forEach(closed::add);
+    stations.stream().filter(v -> isApart(v) && !isInGroup(v)).forEach(closed::add);
     growTrees();
     if (!isConnected()) {
       closed.removeAll(stations);
@@ -167,10 +171,19 @@ public final class Roads {
         });
   }
 
+  /** Whether other vertices or lanes have the group here: a robot that stands here keeps these closed. */
+  private boolean isInGroup(int vertex) {
+    String group = vertex(vertex).group();
+    return !group.isEmpty()
+        && graph.lanes().stream()
+            .anyMatch(lane ->
+                lane.from() != vertex && lane.to() != vertex && graph.groups(lane).contains(group));
+  }
+
   private void growTrees() {
     trees.clear();
     for (List<Integer> ends : List.of(homes, chargers, stations)) {
-      ends.forEach(end -> trees.put(end, tree(end)));
+      ends.forEach(end -> trees.put(end, tree(end, Set.of())));
     }
   }
 
@@ -341,13 +354,31 @@ public final class Roads {
     return all;
   }
 
-  /** The sections to a vertex from a point on a lane; also those of the lane's group. */
+  /** The sections to a vertex from a point on a lane; also those of the lane's groups. */
   List<String> needs(Point from, Lane lane) {
     List<String> its = needs(new Segment(from, at(lane.to())), List.of(lane.from(), lane.to()));
-    if (!lane.group().isEmpty()) {
-      its.add(groups.getOrDefault(lane.group(), ""));
-    }
+    its.addAll(sections(graph.groups(lane)));
     return its;
+  }
+
+  /**
+   * The groups, as sections, that a robot has which stands here on a lane after a restart. At an end of the
+   * lane it may wait for the lane's groups, and has that of the vertex; at a private end, none.
+   */
+  List<String> groups(Point at, Lane lane) {
+    Set<String> its = new TreeSet<>(graph.groups(lane));
+    for (int end : List.of(lane.from(), lane.to())) {
+      if (at.distanceMm(at(end)) < AT_END_MM) {
+        its.retainAll(isPrivate(end) ? Set.of() : Set.of(vertex(end).group()));
+      }
+    }
+    return sections(its);
+  }
+
+  private List<String> sections(Collection<String> itsGroups) {
+    return itsGroups.stream()
+        .map(group -> groups.getOrDefault(group, ""))
+        .collect(Collectors.toList());
   }
 
   /** Whether a sequence of the mutex has room for all sections of this way. */
@@ -401,6 +432,27 @@ public final class Roads {
   }
 
   /**
+   * The shortest way through none of these sections, which a dead robot may be in; none if there is no such
+   * way, or it needs too many sections.
+   */
+  Optional<List<Integer>> wayAround(int from, List<Integer> stops, Set<String> shut) {
+    if (shut.isEmpty()) {
+      return Optional.of(way(from, stops));
+    }
+    List<Integer> way = new ArrayList<>(List.of(from));
+    int last = from;
+    for (int stop : stops) {
+      List<Integer> part = way(last, stop, tree(last, shut));
+      if (part.isEmpty()) {
+        return Optional.empty();
+      }
+      way.addAll(part.subList(1, part.size()));
+      last = stop;
+    }
+    return fits(way) ? Optional.of(way) : Optional.empty();
+  }
+
+  /**
    * The part of a drive over stops that ends at a private vertex: the first private stop, or the home after
    * all stops, or after the first one if there are too many sections on the way.
    */
@@ -419,13 +471,21 @@ public final class Roads {
   /** The shortest way; of equal ones always the same. */
   private List<Integer> way(int from, int to) {
     int[] known = trees.get(from);
-    int[] before = known == null ? tree(from) : known;
+    List<Integer> way = way(from, to, known == null ? tree(from, Set.of()) : known);
+    if (way.isEmpty()) {
+      throw new IllegalArgumentException(
+          "no way from " + name(from) + " to " + name(to) + ": expected lanes between them");
+    }
+    return way;
+  }
+
+  /** Empty if there is none. */
+  private static List<Integer> way(int from, int to, int[] before) {
     List<Integer> way = new ArrayList<>(List.of(to));
     for (int last = to; last != from; ) {
       last = before[last];
       if (last == NONE) {
-        throw new IllegalArgumentException(
-            "no way from " + name(from) + " to " + name(to) + ": expected lanes between them");
+        return List.of();
       }
       way.add(last);
     }
@@ -434,7 +494,7 @@ public final class Roads {
   }
 
   /** For each vertex the one before it on the way from {@code from}; {@link #NONE} if there is no way. */
-  private int[] tree(int from) {
+  private int[] tree(int from, Set<String> shut) {
     double[] mm = new double[graph.vertices().size()];
     int[] before = new int[mm.length];
     Arrays.fill(mm, Double.POSITIVE_INFINITY);
@@ -453,7 +513,8 @@ public final class Roads {
       for (int number : lanesFrom.get(next.vertex())) {
         Lane lane = graph.lanes().get(number);
         double itsMm = next.mm() + graph.lengthMm(lane);
-        if (itsMm < mm[lane.to()]) {
+        boolean isShut = !shut.isEmpty() && !Collections.disjoint(needs.get(number), shut);
+        if (itsMm < mm[lane.to()] && !isShut) {
           mm[lane.to()] = itsMm;
           before[lane.to()] = next.vertex();
           queue.add(new Reached(itsMm, lane.to()));

@@ -2,6 +2,7 @@ package org.starl.apps.fleet.robot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.starl.apps.AppFactory;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
@@ -71,6 +72,13 @@ public final class FleetFactory implements AppFactory {
           "",
           "file of deliveries, or of starts and goals on a grid map (.scen); without one: drawn from the seed");
 
+  public static final Parameter BROKEN =
+      new Parameter(
+          "broken",
+          "",
+          "robots that do not drive any more, with + between them: programs that start anew on these only tell"
+              + " where they stand");
+
   private static final int MOST_ROBOTS = 1_000;
   private static final double RESERVE = 3;
 
@@ -86,7 +94,7 @@ public final class FleetFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(DELIVERIES, RATE, RANGE, MAP, LEVEL, GRAPH, SPACING, CLEARANCE, TASKS);
+    return List.of(DELIVERIES, RATE, RANGE, MAP, LEVEL, GRAPH, SPACING, CLEARANCE, TASKS, BROKEN);
   }
 
   @Override
@@ -96,12 +104,20 @@ public final class FleetFactory implements AppFactory {
     int robots = request.robots().orElse(1);
     NavGraph graph = grid(robots);
     Roads roads = roads(graph, MotionParameters.DEFAULT.robotRadiusMm(), robots);
-    return program(roads, drawn(request, graph), rangeMm(request, roads));
+    return program(roads, drawn(request, graph), rangeMm(request, roads), broken(request));
+  }
+
+  /** The names of the robots of {@link #BROKEN}. */
+  public static Set<String> broken(Request request) {
+    return Set.of(request.parameter(BROKEN.key()).split("\\+"));
   }
 
   /** The program of the robots of this fleet. */
-  public static RobotProgram program(Roads roads, List<Delivery> deliveries, double rangeMm) {
-    return RobotProgram.of(gvh -> new FleetApp(gvh, roads, deliveries, rangeMm))
+  public static RobotProgram program(
+      Roads roads, List<Delivery> deliveries, double rangeMm, Set<String> broken) {
+    return RobotProgram.of(gvh ->
+            new FleetApp(
+                gvh, roads, deliveries, rangeMm, broken.contains(gvh.id.name().toString())))
         .withMonitor(MutexSpec::new)
         .withMonitor(LedgerSpec::new);
   }

@@ -1,9 +1,12 @@
 package org.starl.apps.fleet.spec;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -33,6 +36,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       the sections assume.
  *   <li>{@code fleet.one_way}: no two robots with their true bodies on a lane drive along it in opposite
  *       directions.
+ *   <li>{@code fleet.group}: no two true bodies are on lanes of one group: farther than {@link #END_MM} from
+ *       their ends, or at an end of the group that is no parking place or charger.
  *   <li>{@code fleet.once}: each delivery is put down once.
  *   <li>{@code fleet.charged}: no battery is empty.
  *   <li>{@code fleet.none_lost}: at the end each delivery has been put down.
@@ -45,6 +50,7 @@ public final class FleetSpec extends LemmaMonitor {
   public static final String APART = "fleet.apart";
   static final String ON_LANE = "fleet.on_lane";
   static final String ONE_WAY = "fleet.one_way";
+  static final String GROUP = "fleet.group";
   static final String ONCE = "fleet.once";
   static final String CHARGED = "fleet.charged";
   static final String NONE_LOST = "fleet.none_lost";
@@ -53,6 +59,9 @@ public final class FleetSpec extends LemmaMonitor {
   private static final long STEP_NS = 40 * Time.NS_PER_MS;
 
   private static final double LANE_MM = 50;
+
+  // A robot that waits before a lane, or has passed it, may be so near to the lane's end.
+  private static final double END_MM = 165;
 
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
   private static final double TOUCHING_MM = 2;
@@ -64,6 +73,10 @@ public final class FleetSpec extends LemmaMonitor {
   private final Within<Long> open;
   private final SortedSet<String> reported = new TreeSet<>();
   private final SortedMap<RobotId, List<Integer>> lanes = new TreeMap<>();
+  private final SortedMap<RobotId, List<Integer>> lastLanes =
+      new TreeMap<>(); // also of stopped ones
+  private final Map<List<Integer>, SortedSet<String>> groups =
+      new LinkedHashMap<>(); // of lanes, in both directions
   private final SortedMap<Long, RobotId> delivered = new TreeMap<>();
   private int asked;
   private long nextCheckNs;
@@ -78,9 +91,14 @@ public final class FleetSpec extends LemmaMonitor {
     this.graph = graph;
     this.deliveries = List.copyOf(deliveries);
     open = new Within<>(boundNs);
+    graph.lanes().forEach(lane -> groups.put(List.of(lane.from(), lane.to()), graph.groups(lane)));
+    graph
+        .lanes()
+        .forEach(lane -> groups.putIfAbsent(List.of(lane.to(), lane.from()), graph.groups(lane)));
     lemma(APART, "No two robots touch.");
     lemma(ON_LANE, "The middle of a robot that drives is on its lane, 50 mm at most beside it.");
     lemma(ONE_WAY, "No two robots on one lane drive in opposite directions.");
+    lemma(GROUP, "No two robots are on lanes of one group.");
     lemma(ONCE, "Each delivery is put down at most once.");
     lemma(CHARGED, "No battery is empty.");
     lemma(NONE_LOST, "At the end of the run each delivery has been put down.");
@@ -125,6 +143,9 @@ public final class FleetSpec extends LemmaMonitor {
     List<Integer> lane = variable.of(FleetFact.LANE);
     if (lane != null) {
       lanes.put(robot, lane);
+      if (!lane.isEmpty()) {
+        lastLanes.put(robot, lane);
+      }
       checkOneWay(robot, lane, variable.timeNs(), report);
     }
   }
@@ -188,6 +209,7 @@ public final class FleetSpec extends LemmaMonitor {
       if (bodies.isAnyMoving()) {
         checkApart(nextCheckNs, report);
         checkOnLane(report);
+        checkGroups(report);
         nextCheckNs += STEP_NS;
       } else {
         nextCheckNs = timeNs + STEP_NS - timeNs % STEP_NS;
@@ -209,6 +231,33 @@ public final class FleetSpec extends LemmaMonitor {
         }
       }
     });
+  }
+
+  private void checkGroups(Report report) {
+    report.checked(GROUP);
+    SortedMap<String, RobotId> inside = new TreeMap<>();
+    lastLanes.forEach((robot, lane) -> {
+      for (String group : groups.getOrDefault(lane, Collections.emptySortedSet())) {
+        if (bodies.isOnFloor(robot) && isIn(group, lane, bodies.poseAt(robot, nextCheckNs).at())) {
+          RobotId other = inside.putIfAbsent(group, robot);
+          if (other != null && reported.add(group + other + robot)) {
+            report.violated(GROUP, nextCheckNs, List.of(other, robot), "both in " + group);
+          }
+        }
+      }
+    });
+  }
+
+  private boolean isIn(String group, List<Integer> lane, Point at) {
+    return segment(lane).distanceMm(at) <= LANE_MM
+        && lane.stream()
+            .allMatch(
+                end -> at.distanceMm(graph.vertices().get(end).at()) > END_MM || isOf(group, end));
+  }
+
+  private boolean isOf(String group, int vertex) {
+    NavGraph.Vertex its = graph.vertices().get(vertex);
+    return its.group().equals(group) && (its.isStation() || !(its.isParking() || its.isCharger()));
   }
 
   private void checkApart(long timeNs, Report report) {

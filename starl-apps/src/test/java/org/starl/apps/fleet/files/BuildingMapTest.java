@@ -92,13 +92,11 @@ class BuildingMapTest {
         .containsExactly(
             new Vertex("pantry", new Point(5000, 0), false, true, false),
             new Vertex("coe", new Point(0, -5000), false, true, true),
-            new Vertex("v3", new Point(15_000, -20_000), false, false, false));
+            new Vertex("v3", new Point(15_000, -20_000), false, false, false, "door"));
     assertThat(graph.lanes())
         .containsExactly(
-            new Lane(0, 1, "hall"),
-            new Lane(1, 0, "hall"),
-            new Lane(1, 2, "door"),
-            new Lane(2, 0, "door"));
+            new Lane(0, 1, "hall"), new Lane(1, 0, "hall"), new Lane(1, 2, ""), new Lane(2, 0, ""));
+    assertThat(graph.groups(new Lane(1, 2, "hall"))).containsExactly("door", "hall");
   }
 
   @Test

@@ -100,6 +100,32 @@ class RoadsTest {
     assertThat(roads.leg(0, List.of(2), 0)).containsExactly(2, 0);
   }
 
+  /** The corridor; the station and the lane from "a" to "b" are one group. */
+  private static Roads grouped() {
+    NavGraph graph = corridor(true);
+    List<Vertex> vertices = new ArrayList<>(graph.vertices());
+    Vertex s = vertices.get(4);
+    vertices.set(4, new Vertex(s.name(), s.at(), false, true, false, "gate"));
+    List<Lane> lanes = new ArrayList<>(graph.lanes());
+    lanes.replaceAll(lane -> lane.equals(new Lane(1, 2, "")) ? new Lane(1, 2, "gate") : lane);
+    return new Roads(new NavGraph(vertices, lanes), BODY_MM, 2);
+  }
+
+  @Test
+  void aRobotAtAStationKeepsTheGroupThatTheStationHasInCommonWithOtherLanes() {
+    assertThat(grouped().isPrivate(4)).isFalse();
+    assertThat(grouped().leg(0, List.of(4), 0)).containsExactly(4, 0);
+  }
+
+  @Test
+  void aRestartedRobotHasTheGroupInWhoseLaneItStandsAndNoneThatItMayWaitFor() {
+    Roads roads = grouped();
+    assertThat(roads.groups(new Point(1_950, 0), new Lane(1, 2, "gate"))).containsExactly("g0");
+    assertThat(roads.groups(new Point(1_340, 0), new Lane(1, 2, "gate"))).isEmpty();
+    assertThat(roads.groups(new Point(1_300, 1_270), new Lane(1, 4, ""))).containsExactly("g0");
+    assertThat(roads.groups(new Point(600, 0), new Lane(0, 1, ""))).isEmpty();
+  }
+
   @Test
   void aRobotBesideALaneIsNotOnIt() {
     Roads roads = new Roads(corridor(true), BODY_MM, 2);
