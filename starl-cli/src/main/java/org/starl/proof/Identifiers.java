@@ -18,11 +18,11 @@ final class Identifiers {
   private static final Set<String> KEYWORDS =
       new TreeSet<>(
           Arrays.asList(
-              ("and andthen array as assertion assuming assumption auto_rewrite axiom begin but by"
+              ("all and andthen array as assertion assuming assumption auto_rewrite axiom begin but by"
                       + " cases challenge claim closure codatatype coinductive cond conjecture"
                       + " containing conversion corollary datatype else elsif end endassuming"
                       + " endcases endcond endif endtable exists exporting fact false forall formula"
-                      + " from function has_type if iff implies importing in inductive judgement"
+                      + " from function ghost has_type if iff implies importing in inductive judgement"
                       + " lambda law lemma let library macro measure nonempty_type not o obligation"
                       + " of or orelse postulate proposition recursive sublemma subtype_of subtypes"
                       + " table then theorem theory true type var when where with xor")

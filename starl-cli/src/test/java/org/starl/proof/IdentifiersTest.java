@@ -22,6 +22,8 @@ class IdentifiersTest {
     "7, n7",
     "_x, n_x",
     "or, n_or", // words of the language, in small letters or capitals
+    "all, n_all",
+    "Ghost, n_Ghost",
     "O, n_O",
     "s_1, n_s_1", // names that the theory has for itself
     "step_3, n_step_3",

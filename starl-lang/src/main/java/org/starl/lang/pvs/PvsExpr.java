@@ -73,10 +73,10 @@ final class PvsExpr {
         .collect(Collectors.joining(", "));
   }
 
-  /** The same of a record, or of a theory's parameters. */
+  /** The same of a record. */
   static String components(List<Field> fields) {
     return fields.stream()
-        .map(field -> PvsNames.id(field.name()) + ": " + type(field.type()))
+        .map(field -> PvsNames.field(field.name()) + ": " + type(field.type()))
         .collect(Collectors.joining(", "));
   }
 
@@ -97,11 +97,11 @@ final class PvsExpr {
   Doc effect(Effect effect) {
     return switch (effect) {
       case Effect.Assign assign -> {
-        List<Object> place = new ArrayList<>(List.of("`" + PvsNames.id(assign.component())));
+        List<Object> place = new ArrayList<>(List.of("`" + PvsNames.field(assign.component())));
         for (Selector selector : assign.selectors()) {
           switch (selector) {
             case Selector.At at -> place.add(arguments(at.arguments()));
-            case Selector.Of of -> place.add("`" + PvsNames.id(of.field()));
+            case Selector.Of of -> place.add("`" + PvsNames.field(of.field()));
           }
         }
         place.addAll(List.of(" := ", of(assign.value())));
@@ -116,7 +116,7 @@ final class PvsExpr {
                 ",",
                 SOFT,
                 state(step.used()) + ")");
-        String place = "`" + PvsNames.id(step.used()) + " := ";
+        String place = "`" + PvsNames.field(step.used()) + " := ";
         yield step.condition().isEmpty()
             ? group(2, place, after)
             : group(
@@ -225,7 +225,7 @@ final class PvsExpr {
 
   /** A component of the state. */
   private static String state(String component) {
-    return "s`" + PvsNames.id(component);
+    return "s`" + PvsNames.field(component);
   }
 
   private Doc arguments(List<Expr> arguments) {
@@ -242,7 +242,7 @@ final class PvsExpr {
     if (call.function().readsState()) {
       arguments.add(Doc.of(call.used().isEmpty() ? "s" : state(call.used())));
     }
-    String name = PvsNames.id(call.function().name());
+    String name = names.function(call);
     return arguments.isEmpty()
         ? Doc.of(name)
         : group(2, name, "(", join(arguments, ",", SOFT), ")");
@@ -252,14 +252,15 @@ final class PvsExpr {
   private Doc get(Expr.Get get) {
     return get.of().type().base() instanceof Type.Sum
         ? Doc.of(PvsNames.variable(get.field()) + "(", of(get.of()), ")")
-        : Doc.of(atom(get.of()), "`" + PvsNames.id(get.field()));
+        : Doc.of(atom(get.of()), "`" + PvsNames.field(get.field()));
   }
 
   private Doc record(Expr.MakeRecord made) {
     Type.Rec type = (Type.Rec) made.type().base();
     List<Doc> all = new ArrayList<>();
     for (int i = 0; i < made.values().size(); i++) {
-      all.add(Doc.of(PvsNames.id(type.fields().get(i).name()) + " := ", of(made.values().get(i))));
+      all.add(
+          Doc.of(PvsNames.field(type.fields().get(i).name()) + " := ", of(made.values().get(i))));
     }
     return group(3, "(# ", join(all, ",", SOFT), " #)");
   }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.lang.tree.Action;
@@ -27,14 +28,25 @@ final class PvsNames {
   private static final Set<String> OWN =
       Set.of("s", "a", "states", "actions", "enabled", "trans", "start");
 
+  /**
+   * What theories have from PVS and from the library: a function of such a name would be taken for it.
+   */
+  private static final Set<String> LIBRARY =
+      Set.of(
+          """
+          add append bottom car card cdr difference down emptyset intersection length lift list
+          list2set nonneg_real nth null reachable remove set singleton union up
+          """
+              .split("\\s+"));
+
   /** Words of PVS, of any case. */
   private static final Set<String> RESERVED =
       Set.of(
           """
-          and andthen array as assuming assumption auto_rewrite axiom begin but by cases
+          all and andthen array as assuming assumption auto_rewrite axiom begin but by cases
           challenge claim closure codatatype coinductive cond conjecture containing
-          conversion corollary datatype else elsif end endassuming endcases endcond
-          endif endtable exists exporting fact false forall formula from function
+          conversion corecursive corollary datatype else elsif end endassuming endcases endcond
+          endif endtable exists exporting fact false forall formula from function ghost
           has_type if iff implies importing in inductive judgement lambda law lemma let
           library macro measure nonempty_type not obligation of or orelse postulate
           proposition recursive sublemma subtype_of subtypes table then theorem theory
@@ -52,9 +64,16 @@ final class PvsNames {
     return names;
   }
 
+  private final List<Automaton> all = new ArrayList<>();
+  private final Map<String, Automaton> uses = new LinkedHashMap<>();
+
   private PvsNames() {}
 
   PvsNames(Automaton automaton) {
+    all.add(automaton);
+    uses.putAll(automaton.uses());
+    all.addAll(uses.values());
+    automaton.refinements().forEach(each -> all.add(each.of()));
     declared.put("s", "states");
     declared.put("a", "actions");
     automaton
@@ -79,6 +98,16 @@ final class PvsNames {
     ambiguous.forEach(declared::remove);
   }
 
+  /** The function that is called, with its theory if another one has a function of that name. */
+  String function(Expr.Call call) {
+    String name = call.function().name();
+    boolean isOne =
+        all.stream().filter(each -> each.function(name).isPresent()).distinct().count() < 2;
+    return call.used().isEmpty() || isOne
+        ? id(name)
+        : id(Objects.requireNonNull(uses.get(call.used())).name()) + "." + id(name);
+  }
+
   /** Whether the library's {@code distinct?} is needed. */
   boolean usesDistinct() {
     return usesDistinct;
@@ -99,14 +128,31 @@ final class PvsNames {
    * meaning for it. Different names stay different.
    */
   static String id(String name) {
-    return name.matches("[oO]_*") ? name + "_" : variable(name); // an operator elsewhere
+    return isOperator(name) ? name + "_" : variable(name);
   }
 
   /** The same of a variable, or of an argument of a form or action. */
   static String variable(String name) {
-    String word = name.replaceFirst("_+$", "");
+    return LIBRARY.contains(word(name)) ? name + "_" : unreserved(name);
+  }
+
+  /** The same of a component of the state or of a record: it stands for nothing else. */
+  static String field(String name) {
+    return isOperator(name) ? name + "_" : unreserved(name);
+  }
+
+  private static String unreserved(String name) {
+    String word = word(name);
     boolean isReserved = OWN.contains(word) || RESERVED.contains(word.toLowerCase(Locale.ROOT));
     return isReserved ? name + "_" : name;
+  }
+
+  private static String word(String name) {
+    return name.replaceFirst("_+$", "");
+  }
+
+  private static boolean isOperator(String name) {
+    return name.matches("[oO]_*"); // in places
   }
 
   /** A variable where it is bound: {@code i}, or {@code i: PIDS} if the name alone says not enough. */

@@ -6,6 +6,7 @@ import static org.starl.lang.pvs.Doc.group;
 import static org.starl.lang.pvs.Doc.join;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
@@ -30,10 +31,14 @@ public final class PvsTheory {
   /** Has {@code distinct?}. */
   private static final String LISTS = "  IMPORTING zone_lists";
 
+  /** The library's theory of this automaton: a specification may have states of the same type. */
+  private static final String MACHINE = "time_machine[states, actions, enabled, trans, start]";
+
   private final Automaton automaton;
   private final PvsNames names;
   private final PvsExpr expressions;
   private final StringBuilder text = new StringBuilder();
+  private final Set<String> taken = new HashSet<>(); // of formulas and functions
 
   private PvsTheory(Automaton automaton) {
     this.automaton = automaton;
@@ -64,8 +69,9 @@ public final class PvsTheory {
     add(group(2, "start(s): bool =", LINE, expressions.all(automaton.start())), List.of());
     addEnabled();
     addTrans();
-    block(List.of("  IMPORTING time_machine[states, actions, enabled, trans, start]"));
+    block(List.of("  IMPORTING " + MACHINE));
     automaton.invariants().forEach(this::addInvariant);
+    automaton.refinements().forEach(each -> taken.add(PvsNames.id(each.name())));
     automaton.refinements().forEach(this::addRefinement);
     addLeftOut();
     text.setLength(text.length() - 1); // no empty line before END
@@ -89,7 +95,8 @@ public final class PvsTheory {
         .forEach(name -> parameters.add(Doc.of(PvsNames.id(name) + ": TYPE")));
     automaton
         .valueParameters()
-        .forEach(field -> parameters.add(Doc.of(PvsExpr.components(List.of(field)))));
+        .forEach(field ->
+            parameters.add(Doc.of(PvsNames.id(field.name()) + ": " + PvsExpr.type(field.type()))));
     String name = PvsNames.id(automaton.name());
     Doc head =
         parameters.isEmpty()
@@ -204,7 +211,7 @@ public final class PvsTheory {
       component.comment().forEach(line -> lines.add(indent + comment(line), ""));
       lines.add(
           (i == 0 ? begin : indent)
-              + PvsNames.id(component.name())
+              + PvsNames.field(component.name())
               + ": "
               + PvsExpr.type(component.type())
               + (i == automaton.state().size() - 1 ? " #]" : ","),
@@ -251,7 +258,7 @@ public final class PvsTheory {
       parameters.add("s");
     }
     String head =
-        PvsNames.id(function.signature().name())
+        fresh(function.signature().name())
             + (parameters.isEmpty() ? "" : "(" + String.join(", ", parameters) + ")")
             + (function.measure().isPresent() ? ": RECURSIVE " : ": ")
             + PvsExpr.type(function.signature().result())
@@ -316,7 +323,7 @@ public final class PvsTheory {
     add(
         group(
             2,
-            PvsNames.id(invariant.name()) + "(s): bool =",
+            fresh(invariant.name()) + "(s): bool =",
             LINE,
             expressions.of(invariant.condition())),
         invariant.comment());
@@ -340,25 +347,39 @@ public final class PvsTheory {
             LINE,
             mapped(refinement, refinement.of(), "", mapping)),
         List.of());
-    List<Object> known = new ArrayList<>(List.of("reachable(s)"));
+    String isKnown = fresh(name + "_known");
+    List<Object> known = new ArrayList<>(List.of(MACHINE + ".reachable(s)"));
     automaton
         .invariants()
         .forEach(each -> known.addAll(List.of(" AND", LINE, PvsNames.id(each.name()) + "(s)")));
+    add(group(2, isKnown + "(s): bool =", LINE, new Doc.Group(Doc.of(known.toArray()))), List.of());
     add(
-        group(2, name + "_known(s): bool =", LINE, new Doc.Group(Doc.of(known.toArray()))),
-        List.of());
-    add(
-        Doc.of(name + "_start: THEOREM start(s) IMPLIES " + of + ".start(" + name + "(s))"),
+        Doc.of(
+            fresh(name + "_start")
+                + ": THEOREM start(s) IMPLIES "
+                + of
+                + ".start("
+                + name
+                + "(s))"),
         List.of());
     for (Action action : automaton.actions()) {
       add(
           group(
               2,
-              PvsNames.id(refinement.name() + "_" + action.name()) + ": THEOREM",
+              fresh(name + "_" + action.name()) + ": THEOREM",
               LINE,
-              theorem(refinement, action, mapping)),
+              theorem(refinement, action, isKnown, mapping)),
           List.of());
     }
+  }
+
+  /** {@code name}, or a longer one if a declaration has it. */
+  private String fresh(String name) {
+    String free = PvsNames.id(name);
+    while (!taken.add(free)) {
+      free += "_";
+    }
+    return free;
   }
 
   private Doc mapped(Refinement refinement, Automaton of, String path, PvsExpr mapping) {
@@ -369,13 +390,13 @@ public final class PvsTheory {
           each.type() instanceof Type.StateOf used
               ? mapped(refinement, used.automaton(), name + ".", mapping)
               : mapping.of(Objects.requireNonNull(refinement.values().get(name)));
-      all.add(group(2, PvsNames.id(each.name()) + " :=", LINE, value));
+      all.add(group(2, PvsNames.field(each.name()) + " :=", LINE, value));
     }
     return group(3, "(# ", join(all, ",", LINE), " #)");
   }
 
   /** From a state that can be reached, an action is its abstract step, or leaves the abstract state. */
-  private Doc theorem(Refinement refinement, Action action, PvsExpr mapping) {
+  private Doc theorem(Refinement refinement, Action action, String isKnown, PvsExpr mapping) {
     String own = PvsExpr.pattern(action.name(), action.parameters()).replace(":", "");
     String abs = PvsNames.id(refinement.name());
     String after = abs + "(trans(" + own + ", s)) =";
@@ -400,7 +421,7 @@ public final class PvsTheory {
                       LINE,
                       "ENDIF"));
     }
-    Doc body = group(2, abs + "_known(s) AND enabled(" + own + ", s) IMPLIES", LINE, goal);
+    Doc body = group(2, isKnown + "(s) AND enabled(" + own + ", s) IMPLIES", LINE, goal);
     return action.parameters().isEmpty()
         ? body
         : group(2, "FORALL " + names.binders(action.parameters()) + ":", LINE, body);

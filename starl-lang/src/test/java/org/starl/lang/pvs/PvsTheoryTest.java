@@ -3,7 +3,6 @@ package org.starl.lang.pvs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -278,8 +277,20 @@ class PvsTheoryTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"s", "a", "by", "table", "claim", "states", "trans", "s_", "Lemma"})
+  @ValueSource(strings = {"s", "a", "by", "all", "ghost", "Corecursive", "states", "s_", "Lemma"})
   void nameThatMeansSomethingInPvsIsAnotherOne(String name) throws SourceErrors {
+    renamed(name, "T field_ form_ arg comp fn par var act given_");
+  }
+
+  /** A component or field of its name is read as one, behind a mark. */
+  @ParameterizedTest
+  @ValueSource(strings = {"emptyset", "add", "difference", "up", "list", "reachable", "null_"})
+  void functionOrTypeThatTheTheoryHasFromPvsOrTheLibraryIsAnotherOne(String name)
+      throws SourceErrors {
+    renamed(name, "T form_ arg fn par var act given_ Inv");
+  }
+
+  private static void renamed(String name, String declared) throws SourceErrors {
     String plain =
         """
         automaton Bad[T]
@@ -293,8 +304,7 @@ class PvsTheoryTest {
           eff comp := given_, r.field_ := comp
         invariant Inv: f is other => f.arg = r.field_
         """;
-    for (String each :
-        List.of("T", "field_", "form_", "arg", "comp", "fn", "par", "var", "act", "given_")) {
+    for (String each : declared.split(" ")) {
       String renamed = plain.replaceAll("\\b" + each + "\\b", name);
       String expected = plain.replaceAll("\\b" + each + "\\b", name + "x");
       assertThat(theory(renamed)).isEqualTo(theory(expected).replace(name + "x", name + "_"));
@@ -326,7 +336,12 @@ class PvsTheoryTest {
                          aborted: TCommit.aborted
                        ENDCASES #)
 
-              tc_known(s): bool = reachable(s) AND Told(s) AND All_known(s) AND Was_prepared(s) AND Decided(s)
+              tc_known(s): bool =
+                time_machine[states, actions, enabled, trans, start].reachable(s) AND
+                Told(s) AND
+                All_known(s) AND
+                Was_prepared(s) AND
+                Decided(s)
 
               tc_start: THEOREM start(s) IMPLIES TCommit.start(tc(s))
             """)
@@ -353,11 +368,11 @@ class PvsTheoryTest {
         .contains(
             """
               group(s): Mutex_group_decls.states =
-                (# plist := LAMBDA i: all,
+                (# plist := LAMBDA i: all_,
                    mux :=
                      (# crit_set := s`mux`crit_set, req_set := s`mux`req_set, rest_set := s`mux`rest_set #) #)
 
-              group_known(s): bool = reachable(s)
+              group_known(s): bool = time_machine[states, actions, enabled, trans, start].reachable(s)
             """,
             "RS: VAR set[Zones]",
             "FORALL i, RS:");
@@ -374,5 +389,42 @@ class PvsTheoryTest {
         """;
     assertThat(PvsTheory.of(new SourceReader().read("x", text).getLast(), "x"))
         .contains("FORALL (p: nat): p >= 0", "FORALL (p: P):");
+  }
+
+  @Test
+  void theoremsOfARefinementHaveNamesOfTheirOwn() throws SourceErrors {
+    String text =
+        """
+        automaton Low[P] state x: set[P] start x = {} action put(p: P) eff x := x union {p}
+        automaton High[P] state x: set[P] start x = {}
+        fun low_known: bool = x = {}
+        refines low: Low[P] by x := x, start(p) is put(p), known(p) is put(p)
+        action start(p: P) eff x := x union {p}
+        action known(p: P) eff x := x union {p}
+        invariant low_start: low_known or x = x
+        """;
+    assertThat(PvsTheory.of(new SourceReader().read("x", text).getLast(), "x"))
+        .contains(
+            "low_known(s): bool = empty?",
+            "low_known_(s): bool =",
+            "    time_machine[states, actions, enabled, trans, start].reachable(s) AND low_start(s)",
+            "low_start_: THEOREM start(s) IMPLIES",
+            "low_start__: THEOREM",
+            "low_known__: THEOREM",
+            "low_known_(s) AND enabled(known(p), s)");
+  }
+
+  @Test
+  void functionOfAUsedAutomatonIsNotTheOwnOne() throws SourceErrors {
+    String text =
+        """
+        automaton Low[P] state x: set[P] fun most: nat = 3 fun some?(p: P): bool = p in x
+          fun its: nat = 1 start x = {} action put(p: P) eff x := x union {p}
+        automaton High[P] uses low: Low[P] state x: set[P] fun most: nat = 5
+          fun some?(p: P): bool = p in x start low.start?, x = {}
+        action put(p: P) pre low.most < most, low.some?(p), some?(p), low.its = 1 eff x := x union {p}
+        """;
+    assertThat(PvsTheory.of(new SourceReader().read("x", text).getLast(), "x"))
+        .contains("Low.most < most AND Low.some?(p, s`low) AND some?(p, s) AND its = 1");
   }
 }
