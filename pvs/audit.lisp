@@ -11,6 +11,9 @@
 ;;   outside THEORY NAME       rests on a theory of another folder, which nothing here checks
 ;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the theory OF, the library's or
 ;;                             PVS's, for something of its own that can be taken for it
+;;   conversion THEORY NAME    a theory that is not the library's has a CONVERSION: formulas say what they do not show
+;;   hollow THEORY NAME        it uses the theory NAME of the library with a type that may have no values
+;;   mixed THEORY OF           it uses time_machine with the states of OF, and not with its steps
 ;;   foreign THEORY NAME       a name that is not ASCII: it may look like another one
 ;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
 ;;                             wrong about later updates of that place (docs/proofs.md)
@@ -169,17 +172,48 @@ parameters, it is not known to have a value. PVS takes the type of a parameter f
 (defun starl-redefines? (own its)
   "Whether declaration OWN can be taken for ITS. An automaton of its own has states and actions, too."
   (and (eq (id own) (id its))
-       (cond ((and (typep own '(or const-decl var-decl formal-const-decl)) (const-decl? its))
+       (cond ((and (typep own '(or const-decl var-decl formal-const-decl bind-decl)) (const-decl? its))
               (starl-alike? (type own) (type its)))
              ((and (type-decl? own) (type-decl? its))
               (or (not (member (id own) '(|states| |actions|)))
                   (starl-alike? (type-value own) (type-value its)))))))
 
+(defun starl-bound (th)
+  "The bound variables within TH."
+  (let ((all nil))
+    (mapobject #'(lambda (ex)
+                   (when (binding-expr? ex) (setf all (append (bindings ex) all)))
+                   nil)
+               (append (assuming th) (theory th)))
+    all))
+
 (defun starl-redefined (th of)
-  (dolist (own (append (formals th) (starl-declarations th)))
-    (when (and (null (generated-by own))
+  (dolist (own (append (formals th) (starl-declarations th) (starl-bound th)))
+    (when (and (or (typep own 'bind-decl)
+                   (null (generated-by own))
+                   ;; Forms of a data type; PVS's own names for parts of any type are no trick.
+                   (and (typep own '(or adt-constructor-decl adt-recognizer-decl adt-accessor-decl))
+                        (not (from-prelude? of))))
                (some #'(lambda (its) (and (declaration? its) (starl-redefines? own its))) (theory of)))
       (starl-line "redefined" th (format nil "~a ~a" (id own) (id of))))))
+
+(defun starl-home (ex)
+  "The theory that declares the name EX, of a type or a value."
+  (let ((name (if (type-expr? ex) (or (print-type ex) ex) ex)))
+    (and (name? name) (resolution name) (module (declaration name)))))
+
+(defun starl-instances (th library)
+  (dolist (use (all-usings th))
+    (when (and (filename (car use)) (starl-in-library? (car use) library))
+      (dolist (actuals (remove nil (mapcar #'actuals (cdr use))))
+        (when (some #'(lambda (a) (and (type-value a) (starl-may-be-empty? (type-value a)))) actuals)
+          (starl-line "hollow" th (id (car use))))
+        (when (eq (id (car use)) '|time_machine|)
+          (let ((home (starl-home (type-value (car actuals)))))
+            (when (and home
+                       (starl-in-library? home library)
+                       (notevery #'(lambda (a) (eq (starl-home (or (type-value a) (expr a))) home)) actuals))
+              (starl-line "mixed" th (id home)))))))))
 
 (defun starl-foreign (th)
   (dolist (d (append (formals th) (starl-declarations th)))
@@ -199,7 +233,9 @@ parameters, it is not known to have a value. PVS takes the type of a parameter f
         (starl-narrow th)
         (unless (starl-in-library? th library)
           (starl-foreign th)
+          (starl-instances th library)
           (dolist (d (starl-declarations th))
+            (when (typep d 'conversion-decl) (starl-line "conversion" th "-"))
             (when (and (typep d 'theory-reference) (probe-file (format nil "~a/~a.pvs" library (id d))))
               (starl-line "redefined" th (format nil "~a ~a" (id d) (id d)))))
           (dolist (of (append all *prelude-theories*))

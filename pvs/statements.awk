@@ -1,148 +1,198 @@
-# Reads a file that `starl run --pvs` exported, and tells each line that such a file does not have. The
-# statements of a run follow from its steps: each is made here again and compared, so a file cannot state
-# less, or mean its own `enabled` by it. How many results there are says the head; of a result the recorded
-# value is open. Used by pvs/check: awk -v library=FOLDER.
-# Prints "run THEORY STEPS" for each theory, or "wrong LINE WHAT" for the first line that differs.
+# Reads a file that `starl run --pvs` exported, by the grammar of such files, and tells the first thing that
+# is not of it. A state is a value, not a formula, and the statements of a run follow from its steps: so a
+# file cannot state less, or mean its own `enabled` by it. How many results there are says the line before
+# the theory; of a result the recorded value is open. Used by pvs/check: awk -v library=FOLDER.
+# Prints "run THEORY STEPS" for each theory, or "wrong LINE WHAT".
 
 function wrong(what) {
-  print "wrong " FNR " " what
+  print "wrong " (token[at] != "" ? line[at] : FNR) " " what
   failed = 1
   exit
 }
 
-# A value declares nothing: it has no colon but after a bound variable, and no word of a declaration.
-function is_value(text) {
-  gsub(/LAMBDA \(i: [A-Za-z]+\):/, "", text)
-  gsub(/\{x: [A-Za-z]+ \|/, "", text)
-  gsub(/:=/, "", text)
-  if (text !~ /^[A-Za-z0-9_ (),#{}=`]*$/) return 0
-  text = " " tolower(text) " "
-  gsub(/[^a-z0-9_]+/, "  ", text)
-  return text !~ / (importing|exporting|conversion|auto_rewrite|judgement|library|type|var|let|with|end|begin|lemma|axiom) /
+# The next words must be these, which stand between spaces.
+function expect(words, each, n, i) {
+  n = split(words, each, " ")
+  for (i = 1; i <= n; i++) if (!has(each[i])) wrong("has " shown() "; expected " each[i] (n > 1 ? " of " words : ""))
 }
 
-# A recorded value reads no state and applies no function but the constructor `up`.
-function is_recorded(claim) {
-  sub(/^[^=]* = /, " ", claim)
-  gsub(/[^A-Za-z0-9_]up\(/, " (", claim)
-  return claim !~ /`|[A-Za-z0-9_]\(|[^A-Za-z0-9_]s_[0-9]/
+function shown() {
+  return token[at] != "" ? "'" token[at] "'" : "no more"
 }
 
-# What step n, of an action, must state of the state after it; "" if it states nothing.
-function result_of(action, n, name, i) {
-  name = action
-  sub(/\(.*/, "", name)
-  i = action
-  sub(/^[^(]*\(/, "", i)
-  sub(/[,)].*/, "", i)
-  if (automaton == "Mutex_decls" && name ~ /^(od_mutex|release)$/) return "s_" n "`crit_set(" i ")"
-  if (automaton == "Registration_decls" && name == "learn") return "rList(" i ", s_" n ")"
-  if (automaton == "Registration_decls" && name == "give_up") return "s_" n "`gone(" i ")"
-  if (automaton == "SetAgreement_decls" && name ~ /^(decide|restart)$/) return "s_" n "`decided(" i ")"
-  if (automaton == "Election_decls" && name ~ /^(learn|fail)$/) return "s_" n "`Leader(" i ")"
+function has(word) {
+  if (token[at] != word) return 0
+  at++
+  return 1
+}
+
+function name() {
+  if (token[at] !~ /^[A-Za-z]/) wrong("has " shown() "; expected a name")
+  return token[at++]
+}
+
+function type() {
+  if (token[at] != "nat" && !(token[at] in is_type)) wrong("has " shown() "; expected nat or a type of the run")
+  at++
+}
+
+# A constant of the run, or a number.
+function constant() {
+  if (token[at] !~ /^[0-9]/ && !(token[at] in is_constant)) wrong("has " shown() "; expected a value of the run")
+  return token[at++]
+}
+
+function value(seen, c) {
+  if (has("emptyset") || has("bottom") || has("TRUE") || has("FALSE")) return
+  if (has("up") || has("constantly")) { expect("("); value(); expect(")") }
+  else if (has("{")) {
+    expect("x :")
+    type()
+    expect("|")
+    do { expect("x ="); constant() } while (has("OR"))
+    expect("}")
+  } else if (has("(#")) {
+    do { name(); expect(":="); value() } while (has(","))
+    expect("#)")
+  } else if (has("LAMBDA")) {
+    expect("( i :")
+    type()
+    expect(") :")
+    if (has("IF")) {
+      do {
+        expect("i =")
+        c = constant()
+        if (index(seen, " " c " ")) wrong("has a second value for " c)
+        seen = seen " " c " "
+        expect("THEN")
+        value()
+      } while (has("ELSIF"))
+      expect("ELSE")
+      value()
+      expect("ENDIF")
+    } else value()
+  } else constant()
+}
+
+function state(n) {
+  expect("s_" n " : states = (#")
+  at--
+  value()
+}
+
+# What step n, of an action `does` of i, must state of the state after it; "" if it states nothing.
+function result_of(does, i, n) {
+  if (automaton == "Mutex_decls" && does ~ /^(od_mutex|release)$/) return "s_" n " ` crit_set ( " i " )"
+  if (automaton == "Registration_decls" && does == "learn") return "rList ( " i " , s_" n " )"
+  if (automaton == "Registration_decls" && does == "give_up") return "s_" n " ` gone ( " i " )"
+  if (automaton == "SetAgreement_decls" && does ~ /^(decide|restart)$/) return "s_" n " ` decided ( " i " )"
+  if (automaton == "Election_decls" && does ~ /^(learn|fail)$/) return "s_" n " ` Leader ( " i " )"
   return ""
 }
 
-# The statement that must come next.
-function expected(name, n, before) {
-  n = name
-  sub(/^[a-z]+_?/, "", n)
-  if (name == "begins") return "start(s_0)"
-  if (name ~ /^reached_/) return "reachable(s_" n ")"
-  before = n - 1
-  return "enabled(a_" n ", s_" before ") AND trans(a_" n ", s_" before ") = s_" n
+# The recorded value is one: it reads no state.
+function result(n, k) {
+  expect("result_" n (k == 1 ? "" : "_" k) " : LEMMA")
+  if (k == 1 && needed[n] != "") expect(needed[n])
+  else if (has("s_" n)) { expect("`"); name(); expect("("); constant(); expect(")") }
+  else { name(); expect("("); constant(); expect(", s_" n " )") }
+  expect("=")
+  value()
 }
 
-function statement(line, name, text, step) {
-  name = text = line
-  sub(/^  /, "", name)
-  sub(/: LEMMA .*/, "", name)
-  sub(/^[^:]*: LEMMA /, "", text)
-  step = (stated - 1) / 2
-  if (name ~ /^result_/ && stated > 2 && stated % 2 == 1) {
-    results++
-    all_results++
-    if (name != "result_" step (results == 1 ? "" : "_" results)) wrong("states " name " as result " results " of step_" step)
-    if (text !~ /^[A-Za-z0-9_`]+\(.*\) = / || !is_value(text)) wrong("not what a run states")
-    if (!is_recorded(text)) wrong(name " compares with what the automaton makes itself; expected a recorded value")
-    if (results == 1 && needed[step] != "" && index(text, needed[step] " = ") != 1) wrong(name " states something else; expected " needed[step] " = ...")
-    return
+function declare(formal) {
+  expect(formal " : TYPE = {")
+  is_type[formal]
+  do {
+    if (token[at] in is_constant || token[at] ~ /^([sa]_[0-9]+|x|i|up|bottom|constantly|emptyset|nat)$/)
+      wrong("has " shown() ", which means something else already; expected another name")
+    is_constant[name()]
+  } while (has(","))
+  expect("}")
+}
+
+function action(n, does, first) {
+  expect("a_" n " : actions =")
+  does = name()
+  if (has("(")) {
+    first = token[at]
+    do value(); while (has(","))
+    expect(")")
   }
-  if (name ~ /^reached_/ && stated > 2 && needed[step] != "" && results == 0) wrong("step_" step " has no result; expected result_" step ": LEMMA " needed[step] " = ...")
+  needed[n] = result_of(does, first, n)
+}
+
+function theory(head, words, n, told, steps, results, formals, formal, i, k) {
+  # % RUN: INSTANCE, as a run of THEORY: N steps, N results
+  n = split(head, words, " ")
+  if (head !~ /^%.*: .*, as a run of [A-Za-z]+_decls: [0-9]+ steps, [0-9]+ results$/)
+    wrong("expected a line before it that ends with: INSTANCE, as a run of THEORY: N steps, N results")
+  automaton = substr(words[n - 4], 1, length(words[n - 4]) - 1)
+  if (automaton !~ /^(Mutex|Registration|SetAgreement|Election)_decls$/) wrong("no runs of " automaton " are exported")
+  told = words[n - 3] " steps, " words[n - 1] " results"
+  sub(/, as a run of .*/, "", head)
+  gsub(/[^A-Za-z0-9_]/, "_", head)
+  if (token[at] !~ /^run_/ || head !~ ("__" substr(token[at], 5) "$"))
+    wrong("has " shown() "; expected the instance of the line before it")
+  running = name()
+  expect(": THEORY BEGIN")
+
+  delete is_type
+  delete is_constant
+  split("", needed)
+  formals = ""
+  while ((getline formal < (library "/" automaton ".pvs")) > 0)
+    if (formal ~ ("^" automaton " \\[ .* \\]: THEORY$")) formals = formal
+  close(library "/" automaton ".pvs")
+  sub(/^[^[]*\[ /, "", formals)
+  sub(/ \]: THEORY$/, "", formals)
+  gsub(/: TYPE|,/, "", formals)
+  k = split(formals, words, " ")
+  for (i = 1; i <= k; i++) declare(words[i])
+  gsub(/ /, " , ", formals)
+  expect("IMPORTING " automaton " [ " formals " ]")
+  if (has(",")) expect("constantly")
+
+  state(0)
+  for (steps = 0; token[at] ~ /^a_/; ) {
+    action(++steps)
+    state(steps)
+  }
+  expect("begins : LEMMA start ( s_0 )")
+  expect("reached_0 : LEMMA reachable ( s_0 )")
   results = 0
-  stated++
-  next_name = stated == 1 ? "begins" : stated % 2 == 0 ? "reached_" (stated / 2 - 1) : "step_" (stated - 1) / 2
-  if (name != next_name) wrong("states " name "; expected " next_name)
-  if (text != expected(name)) wrong(name " states something else; expected " expected(name))
-  if (name ~ /^step_/ && stated > 2 * steps + 2) wrong("states a step that the run does not have")
+  for (i = 1; i <= steps; i++) {
+    k = i - 1
+    expect("step_" i " : LEMMA enabled ( a_" i " , s_" k " ) AND trans ( a_" i " , s_" k " ) = s_" i)
+    for (k = 1; needed[i] != "" && k == 1 || token[at] ~ /^result_/; k++) {
+      result(i, k)
+      results++
+    }
+    expect("reached_" i " : LEMMA reachable ( s_" i " )")
+  }
+  expect("END " running)
+  if (told != steps " steps, " results " results") wrong("has " steps " steps and " results " results; its first line says something else")
+  print "run " automaton " " steps
 }
 
 /[[:cntrl:]]/ { wrong("has a control character") }
-
-place == "" {
-  if (/^%.*: [0-9]+ steps, [0-9]+ results$/) told_results = $(NF - 1)
-  if (/^$/ || /^%[^|]/) next
-  if (!/^run_[A-Za-z0-9_]+: THEORY$/) wrong("expected a theory of a run, run_...: THEORY")
-  if (told_results == "") wrong("expected a line before it that ends with N steps, N results")
-  theory = substr($1, 1, length($1) - 1)
-  place = "theory"
+/^ *%/ { # of a comment only the last one before a theory says something
+  if (!/^ *%\|-/) comment = $0
   next
 }
-place == "theory" {
-  if ($0 != "BEGIN") wrong("expected BEGIN")
-  place = "types"
-  next
-}
-place == "types" {
-  if (/^  % / || /^  [A-Z][A-Za-z]*: TYPE = \{[A-Za-z][A-Za-z0-9_]*(, [A-Za-z][A-Za-z0-9_]*)*\}$/) next
-  if (!/^  IMPORTING [A-Za-z]+_decls\[[A-Z][A-Za-z]*(, [A-Z][A-Za-z]*)*\]$/) wrong("expected types, and one of the library's automata")
-  automaton = $2
-  sub(/\[.*/, "", automaton)
-  if ((getline any < (library "/" automaton ".pvs")) < 0) wrong(automaton " is not in the library")
-  close(library "/" automaton ".pvs")
-  place = "states"
-  steps = 0
-  states = 0
-  stated = 0
-  all_results = 0
-  next
-}
-place == "states" {
-  if (/^$/ || /^  % /) next
-  if (/^  s_[0-9]+: states =$/) {
-    if ($1 != "s_" states ":") wrong("expected s_" states)
-    states++
-    next
+{
+  while (match($0, /^ *([A-Za-z][A-Za-z0-9_]*|[0-9]+|\(#|#\)|:=|[](){}|,=`:[])/)) {
+    token[++tokens] = substr($0, 1, RLENGTH)
+    gsub(/ /, "", token[tokens])
+    line[tokens] = FNR
+    before[tokens] = comment
+    $0 = substr($0, RLENGTH + 1)
   }
-  if (/^  a_[0-9]+: actions = /) {
-    steps++
-    if ($1 != "a_" steps ":" || states != steps) wrong("expected a_" steps " after s_" (steps - 1))
-    sub(/^  a_[0-9]+: actions = /, "")
-    if (!is_value($0)) wrong("not an action of a run")
-    needed[steps] = result_of($0, steps)
-    next
-  }
-  if (/^    /) {
-    if (!is_value($0)) wrong("not a state of a run")
-    next
-  }
-  if (states != steps + 1) wrong("not what an exported run has; expected s_" states)
-  place = "statements"
-}
-place == "statements" {
-  if (/^$/ || /^%\|- /) next
-  if (/^  [a-z]+(_[0-9]+)*: LEMMA /) {
-    statement($0)
-    next
-  }
-  if ($0 != "END " theory) wrong("not what an exported run has")
-  if (stated != 2 * steps + 2) wrong("states only " stated " of " (2 * steps + 2) " obligations")
-  if (all_results != told_results) wrong("states " all_results " of " told_results " results")
-  print "run " automaton " " steps
-  told_results = ""
-  place = ""
+  if (/[^ ]/) wrong("has '" $0 "', which no exported run has")
 }
 
 END {
-  if (!failed && place != "") wrong("the theory does not end")
+  if (failed) exit
+  if (!tokens) wrong("has no theory")
+  for (at = 1; at <= tokens; ) theory(before[at])
 }

@@ -13,6 +13,9 @@ import org.starl.spec.automaton.Term;
 /** Writes values of an automaton as PVS expressions. */
 final class Expressions {
 
+  /** The library's theory, and function, of functions with one value. */
+  static final String CONSTANTLY = "constantly";
+
   private final List<Formal> formals;
   private final Identifiers identifiers;
 
@@ -85,8 +88,16 @@ final class Expressions {
     fun.forEach(
         (argument, value) -> cases.add("IF i = " + of(argument) + " THEN " + of(value, types[1])));
     String elsewhere = of(fun.defaultValue(), types[1]);
+    if (cases.toString().isBlank() && isForm(fun.defaultValue())) {
+      return CONSTANTLY + "(" + elsewhere + ")";
+    }
     String end = cases.toString().isBlank() ? "" : " ENDIF";
     return "LAMBDA (i: " + domain + "):" + cases + elsewhere + end;
+  }
+
+  /** Whether PVS takes the value for one of a smaller type, of which pvs/check refuses a function. */
+  private static boolean isForm(Object value) {
+    return value instanceof Term || value instanceof Record;
   }
 
   private String term(Term term) {

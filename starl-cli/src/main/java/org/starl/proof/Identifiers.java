@@ -34,7 +34,7 @@ final class Identifiers {
   private static final Pattern OWN_NAMES =
       Pattern.compile(
           "[sa]_\\d+|(reached|step|result)_\\d+(_\\d+)?|begins|run_.*|[xi]|[A-Z]\\w*_decls|emptyset"
-              + "|up|bottom|bool|nat|start|enabled|trans|states|actions|reachable");
+              + "|up|bottom|constantly|bool|nat|start|enabled|trans|states|actions|reachable");
 
   private final Set<String> taken = new TreeSet<>();
   private final Map<Object, String> names = new LinkedHashMap<>();

@@ -116,7 +116,9 @@ final class RunTheory {
           }
         });
     String actuals = formals.stream().map(Formal::type).collect(Collectors.joining(", "));
-    line("  IMPORTING " + library + "[" + actuals + "]");
+    boolean isConstant = expressions.ofState(first).contains(Expressions.CONSTANTLY + "(");
+    String more = isConstant ? ", " + Expressions.CONSTANTLY : "";
+    line("  IMPORTING " + library + "[" + actuals + "]" + more);
   }
 
   private void addState(int n, Record state) {

@@ -213,7 +213,8 @@ class RunTheoriesTest {
     sets(6, "agreement/x", "decided", "null");
     assertThat(text())
         .contains("  Values: TYPE = {n01ff}\n")
-        .contains("  IMPORTING SetAgreement_decls[PIDS, Values]\n")
+        .contains("  IMPORTING SetAgreement_decls[PIDS, Values], constantly\n")
+        .contains("       decided := constantly(bottom) #)\n")
         .contains("  a_2: actions = choose(n01ff)\n")
         .contains("  a_4: actions = restart(b)\n")
         .contains(
@@ -235,7 +236,8 @@ class RunTheoriesTest {
     acts("b", "election/x", "{'candidate':{'i':'b','n':1}}");
     sets(5, "election/x", "Leader", "{'Name':{'id':'b','term':1}}");
     assertThat(text())
-        .contains("  IMPORTING Election_decls[PIDS]\n")
+        .contains("  IMPORTING Election_decls[PIDS], constantly\n")
+        .contains("       Leader := constantly((# term := 0, who := bottom #)) #)\n")
         .contains("  a_3: actions = elect(1, b)\n")
         .contains(
             """
@@ -329,18 +331,20 @@ class RunTheoriesTest {
     assertThat(statements(folder, text))
         .isEqualTo("run Election_decls 4\nrun Mutex_decls 2\nrun Registration_decls 3");
     assertThat(statements(folder, text.replaceFirst("  result_3_2: LEMMA .*\n.*\n\n", "")))
-        .contains("states 1 of 2 results");
+        .contains("has 3 steps and 1 results; its first line says something else");
     assertThat(statements(folder, text.replaceFirst("(result_2: LEMMA (.*) = ).*", "$1$2")))
-        .contains("result_2 compares with what the automaton makes itself");
+        .contains("has 's_2'; expected a value of the run");
     assertThat(statements(folder, text.replace("s_0: states =", "enabled: bool = s_0")))
         .contains("wrong ");
     assertThat(statements(folder, text.replace("enabled(a_2, s_1) AND ", ""))).contains("wrong ");
     assertThat(statements(folder, text.replace("reached_2: LEMMA", "reached_2: AXIOM")))
         .contains("wrong ");
     assertThat(statements(folder, text.replaceFirst("  result_4: LEMMA .*\n.*\n\n", "")))
-        .contains("step_4 has no result; expected result_4: LEMMA s_4`Leader(b) = ...");
+        .contains("has 'reached_4'; expected result_4");
     assertThat(statements(folder, text.replaceFirst("  result_2: LEMMA .*\n.*\n\n", "")))
-        .contains("step_2 has no result; expected result_2: LEMMA s_2`crit_set(b) = ...");
+        .contains("has 'reached_2'; expected result_2");
+    assertThat(statements(folder, text.replaceFirst("(result_2: LEMMA .*)", "$1 OR TRUE")))
+        .contains("has 'OR'; expected reached_2");
     assertThat(statements(folder, text.replace("  IMPORTING ", "  IMPORTING own, ")))
         .contains("wrong ");
     assertThat(statements(folder, text.replace("= do_mutex(b", "= do_mutex(LET b: PIDS = c IN b")))
