@@ -12,7 +12,7 @@
 ;;   redefined THEORY NAME OF  a theory that is not the library's has a name of the theory OF, the library's or
 ;;                             PVS's, for something of its own that can be taken for it
 ;;   conversion THEORY NAME    a theory that is not the library's has a CONVERSION: formulas say what they do not show
-;;   hollow THEORY NAME        it uses the theory NAME of the library with a type that may have no values
+;;   hollow THEORY NAME        it uses the automaton NAME of the library with a type that may have no values
 ;;   mixed THEORY OF           it uses time_machine with the states of OF, and not with its steps
 ;;   foreign THEORY NAME       a name that is not ASCII: it may look like another one
 ;;   narrow THEORY LINE        a function with values of a smaller type than its place has: the prover is
@@ -206,7 +206,9 @@ parameters, it is not known to have a value. PVS takes the type of a parameter f
   (dolist (use (all-usings th))
     (when (and (filename (car use)) (starl-in-library? (car use) library))
       (dolist (actuals (remove nil (mapcar #'actuals (cdr use))))
-        (when (some #'(lambda (a) (and (type-value a) (starl-may-be-empty? (type-value a)))) actuals)
+        ;; The states of an automaton, the file's own too, are made of what it declares.
+        (when (and (find '|states| (starl-declarations (car use)) :key #'id)
+                   (some #'(lambda (a) (and (type-value a) (starl-may-be-empty? (type-value a)))) actuals))
           (starl-line "hollow" th (id (car use))))
         (when (eq (id (car use)) '|time_machine|)
           (let ((home (starl-home (type-value (car actuals)))))
