@@ -1,11 +1,11 @@
 package org.starl.apps.fleet;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.starl.apps.AppFactory;
 import org.starl.apps.FactoryDemo;
 import org.starl.apps.Plan;
@@ -23,6 +23,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -132,10 +133,23 @@ public final class FleetDemo implements FactoryDemo {
     double rangeMm = FleetFactory.rangeMm(request, roads);
     FleetStory story = new FleetStory(deliveries);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
-    RobotProgram program =
-        FleetFactory.program(roads, deliveries, rangeMm, FleetFactory.broken(request));
+    Set<String> broken = FleetFactory.broken(request);
+    for (String name : broken) {
+      if (ids(settings, robots).stream().noneMatch(id -> id.toString().equals(name))) {
+        throw new BadInput(
+            FleetFactory.BROKEN.key()
+                + ": "
+                + BadInput.quote(name)
+                + ": expected robots of this run, such as bot1+bot2");
+      }
+    }
+    RobotProgram program = FleetFactory.program(roads, deliveries, rangeMm, broken);
     fill(simulation, robots, roads, deliveries, program, boundNs(roads, deliveries));
     return new Plan(simulation, story, new FleetLayer(roads, deliveries), Obstacles.NONE);
+  }
+
+  private static List<RobotId> ids(SimSettings settings, int robots) {
+    return IntStream.range(0, robots).mapToObj(i -> new RobotId(settings.robotName() + i)).toList();
   }
 
   /** Adds robots at their homes, and their monitors. */
@@ -146,10 +160,7 @@ public final class FleetDemo implements FactoryDemo {
       List<Delivery> deliveries,
       RobotProgram program,
       long boundNs) {
-    List<RobotId> all = new ArrayList<>();
-    for (int i = 0; i < robots; i++) {
-      all.add(new RobotId(simulation.settings().robotName() + i));
-    }
+    List<RobotId> all = ids(simulation.settings(), robots);
     List<RobotId> byName = all.stream().sorted().toList();
     for (RobotId id : all) {
       Point home = roads.at(roads.home(byName.indexOf(id)));

@@ -1,6 +1,7 @@
 package org.starl.apps.fleet;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +32,7 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -139,6 +141,15 @@ class FleetTest {
   @Test
   void robotsDriveAroundOneThatIsLost() {
     assertThat(completedAfter("crash(bot2,at=69361ms)", "")).isGreaterThanOrEqualTo(7);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"bot5", "bot1+", "bot1+bot1+x", "bot1,bot2"})
+  void brokenRobotsAreOfTheRun(String broken) {
+    assertThatThrownBy(() -> completedAfter("", broken))
+        .isInstanceOf(BadInput.class)
+        .hasMessageStartingWith("broken: ")
+        .hasMessageEndingWith("expected robots of this run, such as bot1+bot2");
   }
 
   @Test

@@ -109,7 +109,8 @@ public final class FleetFactory implements AppFactory {
 
   /** The names of the robots of {@link #BROKEN}. */
   public static Set<String> broken(Request request) {
-    return Set.of(request.parameter(BROKEN.key()).split("\\+"));
+    String names = request.parameter(BROKEN.key());
+    return names.isEmpty() ? Set.of() : Set.copyOf(List.of(names.split("\\+", -1)));
   }
 
   /** The program of the robots of this fleet. */
