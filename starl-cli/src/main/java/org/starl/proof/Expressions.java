@@ -18,6 +18,7 @@ final class Expressions {
 
   private final List<Formal> formals;
   private final Identifiers identifiers;
+  private boolean usesConstantly;
 
   /** A type parameter of the theory, such as {@code PIDS}, and the Java class of its constants. */
   record Formal(String type, Class<?> values) {}
@@ -25,6 +26,11 @@ final class Expressions {
   Expressions(List<Formal> formals, Identifiers identifiers) {
     this.formals = formals;
     this.identifiers = identifiers;
+  }
+
+  /** Whether an expression that was made needs {@link #CONSTANTLY}. */
+  boolean usesConstantly() {
+    return usesConstantly;
   }
 
   /** Whether the value is a constant of a type parameter. */
@@ -89,6 +95,7 @@ final class Expressions {
         (argument, value) -> cases.add("IF i = " + of(argument) + " THEN " + of(value, types[1])));
     String elsewhere = of(fun.defaultValue(), types[1]);
     if (cases.toString().isBlank() && isForm(fun.defaultValue())) {
+      usesConstantly = true;
       return CONSTANTLY + "(" + elsewhere + ")";
     }
     String end = cases.toString().isBlank() ? "" : " ENDIF";

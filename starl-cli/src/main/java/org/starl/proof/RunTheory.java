@@ -77,15 +77,16 @@ final class RunTheory {
             run, instance, library, steps.size(), results));
     line(name + ": THEORY");
     line("BEGIN");
+    String start = expressions.ofState(first); // it tells what the theory must import
     addTypes();
     line("");
-    addState(0, first);
+    addState(0, start);
     for (int n = 1; n <= steps.size(); n++) {
       Step step = steps.get(n - 1);
       line("");
       line("  % " + description(step.event()));
       line("  a_" + n + ": actions = " + expressions.of(step.action()));
-      addState(n, step.after());
+      addState(n, expressions.ofState(step.after()));
     }
     addLemma("begins", "start(s_0)", "(grind)");
     addLemma(
@@ -116,14 +117,13 @@ final class RunTheory {
           }
         });
     String actuals = formals.stream().map(Formal::type).collect(Collectors.joining(", "));
-    boolean isConstant = expressions.ofState(first).contains(Expressions.CONSTANTLY + "(");
-    String more = isConstant ? ", " + Expressions.CONSTANTLY : "";
+    String more = expressions.usesConstantly() ? ", " + Expressions.CONSTANTLY : "";
     line("  IMPORTING " + library + "[" + actuals + "]" + more);
   }
 
-  private void addState(int n, Record state) {
+  private void addState(int n, String state) {
     line("  s_" + n + ": states =");
-    line("    " + expressions.ofState(state));
+    line("    " + state);
   }
 
   private void addStep(String before, int n, Step step) {
