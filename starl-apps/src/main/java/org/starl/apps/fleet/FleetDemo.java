@@ -134,8 +134,9 @@ public final class FleetDemo implements FactoryDemo {
     FleetStory story = new FleetStory(deliveries);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
     Set<String> broken = FleetFactory.broken(request);
+    List<String> names = ids(settings, robots).stream().map(RobotId::toString).toList();
     for (String name : broken) {
-      if (ids(settings, robots).stream().noneMatch(id -> id.toString().equals(name))) {
+      if (!names.contains(name)) {
         throw new BadInput(
             FleetFactory.BROKEN.key()
                 + ": "

@@ -42,8 +42,8 @@ import org.starl.sim.junit.RunChecks;
 import org.starl.sim.junit.StarlTest;
 
 /**
- * Election, ledger, registration, mutex, tubes and barrier in one app, which waits after a restart in the
- * order of docs/primitives.md: where it stands, to a place where it blocks nobody, then what others decide.
+ * Election, ledger, registration, mutex, tubes and barrier in one app. After a restart it keeps the order of
+ * docs/primitives.md: it says where it stands, drives to where it blocks nobody, then waits for others.
  */
 class TogetherTest {
 
