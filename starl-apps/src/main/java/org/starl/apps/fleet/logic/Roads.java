@@ -1,6 +1,5 @@
-// Longer than 500 lines because sections and ways follow from one graph: its halves of lanes,
-// private
-// vertices and trees are tables that both use.
+// Longer than 500 lines because sections and ways follow from one graph: its halves of lanes, its
+// private vertices and its trees are tables that both use.
 package org.starl.apps.fleet.logic;
 
 import java.util.ArrayList;
