@@ -32,8 +32,9 @@ import org.starl.spec.automaton.Undefined;
  * <p>A program may begin anew after a crash: what it held then, its body may still stand in, until
  * the program says where its body is. As long as there is such a rest, the robot resumes: it is
  * granted free zones out of the order of tickets, since the others would wait for its body. What it
- * holds stays exclusive. Not claimed of a resumed robot, and of a request that it makes late: that
- * a late request holds nothing. Nor is it claimed that the wait for a body ends.
+ * holds stays exclusive. A request that it makes late may still be granted zones that it does not
+ * wait for. Not claimed of a resumed robot, and of a request that it makes late: that a late
+ * request holds nothing. Nor is it claimed that the wait for a body ends.
  *
  * <p>What is asked of the caller (do_sequence and stands_in with sense, release of what is held)
  * stands in the enabling conditions. Java: this automaton is PipelineAutomaton.
@@ -95,6 +96,23 @@ public final class PipelineAutomaton
               && !Sets.disjoint(Sets.of(req.at(i)), crit_set.defaultValue()));
     }
 
+    /**
+     * i is late, and may not be granted z: a process that makes it late holds what it holds in the
+     * order of tickets, or waits for z.
+     */
+    public boolean isBarred(RobotId i, String z) {
+      return Finite.exists(
+              j -> isLateFor(i, j) && (!resumed.contains(j) || Sets.of(req.at(j)).contains(z)),
+              req.arguments(),
+              ticket.arguments(),
+              crit_set.arguments(),
+              resumed)
+          || (isWaits(i)
+              && !req.defaultValue().isEmpty()
+              && ticket.at(i) < ticket.defaultValue()
+              && !Sets.disjoint(Sets.of(req.at(i)), crit_set.defaultValue()));
+    }
+
     /** j holds zones, and is to be granted z before i is. */
     public boolean isBefore(RobotId j, RobotId i, String z) {
       return isWaits(j)
@@ -107,8 +125,8 @@ public final class PipelineAutomaton
     public boolean isWaitsFor(RobotId i, RobotId j) {
       return isWaits(i)
           && !i.equals(j)
-          && (held(j).contains(Undefined.head("Pipeline_decls.starl:65:32", req.at(i)))
-              || isBefore(j, i, Undefined.head("Pipeline_decls.starl:65:73", req.at(i))));
+          && (held(j).contains(Undefined.head("Pipeline_decls.starl:71:32", req.at(i)))
+              || isBefore(j, i, Undefined.head("Pipeline_decls.starl:71:73", req.at(i))));
     }
   }
 
@@ -172,7 +190,7 @@ public final class PipelineAutomaton
                   "z = head(req(i))",
                   s.req.at(a.i()).isEmpty()
                       || a.z()
-                          .equals(Undefined.head("Pipeline_decls.starl:73:25", s.req.at(a.i()))),
+                          .equals(Undefined.head("Pipeline_decls.starl:79:25", s.req.at(a.i()))),
                   () -> "req(" + a.i() + ") = " + s.req.at(a.i()))
               .and(
                   "free_for?(i, z)",
@@ -185,8 +203,8 @@ public final class PipelineAutomaton
                           s.crit_set.arguments(),
                           s.rest_set.arguments()))
               .and(
-                  "late?(i) => rest_set(i) != {}",
-                  !s.isLate(a.i()) || !s.rest_set.at(a.i()).isEmpty(),
+                  "barred?(i, z) => rest_set(i) != {}",
+                  !s.isBarred(a.i(), a.z()) || !s.rest_set.at(a.i()).isEmpty(),
                   () -> "rest_set(" + a.i() + ") = " + s.rest_set.at(a.i()))
               .and(
                   "forall j: PIDS :: before?(j, i, z) => rest_set(i) != {}",
@@ -256,7 +274,7 @@ public final class PipelineAutomaton
           enabled(action, s).isTrue()
               ? new States(
                   s.crit_set.with(a.i(), Sets.add(a.z(), s.crit_set.at(a.i()))),
-                  s.req.with(a.i(), Undefined.tail("Pipeline_decls.starl:76:55", s.req.at(a.i()))),
+                  s.req.with(a.i(), Undefined.tail("Pipeline_decls.starl:82:55", s.req.at(a.i()))),
                   s.rest_set,
                   s.ticket,
                   s.rest_set.at(a.i()).isEmpty() ? s.resumed : Sets.add(a.i(), s.resumed))

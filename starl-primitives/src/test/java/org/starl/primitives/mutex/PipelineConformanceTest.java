@@ -98,6 +98,41 @@ class PipelineConformanceTest {
   }
 
   @Test
+  void aRobotThatAsksAnewWhileItHoldsKeepsThatWhenItsBodyHasLeftTheRest() {
+    asks(J, 1, "A", "B");
+    enters(J, "A B");
+    run.has(new Fault(0, J.robot(), Fault.RESTART, ""));
+    ProcessId again = ProcessId.first(J.robot(), 2);
+    asks(again, 2, true, "A", "B", "C");
+    enters(again, "A B");
+    asks(again, 3, true, "C");
+    event(new MutexFact.Release(again, 1, Short.sections("A"), Short.sections("B")));
+    event(new MutexFact.StandsIn(again, Sections.NONE));
+    enters(again, "B C");
+    assertThat(run.report().violations()).isEmpty();
+    asks(I, 4, "B");
+    enters(I, "B");
+    assertThat(run.report().violations()).as("B is still held").hasSize(1);
+  }
+
+  @Test
+  void aRequestThatAResumedRobotMakesLateIsGrantedWhatThatOneDoesNotWaitFor() {
+    for (boolean waitsForIt : List.of(false, true)) {
+      run = new ShownRun<>(PipelineConformance::new);
+      asks(J, 1, "B", "X");
+      enters(J, "B X");
+      asks(I, 2, "A", "D", "B");
+      enters(I, "A"); // and has consents to D already
+      run.has(new Fault(0, J.robot(), Fault.RESTART, ""));
+      ProcessId again = ProcessId.first(J.robot(), 2);
+      asks(again, 3, true, waitsForIt ? new String[] {"B", "D"} : new String[] {"B", "X"});
+      enters(again, "B");
+      enters(I, "A D");
+      assertThat(run.report().violations()).hasSize(waitsForIt ? 1 : 0);
+    }
+  }
+
+  @Test
   void anIdThatIsGivenUpWaitsNoLonger() {
     event(new MutexFact.Learned(J, View.closed(List.of(I, J))));
     asks(I, 1, "A", "B");
