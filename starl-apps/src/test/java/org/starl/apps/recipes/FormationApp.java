@@ -16,7 +16,7 @@ import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
-import org.starl.primitives.paths.TubeFlag;
+import org.starl.primitives.paths.TubeFailure;
 import org.starl.shape.Shapes;
 import org.starl.trace.Var;
 
@@ -98,13 +98,10 @@ final class FormationApp extends LogicThread {
   }
 
   private void driveTo(ItemPosition place) {
-    paths.goTo(place);
-    await("at my place", () -> !paths.isUnderWay());
-    while (paths.tubeflag().get() != TubeFlag.DONE) {
-      sleep(500);
-      paths.goTo(place);
-      await("at my place", () -> !paths.isUnderWay());
-    }
+    TubeFailure failure;
+    do {
+      failure = paths.drive(place, 60_000);
+    } while (failure != TubeFailure.NONE);
   }
 
   /** The place of a robot: 900 mm or more from the other places, and far from all starts. */

@@ -31,7 +31,7 @@ import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
-import org.starl.primitives.paths.TubeFlag;
+import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.primitives.registration.Registration;
 import org.starl.shape.Shapes;
@@ -134,13 +134,10 @@ class TogetherTest {
     }
 
     private void drive(ItemPosition place) {
+      TubeFailure failure;
       do {
-        paths.goTo(place);
-        await("at " + place.name(), () -> !paths.isUnderWay());
-        if (paths.failed()) {
-          sleep(500);
-        }
-      } while (paths.tubeflag().get() != TubeFlag.DONE);
+        failure = paths.drive(place, TRY_MS);
+      } while (failure != TubeFailure.NONE);
     }
 
     private LedgerOutcome told(LedgerCall call) {

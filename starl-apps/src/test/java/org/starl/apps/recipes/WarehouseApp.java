@@ -19,7 +19,7 @@ import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
-import org.starl.primitives.paths.TubeFlag;
+import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.registration.Registration;
 import org.starl.shape.Shapes;
 import org.starl.trace.Var;
@@ -219,13 +219,10 @@ final class WarehouseApp extends LogicThread {
   }
 
   private void drive(ItemPosition place) {
+    TubeFailure failure;
     do {
-      paths.goTo(place);
-      await("at " + place.name(), () -> !paths.isUnderWay());
-      if (paths.failed()) {
-        sleep(500);
-      }
-    } while (paths.tubeflag().get() != TubeFlag.DONE);
+      failure = paths.drive(place, TRY_MS);
+    } while (failure != TubeFailure.NONE);
   }
 
   private void store(Persistent<String> variable, String value) {

@@ -19,6 +19,7 @@ import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.platform.Waits;
 import org.starl.primitives.StarLPrimitive;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.random.Rng;
@@ -37,6 +38,9 @@ import org.starl.trace.Instance;
  * }</pre>
  */
 public final class DistributedPathPlanning implements StarLPrimitive {
+
+  /** From a failure to the next try of {@code drive}. */
+  private static final long RETRY_MS = 500;
 
   private final GlobalVarHolder gvh;
   private final PathPlanner planner;
@@ -119,6 +123,40 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     target = goal.at();
     given = null;
     begin();
+  }
+
+  /**
+   * Goes to {@code goal}, and tries again after each failure, until the robot is there. Only from
+   * {@code callStarL}.
+   *
+   * @param timeoutMs no try begins later; the last one is waited for
+   * @return {@link TubeFailure#NONE} at the goal; else why the last try failed: {@link
+   *     TubeFailure#STOPPED} at once
+   * @throws IllegalStateException as {@link #goTo}
+   */
+  public TubeFailure drive(ItemPosition goal, long timeoutMs) {
+    return driving(goal, timeoutMs).block(gvh.plat.strand);
+  }
+
+  /** The same for an app that suspends: {@code await(paths.driving(goal, 600_000))}. */
+  public Waits<TubeFailure> driving(ItemPosition goal, long timeoutMs) {
+    return new Waits<>(call -> drive(call, goal, Time.afterMs(nowNs(), timeoutMs)));
+  }
+
+  private void drive(Waits<TubeFailure> call, ItemPosition goal, long untilNs) {
+    goTo(goal);
+    call.until(
+        () -> !isUnderWay(),
+        Long.MAX_VALUE,
+        ended -> {
+          long againNs = Time.afterMs(nowNs(), RETRY_MS);
+          TubeFailure why = failure.get();
+          if (!failed() || why == TubeFailure.STOPPED || againNs > untilNs) {
+            call.end(why);
+          } else {
+            call.until(null, againNs, slept -> drive(call, goal, untilNs));
+          }
+        });
   }
 
   /**

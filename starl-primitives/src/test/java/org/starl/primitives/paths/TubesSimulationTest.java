@@ -64,6 +64,29 @@ class TubesSimulationTest {
     }
   }
 
+  /** Drives a metre, and tries again. */
+  private static final class Driver extends LogicThread {
+    private final TubeSettings settings;
+    private final long timeoutMs;
+
+    Driver(GlobalVarHolder gvh, TubeSettings settings, long timeoutMs) {
+      super(gvh);
+      this.settings = settings;
+      this.timeoutMs = timeoutMs;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(
+              gvh, "floor", gvh.id.participants(), new OptimalPlanner(), FLOOR, settings);
+      await(gvh.gps::hasFix);
+      Point here = gvh.gps.pose().at();
+      ItemPosition goal = new ItemPosition("goal", (here.xMm() + 4_000) / 2, here.yMm());
+      return List.of(paths.drive(goal, timeoutMs));
+    }
+  }
+
   /** Goes to the opposite place. */
   private static final class Crosser extends LogicThread {
     private final TubeSettings settings;
@@ -212,6 +235,27 @@ class TubesSimulationTest {
     assertHolds(result);
     assertThat(result.results().values())
         .allSatisfy(ends -> assertThat(ends).startsWith("FAIL DEADLINE").contains("DONE NONE"));
+  }
+
+  @Test
+  void aDriveIsTriedAgainUntilItsTimeIsOver() {
+    TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
+    SimSettings deaf = weather("0", "0mm").toBuilder().set("faults", "loss(1,until=25s)").build();
+    Simulation.Builder builder = ring(7, deaf);
+    for (int i = 0; i < 3; i++) {
+      long timeoutMs = i == 0 ? 5_000 : 60_000;
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              onRing(i, 3),
+              true,
+              gvh -> new Driver(gvh, hasty, timeoutMs)));
+    }
+    SimResult result = builder.build().run();
+    assertThat(result.spec().violations()).isEmpty();
+    assertThat(result.results().values())
+        .containsExactly(
+            List.of(TubeFailure.DEADLINE), List.of(TubeFailure.NONE), List.of(TubeFailure.NONE));
   }
 
   @Test
