@@ -111,7 +111,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
         held -> {
           if (mayRequest()) {
             then.accept(true);
-          } else { // a full list refuses it at once
+          } else {
             long againNs = Time.afterMs(gvh.plat.clock.nowNs(), RETRY_MS);
             call.until(
                 null, Math.min(againNs, untilNs), slept -> registerUntil(call, untilNs, then));

@@ -63,6 +63,9 @@ class RegistrationProtocol extends SynodProtocol {
   // The change that it works for.
   private Change current = Change.NONE;
 
+  // Whether the latest view has no room for this robot, which wants to join.
+  private boolean hasNoRoom;
+
   // The number of the latest proposal that would admit this robot; 0 for none.
   private long askedIn;
 
@@ -220,8 +223,12 @@ class RegistrationProtocol extends SynodProtocol {
 
   @Override
   public @Nullable Wait waitsFor(Instance source) {
-    return failed
-        ? new Wait(source, "failed: no majority of the acceptors answered", List.of())
+    if (failed) {
+      String why = hasNoRoom ? "the list has no room" : "no majority of the acceptors answered";
+      return new Wait(source, "failed: " + why, List.of());
+    }
+    return hasNoRoom
+        ? new Wait(source, "waits for room in the list", List.of())
         : super.waitsFor(source);
   }
 
@@ -260,20 +267,21 @@ class RegistrationProtocol extends SynodProtocol {
 
   /** Proposes what this robot wants changed in the latest view, if anything. */
   private void change() {
-    Change wanted = wanted();
-    current = wanted;
+    current = wanted();
+    View base = view;
+    ProcessId join = current.join();
+    hasNoRoom = join != null && !new Proposal(base).add(current).view().contains(join);
+    if (hasNoRoom) {
+      // Others may have left: a robot that is not listed hears of newer views only if it asks.
+      synod.queryAll();
+      queryAtNs = Math.min(queryAtNs, nowNs + settings.queryMs() * NS_PER_MS);
+    } else if (join != null) {
+      askedIn = base.number() + 1;
+    }
+    Change wanted = hasNoRoom ? pending.in(base, null, null) : current;
     if (wanted.isVoidIn(view)) {
       synod.stop();
       return;
-    }
-    View base = view;
-    ProcessId join = wanted.join();
-    if (join != null) {
-      if (!new Proposal(base).add(wanted).view().contains(join)) {
-        giveUp();
-        return;
-      }
-      askedIn = base.number() + 1;
     }
     staleView.rumour(base.number() + 1, nowNs);
     synod.propose(
@@ -329,8 +337,9 @@ class RegistrationProtocol extends SynodProtocol {
     change();
   }
 
-  /** At the deadline, or when the view has no room for this robot. */
+  /** At the deadline. */
   private void giveUp() {
+    boolean hadNoRoom = hasNoRoom;
     failed = true;
     if (phase == Phase.JOINING) {
       pending.markIdle(me);
@@ -342,6 +351,7 @@ class RegistrationProtocol extends SynodProtocol {
       settle(Phase.LEFT_HALFWAY);
     }
     change();
+    hasNoRoom = hadNoRoom; // why it failed
   }
 
   private void settle(Phase next) {

@@ -127,8 +127,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   /**
    * Also requires, as part of {@code Registered}, that no call fails before the deadline; of
-   * registrations with these times. A call also fails, at once, if its robot has no room in the list.
-   * Also requires that a robot which decides a view tells all robots that need to know it, and that one which
+   * registrations with these times. Also requires that a robot which decides a view tells all robots that need to know it, and that one which
    * hears of a newer view hides its list, for a bounded time, and then asks for that view.
    */
   public RegistrationSpec patient(RegistrationSettings settings) {
@@ -311,10 +310,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         progress.meet(key, report);
       }
     } else if (Boolean.TRUE.equals(variable.of(RegistrationFact.FAILED))) {
-      ProcessId asked = history.latestAsked(variable.robot());
-      if (asked != null && ViewFormat.fitsWithRoom(program(key).view.next().with(asked))) {
-        progress.giveUp(key, variable.timeNs(), faults, report);
-      }
+      progress.giveUp(key, variable.timeNs(), faults, report);
       progress.stop(key);
       ProcessId left = leaving.remove(key);
       if (left != null) {

@@ -34,8 +34,8 @@
  * δ later; it costs 6A + |view| messages for A acceptors. k simultaneous changes take about (4k + 2)δ at
  * worst; wishes in prepare messages let one view usually serve several. A robot that is no acceptor
  * and not listed hears of views only as answers: each view that is decided while it pauses costs it
- * another pause. A call that meets its deadline reports {@code failed}, and none does so sooner,
- * unless the list has no room. A view is spread by reliable messages ({@code Informed}): who decides
+ * another pause. A call that meets its deadline reports {@code failed}, and none does so sooner.
+ * A view is spread by reliable messages ({@code Informed}): who decides
  * it sends it in the same step to all acceptors, and to all robots that it or the view before lists. A
  * robot that misses it asks the acceptors: registered robots ask one of them every few seconds, and
  * all of them when a rumour of a newer view is not followed by that view. If that does not help, its
@@ -59,7 +59,8 @@
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}. Acceptors are by default
  * all robots of the deployment, on open roads a few fixed roadside units; each must construct the
  * registration to serve, whether it registers or not. One mutex uses a registration, and is asked before a
- * robot unregisters. A list has room for about 40 ids; beyond that, {@code do_register} fails.
+ * robot unregisters. A list has room for about 40 ids; beyond that, {@code do_register} waits until one
+ * leaves, and asks the acceptors for newer views meanwhile.
  *
  * <p>May import: core, {@code org.starl.primitives}, its {@code agreement} and {@code membership}.
  */

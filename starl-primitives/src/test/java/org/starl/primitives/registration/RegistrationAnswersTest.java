@@ -11,6 +11,7 @@ import org.starl.primitives.chaos.Weather;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
+import org.starl.trace.Instance;
 
 /** What one robot does at once: without its answer, a repetition would do the same later. */
 class RegistrationAnswersTest {
@@ -33,17 +34,44 @@ class RegistrationAnswersTest {
     assertThat(town.trace).anySatisfy(e -> assertThat(e.toString()).contains("give_up"));
   }
 
-  @Test
-  void aJoinFailsAtOnceIfTheViewHasNoRoom() {
-    Town town = fourUp();
+  /** bot3, which is no acceptor and has seen a full list, tries to join. */
+  private static Town waitsForRoom() {
+    Town town = new Town(1, 4, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
     View full = View.NONE.next();
     while (ViewFormat.fitsWithRoom(full)) {
       full = full.with(ProcessId.first(new RobotId("member" + full.ids().size()), 1));
     }
-    town.robot(0).protocol().learned(1, ViewFormat.toValue(full));
-    town.robot(0).do_register();
-    assertThat(town.robot(0).protocol().hasFailed()).isTrue();
-    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.OUT);
+    town.robot(3).protocol().learned(1, ViewFormat.toValue(full));
+    town.robot(3).do_register();
+    return town;
+  }
+
+  @Test
+  void aJoinWaitsForRoom() {
+    Town town = waitsForRoom();
+    RegistrationProtocol joins = town.robot(3).protocol();
+    long sent = town.sent();
+    town.runForMs(2 * town.settings.queryMs());
+    assertThat(town.sent()).as("it asks for a newer view").isGreaterThan(sent);
+    assertThat(joins.waitsFor(Instance.APP).toString()).contains("room");
+    View roomy = View.NONE.next().next().with(ProcessId.first(new RobotId("bot1"), 1));
+    joins.learned(2, ViewFormat.toValue(roomy));
+    town.runForMs(1_000);
+    assertThat(joins.phase()).isEqualTo(Phase.IN);
+  }
+
+  @Test
+  void aJoinWithoutRoomFailsAtItsDeadline() {
+    Town town = waitsForRoom();
+    RegistrationProtocol joins = town.robot(3).protocol();
+    town.runForMs(town.settings.deadlineMs() - 10);
+    assertThat(joins.hasFailed()).isFalse();
+    town.runForMs(20);
+    assertThat(joins.hasFailed()).isTrue();
+    assertThat(joins.phase()).isEqualTo(Phase.OUT);
+    assertThat(joins.waitsFor(Instance.APP).toString()).contains("room");
   }
 
   @Test
