@@ -10,6 +10,7 @@ import org.starl.time.Time;
 /**
  * Figures of one run of an app, for the sums of a campaign.
  *
+ * @param tasks what is counted, in the plural: deliveries, say
  * @param came number of tasks
  * @param completed number of completed tasks
  * @param waitsNs time until each of them was completed, in ns
@@ -17,6 +18,7 @@ import org.starl.time.Time;
  * @param counts by name; a campaign adds them up
  */
 public record Measures(
+    String tasks,
     int came,
     int completed,
     List<Long> waitsNs,
@@ -27,6 +29,16 @@ public record Measures(
     waitsNs = List.copyOf(waitsNs);
     figures = Collections.unmodifiableSortedMap(new TreeMap<>(figures));
     counts = Collections.unmodifiableSortedMap(new TreeMap<>(counts));
+  }
+
+  /** Of robots: the task of each is its program. */
+  public Measures(
+      int came,
+      int completed,
+      List<Long> waitsNs,
+      SortedMap<String, Double> figures,
+      SortedMap<String, Long> counts) {
+    this("robots", came, completed, waitsNs, figures, counts);
   }
 
   /** Without counts. */

@@ -386,7 +386,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     for (Verdict verdict : Verdict.values()) {
       rows.put("  " + verdict.name().toLowerCase(Locale.ROOT), "" + tally.count(verdict));
     }
-    rows.put("robots finished", Long.toString(tally.completed()));
+    rows.put(tally.tasks() + " finished", Long.toString(tally.completed()));
     tally.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
     for (int percent : WAITS) {
       rows.put("wait, " + name(percent), Time.text(tally.waitNs(percent), 1));

@@ -30,6 +30,7 @@ final class CampaignTally {
   private final RareParts rareParts = new RareParts();
   private final boolean mayBeSteered;
   private long runs;
+  private String tasks = "robots";
   private long completed;
   private @Nullable SeedRow firstBad;
 
@@ -58,6 +59,7 @@ final class CampaignTally {
         .forEach((name, value) -> figures.computeIfAbsent(name, any -> new Histogram()).add(value));
     if (row.facts() != null) {
       Measures measures = row.facts().measures();
+      tasks = measures.tasks();
       completed += measures.completed();
       measures.counts().forEach((name, count) -> counts.merge(name, count, Long::sum));
       measures.waitsNs().forEach(waitsNs::add);
@@ -93,7 +95,12 @@ final class CampaignTally {
     return new TreeSet<>(violated);
   }
 
-  /** Robots that completed their task. */
+  /** What {@link #completed} counts. */
+  String tasks() {
+    return tasks;
+  }
+
+  /** Completed tasks. */
   long completed() {
     return completed;
   }

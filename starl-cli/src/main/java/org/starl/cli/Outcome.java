@@ -29,10 +29,11 @@ final class Outcome {
   static List<String> lines(SimResult result, Measures measures) {
     List<String> lines = new ArrayList<>(faults(result));
     lines.add(
-        "%s of %s robots finished in %s of simulated time; %s datagrams sent, %s copies lost"
+        "%s of %s %s finished in %s of simulated time; %s datagrams sent, %s copies lost"
             .formatted(
                 measures.completed(),
                 measures.came(),
+                measures.tasks(),
                 Time.text(result.endNs(), 1),
                 result.network().sent(),
                 result.network().lost()));

@@ -285,8 +285,8 @@ class ReportTest {
     // Tasks completed in violated runs are no figure beside that of good runs.
     assertThat(figures(page))
         .filteredOn(figure -> figure.contains("of"))
-        .anyMatch(f -> f.matches("2 of 7 runs went well, though \\d+ of \\d+ robots completed .*"))
-        .noneMatch(figure -> figure.matches("\\d+ of \\d+ robots completed .*"));
+        .anyMatch(f -> f.matches("2 of 7 runs went well, though \\d+ of \\d+ robots finished.*"))
+        .noneMatch(figure -> figure.matches("\\d+ of \\d+ robots finished.*"));
   }
 
   private static List<String> figures(Document page) {

@@ -218,6 +218,14 @@ class ViolationTest {
   }
 
   @Test
+  void runAndCampaignSayWhatTheTasksAre() {
+    Cli run = Cli.run("run fleet --seed 1 --robots 2 --set deliveries=3".split(" "));
+    assertThat(run.text()).contains("3 of 3 deliveries finished in ");
+    Cli campaign = Cli.run("campaign maze --seeds 1..2 --robots 1".split(" "));
+    assertThat(campaign.text()).containsPattern("goals finished +2\n");
+  }
+
+  @Test
   void aCampaignsTableHasCrossingsWaitsAndMessages() {
     Cli cli = Cli.run("campaign intersection --seeds 8001..8002 --robots 2".split(" "));
     assertThat(cli.status()).isZero();

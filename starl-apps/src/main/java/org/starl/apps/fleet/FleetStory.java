@@ -91,7 +91,7 @@ final class FleetStory implements Story {
     SortedMap<String, Long> counts = new TreeMap<>();
     counts.put("charges", charges);
     List<Long> waits = List.copyOf(waitsNs.values());
-    return new Measures(deliveries.size(), waits.size(), waits, figures, counts);
+    return new Measures("deliveries", deliveries.size(), waits.size(), waits, figures, counts);
   }
 
   @Override

@@ -82,7 +82,7 @@ final class MazeStory implements Story {
 
   @Override
   public Measures measures() {
-    return new Measures(goals, answeredNs.size(), answeredNs, new TreeMap<>(), counts);
+    return new Measures("goals", goals, answeredNs.size(), answeredNs, new TreeMap<>(), counts);
   }
 
   @Override

@@ -174,9 +174,9 @@ public final class Page {
     figure(
         count(report.result().count(Verdict.GOOD)) + " of " + count(runs),
         "runs went well"
-            + (isViolated ? ", though " + tasks + " robots completed their task" : ""));
+            + (isViolated ? ", though " + tasks + " " + totals.tasks() + " finished" : ""));
     if (totals.came() > 0 && !isViolated) {
-      figure(tasks, "robots completed their task");
+      figure(tasks, totals.tasks() + " finished");
     }
     if (totals.hasWaits()) {
       figure(measured("s", Time.seconds(totals.waitNs(50))), "waiting time, median");

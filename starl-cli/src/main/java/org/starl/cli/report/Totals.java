@@ -26,7 +26,12 @@ public final class Totals {
     return runs.stream().mapToLong(Measures::came).sum();
   }
 
-  /** Robots that completed their task. */
+  /** What {@link #completed} counts; of no run, robots. */
+  String tasks() {
+    return runs.isEmpty() ? "robots" : runs.getFirst().tasks();
+  }
+
+  /** Completed tasks. */
   public long completed() {
     return runs.stream().mapToLong(Measures::completed).sum();
   }
