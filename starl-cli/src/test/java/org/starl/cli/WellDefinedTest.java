@@ -62,6 +62,7 @@ class WellDefinedTest {
           s := {head(l)} | l != [] | head([])
           s := {first} | l != [] | head([])
           l := tail(l) | l != [] | tail([])
+          s := {choose k: P :: k in s} | s != {} | nothing satisfies the condition of 'choose'
           s := {f.by} | f is right | 'by' of
           n := n - 1 | n > 0 | negative
           t := t - 1 | t >= 1 | negative

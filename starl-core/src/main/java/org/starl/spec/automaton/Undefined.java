@@ -1,6 +1,7 @@
 package org.starl.spec.automaton;
 
 import java.util.List;
+import java.util.SortedSet;
 
 /**
  * An operation of an automaton has no value for its arguments, or an effect is none. The message
@@ -29,6 +30,14 @@ public final class Undefined extends IllegalStateException {
       throw new Undefined(place, "head([]) has no value");
     }
     return of.get(0);
+  }
+
+  /** The least element of a set from which one is chosen. */
+  public static <T> T choose(String place, SortedSet<T> of) {
+    if (of.isEmpty()) {
+      throw new Undefined(place, "nothing satisfies the condition of 'choose'");
+    }
+    return of.first();
   }
 
   /** {@code tail(of)}. */

@@ -149,6 +149,7 @@ expression
     | expression '<=>' expression                                       # iff
     | quantifier=(FORALL | EXISTS) binderGroup (',' binderGroup)* '::' expression    # quantified
     | LET name=id '=' expression '::' expression                        # let
+    | CHOOSE name=id ':' type '::' expression                           # choose
     | IF expression THEN expression ELSE expression                     # conditional
     | MATCH expression '{' matchCase (',' matchCase)* '}'               # match
     | '{' name=id ':' type '|' expression '}'                           # comprehension
@@ -169,7 +170,7 @@ namedArgument: name=id ':=' expression;
 // Words that are names where they cannot be anything else.
 id
     : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
-    | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET
+    | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET | CHOOSE
     | REFINES | BY | NOTHING
     ;
 
@@ -226,6 +227,7 @@ OR: 'or';
 FORALL: 'forall';
 EXISTS: 'exists';
 LET: 'let';
+CHOOSE: 'choose';
 IF: 'if';
 THEN: 'then';
 ELSE: 'else';

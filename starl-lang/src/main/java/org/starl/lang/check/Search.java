@@ -152,7 +152,9 @@ public final class Search {
     unevaluated.putAll(starts.unasked());
     boolean needsGraph = needsGraph(automaton);
     graph = needsGraph ? new Graph(machine) : null;
-    symmetry = new Symmetry(machine, sizes.opaque(), isSymmetric && !needsGraph);
+    Map<String, Integer> alike = new LinkedHashMap<>(sizes.opaque());
+    alike.keySet().removeAll(machine.chosen());
+    symmetry = new Symmetry(machine, alike, isSymmetric && !needsGraph);
     states = new States(machine.parts().size());
     taken = new long[automaton.actions().size()];
     falses = new boolean[taken.length][];

@@ -503,7 +503,37 @@ final class Compiler {
     };
   }
 
+  /** The first value within the bounds, in the order of their numbers. */
+  private Code choose(Expr.SuchThat set, Scope scope, Pos pos) {
+    int place = scope.names.size();
+    List<Field> variables = List.of(set.variable());
+    Domain domain = bind(variables, scope, pos).getFirst();
+    domains.choose(domain);
+    Code body = code(set.body(), scope);
+    scope.pop(variables);
+    partial = true;
+    boolean hasMore = inHoles ? domain.isOpen() : domain.hasMore();
+    return frame -> {
+      for (Object value : inHoles ? domain.values() : domain.instances()) {
+        frame.locals[place] = value;
+        if (body.test(frame)) {
+          if (!domain.contains(value)) {
+            throw new Beyond(); // it stands for more than one number
+          }
+          return value;
+        }
+      }
+      if (hasMore) {
+        throw new Beyond();
+      }
+      throw error(pos, "nothing satisfies the condition of 'choose'");
+    };
+  }
+
   private Code builtIn(Expr.BuiltIn builtIn, Scope scope) {
+    if (builtIn.name() == Expr.BuiltIn.Name.CHOOSE) {
+      return choose((Expr.SuchThat) builtIn.of(), scope, builtIn.pos());
+    }
     Code of = code(builtIn.of(), scope);
     Pos pos = builtIn.pos();
     return switch (builtIn.name()) {
@@ -540,6 +570,7 @@ final class Compiler {
             List<Object> all = List.of(((Row) of.of(frame)).items());
             return all.stream().distinct().count() == all.size();
           };
+      case CHOOSE -> throw new IllegalStateException(builtIn.toString());
     };
   }
 

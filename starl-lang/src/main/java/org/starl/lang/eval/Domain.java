@@ -6,6 +6,8 @@ import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +24,7 @@ public abstract sealed class Domain {
 
   private final Type type;
   private final long size;
-  private final boolean hasIds;
+  private final Set<String> ids;
   private final boolean isBounded;
   private final boolean isOpen;
   private final boolean isTruncated;
@@ -35,7 +37,10 @@ public abstract sealed class Domain {
   Domain(Type type, long size, List<Domain> parts) {
     this.type = type;
     this.size = size;
-    hasIds = this instanceof Ids || parts.stream().anyMatch(part -> part.hasIds);
+    ids =
+        type instanceof Type.Opaque of
+            ? Set.of(of.name())
+            : parts.stream().flatMap(part -> part.ids.stream()).collect(Collectors.toSet());
     // The elements of a set and the arguments of a map are numbered, and so within the bounds.
     isBounded =
         this instanceof Numbers
@@ -67,6 +72,11 @@ public abstract sealed class Domain {
       values = IntStream.range(0, (int) size).mapToObj(this::make).toList();
     }
     return values;
+  }
+
+  /** The opaque types of whose elements its values are made. */
+  final Set<String> ids() {
+    return ids;
   }
 
   /** Whether the type has more values, beyond the bounds. */
@@ -125,7 +135,7 @@ public abstract sealed class Domain {
 
   /** The value with other elements of the opaque types in place of those that are in it. */
   public Object renamed(Object value, Renaming renaming) {
-    return hasIds ? rename(value, renaming) : value;
+    return !ids.isEmpty() ? rename(value, renaming) : value;
   }
 
   Object rename(Object value, Renaming renaming) {
@@ -137,7 +147,7 @@ public abstract sealed class Domain {
    * share: equal for values that are equal after a renaming of elements with equal ones.
    */
   public long mark(Object value, Renaming marks) {
-    return hasIds ? mix(0, marked(value, marks)) : mix(1, value.hashCode());
+    return !ids.isEmpty() ? mix(0, marked(value, marks)) : mix(1, value.hashCode());
   }
 
   long marked(Object value, Renaming marks) {

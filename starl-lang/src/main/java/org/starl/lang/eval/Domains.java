@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
@@ -16,6 +18,9 @@ final class Domains {
   private final Sizes sizes;
   private final List<String> opaque;
   private final Map<Type, Domain> known = new LinkedHashMap<>();
+
+  /** The opaque types of whose elements 'choose' takes the first: these are not alike. */
+  private final Set<String> chosen = new TreeSet<>();
 
   /**
    * @param opaque the names of the opaque types; the elements of the first are robots
@@ -33,6 +38,14 @@ final class Domains {
       known.put(base, domain);
     }
     return domain;
+  }
+
+  void choose(Domain of) {
+    chosen.addAll(of.ids());
+  }
+
+  Set<String> chosen() {
+    return chosen;
   }
 
   List<Domain> of(List<Field> fields) {

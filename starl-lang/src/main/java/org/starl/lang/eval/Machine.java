@@ -116,6 +116,11 @@ public final class Machine {
     return parameters;
   }
 
+  /** The opaque types whose elements are not alike: 'choose' takes the first of some. */
+  public Set<String> chosen() {
+    return Set.copyOf(domains.chosen());
+  }
+
   /** The parts of a state. */
   public List<Part> parts() {
     return List.copyOf(parts);

@@ -318,15 +318,15 @@ final class ExpressionWriter {
       case HEAD -> tells ? told("head", at.pos(), of) : of.then("get", Code.name("0"));
       case TAIL ->
           tells ? told("tail", at.pos(), of) : of.then("subList", Code.name("1"), of.then("size"));
-      case CARD, LENGTH -> {
-        if (at.name() == Expr.BuiltIn.Name.CARD
-            && types.form(at.of().type()) != JavaTypes.Sets.FINITE) {
-          throw new NotExecutable(
-              at.pos(),
-              "a " + at.of().type() + " may be infinite in Java; expected no 'card' of it");
-        }
+      case CARD -> {
+        requireFinite(at, "card");
         yield new Code.Prefix("(long) ", of.then("size"));
       }
+      case CHOOSE -> {
+        requireFinite(at, "choose");
+        yield tells ? told("choose", at.pos(), of) : of.then("first");
+      }
+      case LENGTH -> new Code.Prefix("(long) ", of.then("size"));
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
       case DISTINCT ->
           Code.infix(
@@ -334,6 +334,14 @@ final class ExpressionWriter {
               Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of).then("size"),
               of.then("size"));
     };
+  }
+
+  private void requireFinite(Expr.BuiltIn at, String word) {
+    if (types.form(at.of().type()) != JavaTypes.Sets.FINITE) {
+      throw new NotExecutable(
+          at.pos(),
+          "a %s may be infinite in Java; expected no '%s' of it".formatted(at.of().type(), word));
+    }
   }
 
   private Code binary(Expr.Binary at) {

@@ -52,6 +52,7 @@ final class Translator {
   private List<String> path = new ArrayList<>();
   private List<String> binders = new ArrayList<>();
   private int bound;
+  private int definitions; // of recursive functions, which no assertion before them may name
   private boolean isApproximate;
 
   Translator(Sorts sorts, Script script) {
@@ -100,6 +101,9 @@ final class Translator {
       names.add("x" + names.size());
       parameters.add("(" + names.getLast() + " " + sort + ")");
     }
+    binders.addAll(parameters);
+    String text = applied(value, type, names);
+    binders.subList(binders.size() - parameters.size(), binders.size()).clear();
     script.line(
         "(define-fun "
             + name
@@ -108,7 +112,7 @@ final class Translator {
             + ") "
             + resultSort(type)
             + " "
-            + applied(value, type, names)
+            + text
             + ")");
     return symbol(name, List.of(), type);
   }
@@ -187,8 +191,10 @@ final class Translator {
       names.add("x$" + bound++);
       bindings.add("(" + names.getLast() + " " + sorts.sort(argument) + ")");
     }
-    return Smt.call(
-        "lambda", "(" + String.join(" ", bindings) + ")", term(map.at().apply(names), of.result()));
+    binders.addAll(bindings);
+    String body = term(map.at().apply(names), of.result());
+    binders.subList(binders.size() - bindings.size(), binders.size()).clear();
+    return Smt.call("lambda", "(" + String.join(" ", bindings) + ")", body);
   }
 
   /** That a value is one of its type: what the sorts do not say. */
@@ -496,6 +502,8 @@ final class Translator {
       }
       case Expr.BuiltIn builtIn when builtIn.name() == Expr.BuiltIn.Name.CARD ->
           card(builtIn, (Fn) value(builtIn.of(), scope));
+      case Expr.BuiltIn builtIn when builtIn.name() == Expr.BuiltIn.Name.CHOOSE ->
+          choose(builtIn, (Fn) value(builtIn.of(), scope));
       case Expr.BuiltIn builtIn -> {
         String of = smt(value(builtIn.of(), scope));
         switch (builtIn.name()) {
@@ -510,8 +518,8 @@ final class Translator {
                   "has no value: %s([])"
                       .formatted(builtIn.name() == Expr.BuiltIn.Name.HEAD ? "head" : "tail"),
                   builtIn.pos());
-          case LENGTH, CARD, ELEMENTS, DISTINCT -> {
-            // These have values for all lists.
+          case LENGTH, CARD, ELEMENTS, DISTINCT, CHOOSE -> {
+            // These have values for all lists, or are translated above.
           }
         }
         yield builtIn(builtIn, of);
@@ -582,7 +590,7 @@ final class Translator {
       case HEAD -> of(sorts.head(of), builtIn.type());
       case TAIL -> new Term(sorts.tail(of));
       case LENGTH -> new Term(length(of));
-      case CARD -> throw new IllegalStateException(of);
+      case CARD, CHOOSE -> throw new IllegalStateException(of);
       case ELEMENTS ->
           new Fn(
               Sorts.map(builtIn.type()),
@@ -601,7 +609,7 @@ final class Translator {
   private String elements(Expr list) {
     Type.ListOf type = (Type.ListOf) list.type().base();
     String sort = sorts.sort(type.element());
-    String name = "has." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
+    String name = named("has.", sort);
     if (names.putIfAbsent(name, name) == null) {
       script.line(
           "(define-fun-rec %s ((l (list %s)) (x %s)) Bool".formatted(name, sort, sort)
@@ -644,13 +652,98 @@ final class Translator {
       oblige(Smt.FALSE, "has no value: card of an infinite set", at.pos());
     }
     String sort = sorts.sort(map);
-    String name = "card." + sort.replaceAll("[^A-Za-z0-9.]+", ".");
+    String name = named("card.", sort);
     if (names.putIfAbsent(name, name) == null) {
       script.declare(name, List.of(sort), "Int");
     }
     String number = Smt.call(name, term(set, map));
     String isEmpty = each(map.arguments(), x -> Smt.not(smt(set.at().apply(x))));
     return new Term(Smt.ite(isEmpty, "0", Smt.ite("(>= " + number + " 1)", number, "1")));
+  }
+
+  /** Any element of the set, but the same of equal ones. */
+  private Val choose(Expr.BuiltIn at, Fn of) {
+    Fn set = proper(of);
+    Type element = at.type();
+    oblige(some(set), "has no value: nothing satisfies the condition of 'choose'", at.pos());
+    String sort = sorts.sort(set.type());
+    String name = named("choose.", sort);
+    if (names.putIfAbsent(name, name) == null) {
+      script.declare(name, List.of(sort), sorts.sort(element));
+    }
+    if (definitions > 0) {
+      requireChoice(name, sort, set.type());
+      return of(Smt.call(name, term(set, set.type())), element);
+    }
+    List<String> around = binders.stream().distinct().toList();
+    String array = array(set, sort, around);
+    Val chosen = of(Smt.call(name, array), element);
+    script.require(Smt.quantified(true, around, isIn(chosen, set)));
+    return chosen;
+  }
+
+  /** That an element of each set is chosen: where a set cannot be named. Z3 decides little with it. */
+  private void requireChoice(String name, String sort, Type.MapOf type) {
+    if (names.putIfAbsent(name + ".any", name) == null) {
+      Fn any = proper((Fn) of("S", type));
+      String chosen = Smt.call(name, "S");
+      String isIn = isIn(of(chosen, type.arguments().getFirst()), any);
+      script.require("(forall ((S %s)) (! %s :pattern (%s)))".formatted(sort, isIn, chosen));
+    }
+  }
+
+  /** An array that is the set: a new symbol, as Z3 decides little with those that it has no name for. */
+  private String array(Fn set, String sort, List<String> around) {
+    Type element = set.type().arguments().getFirst();
+    if (!sorts.elements(element).isEmpty()) {
+      return term(set, set.type());
+    }
+    String name = "set$" + bound++;
+    List<String> variables = new ArrayList<>();
+    List<String> sorts = new ArrayList<>();
+    for (String binder : around) {
+      int space = binder.indexOf(' ');
+      variables.add(binder.substring(1, space));
+      sorts.add(binder.substring(space + 1, binder.length() - 1));
+    }
+    script.declare(name, sorts, sort);
+    String array = Smt.call(name, variables);
+    String x = "x$" + bound++;
+    List<String> all = with(around, "(" + x + " " + this.sorts.sort(element) + ")");
+    String isIn = smt(set.at().apply(List.of(x)));
+    script.require(Smt.quantified(true, all, Smt.equal(Smt.call("select", array, x), isIn)));
+    return array;
+  }
+
+  /** The set as an array that equal sets have, too: without what is no value of the type. */
+  private Fn proper(Fn set) {
+    Type element = set.type().arguments().getFirst();
+    return new Fn(
+        set.type(),
+        x -> {
+          String isInside = inside(element, of(x.getFirst(), element));
+          return new Term(Smt.and(List.of(isInside, smt(set.at().apply(x)))));
+        },
+        null);
+  }
+
+  private String some(Fn set) {
+    Type element = set.type().arguments().getFirst();
+    return quantified(
+        false,
+        List.of(new Field("x", element)),
+        x -> smt(set.at().apply(List.of(term(x.getFirst(), element)))));
+  }
+
+  /** That the element is in the set, if any is. */
+  private String isIn(Val element, Fn set) {
+    Type type = set.type().arguments().getFirst();
+    return Smt.implies(some(set), smt(set.at().apply(List.of(term(element, type)))));
+  }
+
+  /** A function's name for arguments of a sort. */
+  private static String named(String function, String sort) {
+    return function + sort.replaceAll("[^A-Za-z0-9._]+", ".");
   }
 
   private static String length(String list) {
@@ -848,7 +941,9 @@ final class Translator {
       more.add("x" + more.size());
       bindings.add("(" + more.getLast() + " " + sort + ")");
     }
+    definitions++;
     String body = withoutObligations(() -> body(function, scope, values, more));
+    definitions--;
     String text = "(" + String.join(" ", bindings) + ") " + resultSort(result) + " " + body;
     // Over two states that are equal in all that it reads, it is one function.
     String same = texts.putIfAbsent(text.replace("(" + name + " ", "(self "), name);
@@ -908,7 +1003,9 @@ final class Translator {
       List<String> all = new ArrayList<>(terms(parameters, arguments));
       all.addAll(more);
       String value = Smt.call(of.name(), all);
+      definitions++;
       String equal = Smt.equal(value, body(of.function(), of.scope(), arguments, more));
+      definitions--;
       script.require(
           bindings.isEmpty()
               ? equal

@@ -213,7 +213,7 @@ final class PvsExpr {
       case Expr.ListOf of -> list(of.elements());
       case Expr.None of -> Doc.of("bottom");
       case Expr.Some of -> Doc.of("up(", of(of.of()), ")");
-      case Expr.BuiltIn of -> Doc.of(builtIn(of.name()), "(", of(of.of()), ")");
+      case Expr.BuiltIn of -> Doc.of(builtIn(of), "(", of(of.of()), ")");
     };
   }
 
@@ -323,8 +323,8 @@ final class PvsExpr {
         : group(3, "(: ", join(elements.stream().map(this::of).toList(), ",", SOFT), " :)");
   }
 
-  private static String builtIn(Expr.BuiltIn.Name name) {
-    return switch (name) {
+  private static String builtIn(Expr.BuiltIn of) {
+    return switch (of.name()) {
       case THE -> "down";
       case HEAD -> "car";
       case TAIL -> "cdr";
@@ -332,6 +332,8 @@ final class PvsExpr {
       case CARD -> "card";
       case ELEMENTS -> "list2set";
       case DISTINCT -> "distinct?";
+      // A source may have a function or action of this name.
+      case CHOOSE -> "sets[" + type(of.type()) + "].choose";
     };
   }
 

@@ -110,7 +110,12 @@ final class ExpressionReader {
       case StarlParser.LetContext let -> let(let, hint);
       case StarlParser.ConditionalContext conditional -> conditional(conditional, hint, pos);
       case StarlParser.MatchContext match -> match(match, hint, pos);
-      case StarlParser.ComprehensionContext set -> comprehension(set, pos);
+      case StarlParser.ComprehensionContext set ->
+          suchThat(set.name, set.type(), set.expression(), pos);
+      case StarlParser.ChooseContext of -> {
+        Expr.SuchThat set = suchThat(of.name, of.type(), of.expression(), pos);
+        yield new BuiltIn(BuiltIn.Name.CHOOSE, set, set.variable().type(), pos);
+      }
       case StarlParser.MapOfContext map -> map(map, hint, pos);
       case StarlParser.SetOfContext set -> {
         Type element = hint != null && hint.base() instanceof Type.SetOf of ? of.element() : null;
@@ -701,15 +706,19 @@ final class ExpressionReader {
 
   /** The variable stands for the value: the tools see that in its place. */
   private Expr let(StarlParser.LetContext at, @Nullable Type hint) {
+    requireNew(at.name);
     String name = at.name.getText();
-    Optional<String> taken = scope.taken(name);
-    if (taken.isPresent()) {
-      throw wrong(at.name, "'" + name + "' is " + taken.get() + " already; expected a new name");
-    }
     Expr value = any(at.expression(0), null);
     scope.places.put(name, pos(at.name));
     Expr body = under(List.of(new Field(name, value.type())), () -> any(at.expression(1), hint));
     return new Substitution().replace(body, Map.of(name, value));
+  }
+
+  private void requireNew(StarlParser.IdContext at) {
+    Optional<String> taken = scope.taken(at.getText());
+    if (taken.isPresent()) {
+      throw wrong(at, "'" + at.getText() + "' is " + taken.get() + " already; expected a new name");
+    }
   }
 
   private Expr conditional(StarlParser.ConditionalContext at, @Nullable Type hint, Pos pos) {
@@ -769,9 +778,15 @@ final class ExpressionReader {
     return new Expr.Match(of, List.copyOf(cases), type == null ? sum : type, pos);
   }
 
-  private Expr comprehension(StarlParser.ComprehensionContext at, Pos pos) {
-    Field variable = new Field(at.name.getText(), types.type(at.type()));
-    Expr body = under(List.of(variable), () -> bool(at.expression()));
+  private Expr.SuchThat suchThat(
+      StarlParser.IdContext name,
+      StarlParser.TypeContext type,
+      ExpressionContext condition,
+      Pos pos) {
+    requireNew(name);
+    scope.places.put(name.getText(), pos(name));
+    Field variable = new Field(name.getText(), types.type(type));
+    Expr body = under(List.of(variable), () -> bool(condition));
     return new Expr.SuchThat(variable, body, new Type.SetOf(variable.type()), pos);
   }
 

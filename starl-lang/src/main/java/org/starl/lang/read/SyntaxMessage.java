@@ -58,7 +58,7 @@ final class SyntaxMessage {
   private static final Pattern WORDS =
       Pattern.compile(
           "let|var|variables|const|constants|init|transition|rule|def|function|"
-              + "property|safety|liveness|require|requires|guard|effect|ensures|all|any|mod|div");
+              + "choose|property|safety|liveness|require|requires|guard|effect|ensures|all|any|mod|div");
 
   private static final int MOST_NAMED = 6;
   private static final String NEXT = " the next declaration or branch";
@@ -91,6 +91,7 @@ final class SyntaxMessage {
           entry("rule", "'action'"),
           entry("def", "'fun'"),
           entry("function", "'fun'"),
+          entry("choose", "a variable with its type after it: 'choose x: T :: condition'"),
           entry("property", "'invariant'"),
           entry("safety", "'invariant'"),
           entry("liveness", "'progress'"),

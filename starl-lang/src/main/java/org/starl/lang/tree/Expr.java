@@ -139,7 +139,7 @@ public sealed interface Expr {
 
   /**
    * A function of the language: {@code the}, {@code head}, {@code tail}, {@code length}, {@code
-   * card}, {@code elements}, {@code distinct}.
+   * card}, {@code elements}, {@code distinct}; and {@code choose x: T :: a}, of {@code {x: T | a}}.
    */
   record BuiltIn(Name name, Expr of, Type type, Pos pos) implements Expr {
 
@@ -158,7 +158,9 @@ public sealed interface Expr {
       /** The set of a list's elements. */
       ELEMENTS,
       /** Whether no element of a list is in it twice. */
-      DISTINCT
+      DISTINCT,
+      /** An element of a set that is not empty: of equal sets the same one. */
+      CHOOSE
     }
   }
 

@@ -65,6 +65,7 @@ class ObligationsTest {
           m(t) := if l(n) = t then 1 else 2 | 13:38: the list has 0 elements, and none at 0 | IF nth(s`l, s`n) = t
           n := f.at | 13:32: 'at' of none_yet, which has no such field | `n := at(s`f)
           n := n - 1 | 13:32: 0 - 1 is below 0 | `n := s`n - 1
+          n := choose k: nat :: k in 1..n | 13:32: nothing satisfies the condition of 'choose' | `n := sets[nat].choose({k | 1 <= k AND k <= s`n})
           w := w - 1 | 13:32: 0.0 - 1.0 is below 0 | `w := s`w - 1
           w := 1 / w | 13:32: a division by 0 | `w := 1 / s`w
           """)
