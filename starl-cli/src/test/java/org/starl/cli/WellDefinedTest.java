@@ -39,8 +39,9 @@ class WellDefinedTest {
               n: nat
               t: time
               m: [P -> nat]
+              r: 0..3
             uses lock: Lock[P]
-            start o = none, s = {}, l = [], f = left, n = 0, t = 0,
+            start o = none, s = {}, l = [], f = left, n = 0, t = 0, r = 0,
               (forall p: P :: m(p) = 0), lock.start?
             fun first: P = head(l)
             action act(i: P, j: P)
@@ -63,6 +64,7 @@ class WellDefinedTest {
           s := {first} | l != [] | head([])
           l := tail(l) | l != [] | tail([])
           s := {choose k: P :: k in s} | s != {} | nothing satisfies the condition of 'choose'
+          r := r + 1 | r < 3 | not in 0..3
           s := {f.by} | f is right | 'by' of
           n := n - 1 | n > 0 | negative
           t := t - 1 | t >= 1 | negative

@@ -82,6 +82,14 @@ public final class Undefined extends IllegalStateException {
     return a - b;
   }
 
+  /** {@code value}, which must be a number from {@code low} to {@code high}. */
+  public static long within(String place, long low, long high, long value) {
+    if (value < low || value > high) {
+      throw new Undefined(place, value + " is not in " + low + ".." + high);
+    }
+    return value;
+  }
+
   /** {@code a / b}; {@code b} is not 0. */
   public static double quotient(String place, double a, double b) {
     if (b == 0) {

@@ -130,8 +130,12 @@ type
     | LIST '[' type ']'                         # listType
     | OPTION '[' type ']'                       # optionType
     | '[' type (',' type)* '->' type ']'        # mapType
+    | bound '..' bound                          # rangeType
     | name=id                                   # namedType
     ;
+
+// Numbers alone; all else is told by what it is.
+bound: '-'? (NUMBER | id) (('+' | '-') (NUMBER | id))*;
 
 expression
     : expression '.' name=id                                            # fieldOf

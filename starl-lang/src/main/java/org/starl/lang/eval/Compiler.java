@@ -570,6 +570,17 @@ final class Compiler {
             List<Object> all = List.of(((Row) of.of(frame)).items());
             return all.stream().distinct().count() == all.size();
           };
+      case WITHIN -> {
+        partial = true;
+        Domain range = domains.of(builtIn.type());
+        yield frame -> {
+          Object value = of.of(frame);
+          if (!range.contains(value)) {
+            throw error(pos, value + " is not in " + range.type());
+          }
+          return value;
+        };
+      }
       case CHOOSE -> throw new IllegalStateException(builtIn.toString());
     };
   }

@@ -47,7 +47,7 @@ public abstract sealed class Domain {
             || this instanceof Lists
             || (!(this instanceof Sets) && parts.stream().anyMatch(part -> part.isBounded));
     isOpen =
-        this instanceof Numbers
+        type instanceof Type.Num
             || this instanceof Lists
             || parts.stream().anyMatch(part -> part.isOpen);
     isTruncated =
@@ -259,7 +259,7 @@ public abstract sealed class Domain {
       Num next = Num.of(most.over() + 1);
       List<Object> above = List.of(next, Num.above(next.over()));
       List<Object> below = List.of(next.negative(), Num.above(next.over()).negative());
-      return hasMore()
+      return hasMore() || !isOpen()
           ? List.of()
           : type() == Type.Num.NAT ? above : Stream.of(above, below).flatMap(List::stream).toList();
     }

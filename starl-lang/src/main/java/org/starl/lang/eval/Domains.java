@@ -79,6 +79,7 @@ final class Domains {
             case TIME -> new Domain.Numbers(num, 0, sizes.time());
             case REAL -> new Domain.Numbers(num, -sizes.time(), sizes.time());
           };
+      case Type.Range range -> new Domain.Numbers(range, range.low(), range.high());
       case Type.Opaque ids -> new Domain.Ids(ids, names(ids.name()));
       case Type.Alias alias -> of(alias.target());
       case Type.Rec rec ->

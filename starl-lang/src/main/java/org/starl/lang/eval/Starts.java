@@ -241,6 +241,9 @@ public final class Starts {
   private static boolean fill(Object part, Object value, List<Hole> filled) {
     if (part instanceof Hole hole) {
       if (hole.value == null) {
+        if (!hole.domain.isOpen() && !hole.domain.contains(value)) {
+          return false; // a number outside of a range
+        }
         hole.value = value;
         filled.add(hole);
       }

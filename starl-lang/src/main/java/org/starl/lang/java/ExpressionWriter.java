@@ -326,6 +326,12 @@ final class ExpressionWriter {
         requireFinite(at, "choose");
         yield tells ? told("choose", at.pos(), of) : of.then("first");
       }
+      case WITHIN -> {
+        Type.Range range = (Type.Range) at.type().base();
+        Code low = Code.name(range.low() + "L");
+        Code high = Code.name(range.high() + "L");
+        yield tells ? told("within", at.pos(), low, high, of) : of;
+      }
       case LENGTH -> new Code.Prefix("(long) ", of.then("size"));
       case ELEMENTS -> Code.call(types.use("org.starl.spec.automaton.Sets") + ".of", of);
       case DISTINCT ->
@@ -451,7 +457,7 @@ final class ExpressionWriter {
   }
 
   private static boolean isPrimitive(Type type) {
-    return type.base() instanceof Type.Bool || type.base() instanceof Type.Num;
+    return type.base() instanceof Type.Bool || Type.plain(type).base() instanceof Type.Num;
   }
 
   /** Whether its Java value may be an object, so that {@code ==} may compare two references. */

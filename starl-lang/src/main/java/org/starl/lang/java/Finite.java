@@ -102,7 +102,11 @@ final class Finite {
                 curried((Type.MapOf) at.type().base()),
                 at.pos());
     Where where = changes(variable, body);
-    if (where == null) {
+    if (where == null && variable.type().base() instanceof Type.Range range) {
+      // What it is elsewhere is the same for all maps of the type.
+      Code any = writer.types().any(body.type(), at.pos());
+      where = new Where(List.of(writer.types().all(range)), writer.types().always(any));
+    } else if (where == null) {
       Code elsewhere = writer.elsewhere(variable, () -> writer.of(body));
       where = new Where(sets(variable, body), writer.types().always(elsewhere));
     }
@@ -157,6 +161,10 @@ final class Finite {
 
   /** Where {@code body} is to be evaluated to find the values of which it is {@code wanted}. */
   private Where where(Field variable, Expr body, boolean wanted) {
+    if (variable.type().base() instanceof Type.Range range) {
+      return new Where(
+          List.of(writer.types().all(range)), wanted ? Code.Text.FALSE : Code.Text.TRUE);
+    }
     List<Code> bounds = bounds(variable.name(), body, wanted);
     if (bounds != null) {
       return new Where(bounds, wanted ? Code.Text.FALSE : Code.Text.TRUE);

@@ -156,6 +156,7 @@ final class JavaTypes {
                   + "; expected a line: java "
                   + number
                   + " = \"long\", or \"double\"");
+      case Type.Range range -> isBoxed ? "Long" : "long";
       case Type.Opaque opaque -> "String";
       case Type.Rec rec -> declared(rec.name());
       case Type.Sum sum -> declared(sum.name());
@@ -196,6 +197,8 @@ final class JavaTypes {
     return switch (type.base()) {
       case Type.Bool bool -> Code.Text.FALSE;
       case Type.Num number -> zero(number, pos);
+      case Type.Range range ->
+          Code.name((range.low() > 0 ? range.low() : Math.min(0, range.high())) + "L");
       case Type.SetOf set when form(set) == Sets.FUN -> always(Code.Text.FALSE);
       case Type.SetOf set when form(set) == Sets.FINITE -> emptyset();
       case Type.ListOf list -> Code.call(use("java.util.List") + ".of");
@@ -233,6 +236,32 @@ final class JavaTypes {
 
   Code always(Code value) {
     return Code.call(use(FUN) + ".always", value);
+  }
+
+  /** The map that is {@code value} everywhere. Outside of a range it is what all maps are there. */
+  Code constant(Type.MapOf map, Code value, Pos pos) {
+    Code code = value;
+    Type result = map.result();
+    for (Type argument : map.arguments().reversed()) {
+      boolean isUsual = !(argument.base() instanceof Type.Range) || code.equals(any(result, pos));
+      code =
+          isUsual
+              ? always(code)
+              : Code.call(
+                  use("org.starl.spec.automaton.Finite") + ".map",
+                  always(any(result, pos)),
+                  new Code.Lambda("each", code),
+                  all((Type.Range) argument.base()));
+      result = new Type.MapOf(List.of(argument), result);
+    }
+    return code;
+  }
+
+  Code all(Type.Range range) {
+    return Code.call(
+        use("org.starl.spec.automaton.Finite") + ".range",
+        Code.name(range.low() + "L"),
+        Code.name(range.high() + "L"));
   }
 
   Code bottom() {

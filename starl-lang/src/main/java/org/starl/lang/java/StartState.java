@@ -48,11 +48,7 @@ final class StartState {
       }
       Part all = result;
       if (all != null) {
-        Code code = all.code(types, pos);
-        for (int i = 0; i < ((Type.MapOf) type.base()).arguments().size(); i++) {
-          code = types.always(code);
-        }
-        return code;
+        return types.constant((Type.MapOf) type.base(), all.code(types, pos), pos);
       }
       if (!fields.isEmpty() && type.base() instanceof Type.Rec rec) {
         return new Code.New(

@@ -76,7 +76,8 @@ final class Shown {
     if (!Type.isNumber(type, Type.Num::isWhole)) {
       return;
     }
-    String number = type.base() == Type.Num.INT ? Smt.call("abs", smt(value)) : smt(value);
+    String number =
+        Type.plain(type).base() == Type.Num.INT ? Smt.call("abs", smt(value)) : smt(value);
     for (int most = 0; most < MOST_NUMBER; most++) {
       String low = Smt.call("<=", number, String.valueOf(most));
       solver.prefer(low);
@@ -105,6 +106,7 @@ final class Shown {
     return switch (type.base()) {
       case Type.Bool bool -> Smt.not(value);
       case Type.Num number -> Smt.equal(value, number.isWhole() ? "0" : "0.0");
+      case Type.Range range -> Smt.equal(value, "0");
       case Type.OptionOf option -> Smt.not(sorts.someTest(option, value));
       case Type.ListOf list -> Smt.not(sorts.notEmpty(list, value));
       case Type.Sum sum ->
@@ -237,6 +239,7 @@ final class Shown {
   private String text(Type type, String value) {
     return switch (type) {
       case Type.Num number -> solver.number(value);
+      case Type.Range range -> solver.number(value);
       case Type.OptionOf option ->
           solver.isTrue(sorts.someTest(option, value))
               ? "some(" + part(option.element(), Smt.call("the", value)) + ")"

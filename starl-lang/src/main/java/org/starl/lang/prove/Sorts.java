@@ -1,5 +1,6 @@
 package org.starl.lang.prove;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -191,13 +192,14 @@ final class Sorts {
   }
 
   private static boolean isNonNegative(Type type) {
-    return Type.isNumber(type, number -> !number.hasNegative());
+    return type.base() instanceof Type.Range || Type.isNumber(type, n -> !n.hasNegative());
   }
 
   String sort(Type type) {
     return switch (type.base()) {
       case Type.Bool bool -> "Bool";
       case Type.Num number -> number.isWhole() ? "Int" : "Real";
+      case Type.Range range -> "Int";
       case Type.Opaque of -> named(of.name());
       case Type.Rec rec -> owned(rec.owner(), rec.name());
       case Type.Sum sum -> owned(sum.owner(), sum.name());
@@ -261,6 +263,11 @@ final class Sorts {
           case Type.Bool bool -> List.of(Smt.FALSE, Smt.TRUE);
           case Type.Num number when number == Type.Num.NAT && hasFewNumbers() ->
               IntStream.rangeClosed(0, MOST_NUMBER).mapToObj(String::valueOf).toList();
+          case Type.Range range ->
+              IntStream.rangeClosed(
+                      range.low(), Math.min(range.high(), range.low() + MOST_ELEMENTS))
+                  .mapToObj(n -> Smt.number(BigDecimal.valueOf(n), false))
+                  .toList();
           case Type.Opaque of -> opaque.getOrDefault(of.name(), List.of());
           case Type.Sum sum when sum.isEnum() ->
               sum.constructors().stream().map(form -> form(sum, form)).toList();
@@ -275,7 +282,8 @@ final class Sorts {
           }
           default -> List.of();
         };
-    return isFinite && all.size() <= MOST_ELEMENTS ? all : List.of();
+    boolean isKnown = isFinite || type.base() instanceof Type.Range;
+    return isKnown && all.size() <= MOST_ELEMENTS ? all : List.of();
   }
 
   /** Sets as maps to {@code bool}. */

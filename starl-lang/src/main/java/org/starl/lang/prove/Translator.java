@@ -4,6 +4,7 @@ package org.starl.lang.prove;
 
 import static org.starl.lang.prove.Val.smt;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -204,6 +205,11 @@ final class Translator {
           number.hasNegative()
               ? Smt.TRUE
               : Smt.call(">=", smt(value), number == Num.NAT ? "0" : "0.0");
+      case Type.Range range -> {
+        String low = Smt.number(BigDecimal.valueOf(range.low()), false);
+        String high = Smt.number(BigDecimal.valueOf(range.high()), false);
+        yield Smt.and(List.of(Smt.call("<=", low, smt(value)), Smt.call("<=", smt(value), high)));
+      }
       case Type.SetOf set -> Smt.TRUE;
       case Type.MapOf map ->
           each(
@@ -518,6 +524,11 @@ final class Translator {
                   "has no value: %s([])"
                       .formatted(builtIn.name() == Expr.BuiltIn.Name.HEAD ? "head" : "tail"),
                   builtIn.pos());
+          case WITHIN ->
+              oblige(
+                  inside(builtIn.type(), new Term(of)),
+                  "makes a number that is not in " + builtIn.type().base(),
+                  builtIn.pos());
           case LENGTH, CARD, ELEMENTS, DISTINCT, CHOOSE -> {
             // These have values for all lists, or are translated above.
           }
@@ -588,6 +599,7 @@ final class Translator {
     return switch (builtIn.name()) {
       case THE -> of(Smt.call("the", of), builtIn.type());
       case HEAD -> of(sorts.head(of), builtIn.type());
+      case WITHIN -> new Term(of);
       case TAIL -> new Term(sorts.tail(of));
       case LENGTH -> new Term(length(of));
       case CARD, CHOOSE -> throw new IllegalStateException(of);

@@ -50,6 +50,7 @@ final class PvsExpr {
       case Type.Bool bool -> "bool";
       case Type.Num.TIME -> "nonneg_real";
       case Type.Num number -> number.toString();
+      case Type.Range range -> "subrange(" + bound(range.low()) + ", " + bound(range.high()) + ")";
       case Type.SetOf set -> "set[" + type(set.element()) + "]";
       case Type.ListOf list -> "list[" + type(list.element()) + "]";
       case Type.OptionOf option -> "lift[" + type(option.element()) + "]";
@@ -60,6 +61,11 @@ final class PvsExpr {
       case Type.Rec named -> PvsNames.id(named.name());
       case Type.Sum named -> PvsNames.id(named.name());
     };
+  }
+
+  /** PVS 8.0 fails on a negative numeral in the type of an action's parameter. */
+  private static String bound(int number) {
+    return number < 0 ? "0 - " + -number : String.valueOf(number);
   }
 
   private static String types(List<Type> types) {
@@ -152,6 +158,7 @@ final class PvsExpr {
       case Expr.Not of -> NOT;
       case Expr.Negative of -> MINUS;
       case Binary of -> level(of);
+      case Expr.BuiltIn of when of.name() == Expr.BuiltIn.Name.WITHIN -> level(of.of());
       default -> ATOM;
     };
   }
@@ -213,6 +220,7 @@ final class PvsExpr {
       case Expr.ListOf of -> list(of.elements());
       case Expr.None of -> Doc.of("bottom");
       case Expr.Some of -> Doc.of("up(", of(of.of()), ")");
+      case Expr.BuiltIn of when of.name() == Expr.BuiltIn.Name.WITHIN -> bare(of.of(), isLast);
       case Expr.BuiltIn of -> Doc.of(builtIn(of), "(", of(of.of()), ")");
     };
   }
@@ -332,6 +340,7 @@ final class PvsExpr {
       case CARD -> "card";
       case ELEMENTS -> "list2set";
       case DISTINCT -> "distinct?";
+      case WITHIN -> throw new IllegalStateException(of.toString());
       // A source may have a function or action of this name.
       case CHOOSE -> "sets[" + type(of.type()) + "].choose";
     };

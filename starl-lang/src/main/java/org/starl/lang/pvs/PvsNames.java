@@ -35,7 +35,7 @@ final class PvsNames {
       Set.of(
           """
           add append bottom car card cdr difference down emptyset intersection length lift list
-          list2set nonneg_real nth null reachable remove set singleton union up
+          list2set nonneg_real nth null reachable remove set singleton subrange union up
           """
               .split("\\s+"));
 

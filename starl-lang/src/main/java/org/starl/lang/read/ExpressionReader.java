@@ -51,12 +51,30 @@ final class ExpressionReader {
   }
 
   private Expr required(Expr expr, ExpressionContext at, Type wanted) {
+    if (wanted.base() instanceof Type.Range range && Type.isNumber(expr.type(), Num::isWhole)) {
+      return within(expr, at, range, wanted);
+    }
     if (!expr.type().isA(wanted)) {
       String found = named(expr.type(), wanted);
       String expected = named(wanted, expr.type());
       throw wrong(at, "'" + text(at) + "' is of type " + found + "; expected " + expected);
     }
     return expr;
+  }
+
+  /** A number where one of a range is expected: asked for when it is evaluated, if it is no constant. */
+  private Expr within(Expr expr, ExpressionContext at, Type.Range range, Type wanted) {
+    Expr number = expr instanceof Expr.Negative minus ? minus.of() : expr;
+    if (number instanceof Expr.Numeral numeral) {
+      BigDecimal value = number == expr ? numeral.value() : numeral.value().negate();
+      if (value.compareTo(BigDecimal.valueOf(range.low())) < 0
+          || value.compareTo(BigDecimal.valueOf(range.high())) > 0) {
+        throw wrong(
+            at, "'" + text(at) + "' is not in " + range + "; expected one of these numbers");
+      }
+      return expr;
+    }
+    return expr.type().isA(range) ? expr : new BuiltIn(BuiltIn.Name.WITHIN, expr, wanted, pos(at));
   }
 
   /** A type; with its automaton, if the other one has the same name. */
@@ -148,7 +166,8 @@ final class ExpressionReader {
   }
 
   private static Type of(List<Expr> elements, @Nullable Type element) {
-    return element != null ? element : elements.getFirst().type();
+    Type first = element != null ? element : elements.getFirst().type();
+    return element == null && elements.size() > 1 ? Type.plain(first) : first;
   }
 
   private List<Expr> elements(
@@ -164,7 +183,7 @@ final class ExpressionReader {
     Type type = element;
     for (ExpressionContext each : all) {
       Expr read = type == null ? any(each, null) : read(each, type);
-      type = type == null ? read.type() : type;
+      type = type != null || all.size() == 1 ? type : Type.plain(read.type());
       elements.add(read);
     }
     return List.copyOf(elements);
@@ -529,7 +548,7 @@ final class ExpressionReader {
     Expr from = bound(at, 0);
     Expr to = bound(at, 1);
     boolean isInt = hint != null && hint.base().equals(new Type.SetOf(Num.INT));
-    Type element = isInt || from.type().base() != Num.NAT ? Num.INT : Num.NAT;
+    Type element = isInt || !isNatural(from) ? Num.INT : Num.NAT;
     String name = "n";
     while (scope.taken(name).isPresent()
         || Exprs.mentions(from, name)
@@ -588,7 +607,9 @@ final class ExpressionReader {
       a = any(left, hint);
       b = any(right, a.type());
     }
-    if (!a.type().isA(b.type()) && !b.type().isA(a.type())) {
+    Type first = Type.plain(a.type());
+    Type second = Type.plain(b.type());
+    if (!first.isA(second) && !second.isA(first)) {
       throw wrong(
           right,
           "'"
@@ -606,13 +627,17 @@ final class ExpressionReader {
 
   /** What is read for the numbers of a type: a difference of naturals may be an {@code int}. */
   private static Type whole(@Nullable Type hint) {
-    return hint != null && hint.base() == Num.INT ? Num.INT : Num.REAL;
+    return hint != null && Type.plain(hint).base() == Num.INT ? Num.INT : Num.REAL;
   }
 
   /** The left side, where the right one is an {@code int}. */
   private Expr again(Expr a, ExpressionContext left, Expr b) {
-    boolean isInt = b.type().base() == Num.INT && a.type().base() == Num.NAT;
+    boolean isInt = Type.plain(b.type()).base() == Num.INT && isNatural(a);
     return isInt ? any(left, Num.INT) : a;
+  }
+
+  private static boolean isNatural(Expr of) {
+    return Type.plain(of.type()).base() == Num.NAT;
   }
 
   /** Whether {@code at} has no type of itself. */
@@ -638,7 +663,7 @@ final class ExpressionReader {
     Expr first = number(sides.get(0), operator, of);
     Expr right = number(sides.get(1), operator, of == Num.INT ? of : whole(first.type()));
     Expr left = again(first, sides.get(0), right);
-    Type wider = Type.wider(left.type(), right.type()).base();
+    Type wider = Type.plain(Type.wider(left.type(), right.type())).base();
     Type type =
         switch (operator) {
           case DIVIDED_BY -> wider == Num.NAT ? Num.TIME : wider == Num.INT ? Num.REAL : wider;
@@ -724,8 +749,7 @@ final class ExpressionReader {
   private Expr conditional(StarlParser.ConditionalContext at, @Nullable Type hint, Pos pos) {
     Expr condition = bool(at.expression(0));
     List<Expr> both = alike(at.expression(1), at.expression(2), hint);
-    Type type =
-        both.get(0).type().isA(both.get(1).type()) ? both.get(1).type() : both.get(0).type();
+    Type type = Type.wider(both.get(0).type(), both.get(1).type());
     return new Expr.If(condition, both.get(0), both.get(1), type, pos);
   }
 
@@ -764,7 +788,8 @@ final class ExpressionReader {
           under(
               variables,
               () -> known == null ? any(each.expression(), null) : read(each.expression(), known));
-      type = type == null || type.isA(value.type()) ? value.type() : type;
+      Type its = hint != null ? value.type() : Type.plain(value.type());
+      type = type == null || type.isA(its) ? its : type;
       cases.add(new Expr.Case(constructor, List.copyOf(variables), value));
     }
     List<String> missing =

@@ -37,9 +37,34 @@ final class TypeReader {
         map.type().forEach(each -> all.add(type(each)));
         yield new Type.MapOf(List.copyOf(all.subList(0, all.size() - 1)), all.getLast());
       }
+      case StarlParser.RangeTypeContext range -> range(range);
       case StarlParser.NamedTypeContext named -> named(named.name);
       default -> throw new IllegalStateException("type " + at.getText());
     };
+  }
+
+  private Type range(StarlParser.RangeTypeContext at) {
+    int low = number(at.bound(0));
+    int high = number(at.bound(1));
+    if (low > high) {
+      problems.add(
+          at, "the range " + low + ".." + high + " is empty; expected the lower number first");
+      throw new Wrong();
+    }
+    return new Type.Range(low, high);
+  }
+
+  private int number(StarlParser.BoundContext at) {
+    String text = at.getText();
+    if (!text.matches("-?[0-9]{1,9}")) {
+      problems.add(
+          at,
+          "'"
+              + SourceText.of(at)
+              + "' is no bound of a type; expected a whole number of at most 9 digits");
+      throw new Wrong();
+    }
+    return Integer.parseInt(text);
   }
 
   private Type named(IdContext at) {

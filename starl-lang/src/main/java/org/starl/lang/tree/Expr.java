@@ -139,7 +139,7 @@ public sealed interface Expr {
 
   /**
    * A function of the language: {@code the}, {@code head}, {@code tail}, {@code length}, {@code
-   * card}, {@code elements}, {@code distinct}; and {@code choose x: T :: a}, of {@code {x: T | a}}.
+   * card}, {@code elements}, {@code distinct}; and what has no name there.
    */
   record BuiltIn(Name name, Expr of, Type type, Pos pos) implements Expr {
 
@@ -160,7 +160,9 @@ public sealed interface Expr {
       /** Whether no element of a list is in it twice. */
       DISTINCT,
       /** An element of a set that is not empty: of equal sets the same one. */
-      CHOOSE
+      CHOOSE,
+      /** A number as a value of a {@link Type.Range} in which it is. */
+      WITHIN
     }
   }
 

@@ -91,7 +91,7 @@ public final class Exprs {
         switch (at) {
           case Expr.BuiltIn e ->
               switch (e.name()) {
-                case THE, HEAD, TAIL, CARD, CHOOSE -> true;
+                case THE, HEAD, TAIL, CARD, CHOOSE, WITHIN -> true;
                 case LENGTH, ELEMENTS, DISTINCT -> false;
               };
           case Expr.Get e -> e.of().type().base() instanceof Type.Sum;

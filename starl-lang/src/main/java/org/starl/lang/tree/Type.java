@@ -56,6 +56,20 @@ public sealed interface Type {
     }
   }
 
+  /** {@code 0..3}: the whole numbers from {@code low} to {@code high}, which are some. */
+  record Range(int low, int high) implements Type {
+
+    /** Of which these are values. */
+    public Num number() {
+      return low < 0 ? Num.INT : Num.NAT;
+    }
+
+    @Override
+    public String toString() {
+      return low + ".." + high;
+    }
+  }
+
   /** A parameter of the automaton: its values are compared, nothing else. */
   record Opaque(String name) implements Type {
     @Override
@@ -194,18 +208,30 @@ public sealed interface Type {
 
   /** The type of values of two types; of an {@code int} and a {@code time}, {@code real}. */
   static Type wider(Type a, Type b) {
-    return a.isA(b) ? b : b.isA(a) ? a : Num.REAL;
+    if (a.isA(b) || b.isA(a)) {
+      return a.isA(b) ? b : a;
+    }
+    boolean isRange = a.base() instanceof Range || b.base() instanceof Range;
+    return isRange ? wider(plain(a), plain(b)) : Num.REAL;
   }
 
   /** Whether it is a type of such numbers. */
   static boolean isNumber(Type type, Predicate<Num> of) {
-    return type.base() instanceof Num number && of.test(number);
+    return plain(type).base() instanceof Num number && of.test(number);
+  }
+
+  /** The type; of a range, that of its numbers. */
+  static Type plain(Type type) {
+    return type.base() instanceof Range range ? range.number() : type;
   }
 
   /** Whether every value of this type is one of {@code other}. */
   default boolean isA(Type other) {
-    Type mine = base();
     Type its = other.base();
+    if (its instanceof Range wide) {
+      return base() instanceof Range range && wide.low <= range.low && range.high <= wide.high;
+    }
+    Type mine = plain(this).base();
     return (mine instanceof Num a && its instanceof Num b) ? a.isA(b) : mine.equals(its);
   }
 }

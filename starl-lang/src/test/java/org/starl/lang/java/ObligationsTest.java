@@ -35,8 +35,8 @@ class ObligationsTest {
         o: option[nat]
         l: list[T]
         f: Form
-        m: [T -> nat]
-      start n = 0, w = 0, o = none, l = [], f = none_yet, forall t: T :: m(t) = 0
+        m: [T -> nat]  r: 0..3
+      start n = 0, r = 3, w = 0, o = none, l = [], f = none_yet, forall t: T :: m(t) = 0
       action go(t: T, u: T) eff EFFECT
       action fill eff o := some(1)
       """;
@@ -66,6 +66,7 @@ class ObligationsTest {
           n := f.at | 13:32: 'at' of none_yet, which has no such field | `n := at(s`f)
           n := n - 1 | 13:32: 0 - 1 is below 0 | `n := s`n - 1
           n := choose k: nat :: k in 1..n | 13:32: nothing satisfies the condition of 'choose' | `n := sets[nat].choose({k | 1 <= k AND k <= s`n})
+          r := r + 1 | 13:32: 4 is not in 0..3 | `r := s`r + 1
           w := w - 1 | 13:32: 0.0 - 1.0 is below 0 | `w := s`w - 1
           w := 1 / w | 13:32: a division by 0 | `w := 1 / s`w
           """)

@@ -262,6 +262,7 @@ final class WitnessTheory {
     return switch (type) {
       case Type.Bool bool -> "FALSE";
       case Type.Num num -> "0";
+      case Type.Range range -> String.valueOf(range.low());
       case Type.Opaque opaque -> "0";
       case Type.Alias alias -> first(alias.target());
       case Type.Rec rec ->
