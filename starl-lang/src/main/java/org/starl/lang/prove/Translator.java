@@ -690,7 +690,7 @@ final class Translator {
     List<String> around = binders.stream().distinct().toList();
     String array = array(set, sort, around);
     Val chosen = of(Smt.call(name, array), element);
-    script.require(Smt.quantified(true, around, isIn(chosen, set)));
+    script.require(Smt.quantified(true, around, membership(chosen, set)));
     return chosen;
   }
 
@@ -699,7 +699,7 @@ final class Translator {
     if (names.putIfAbsent(name + ".any", name) == null) {
       Fn any = proper((Fn) of("S", type));
       String chosen = Smt.call(name, "S");
-      String isIn = isIn(of(chosen, type.arguments().getFirst()), any);
+      String isIn = membership(of(chosen, type.arguments().getFirst()), any);
       script.require("(forall ((S %s)) (! %s :pattern (%s)))".formatted(sort, isIn, chosen));
     }
   }
@@ -748,7 +748,7 @@ final class Translator {
   }
 
   /** That the element is in the set, if any is. */
-  private String isIn(Val element, Fn set) {
+  private String membership(Val element, Fn set) {
     Type type = set.type().arguments().getFirst();
     return Smt.implies(some(set), smt(set.at().apply(List.of(term(element, type)))));
   }
