@@ -68,7 +68,8 @@ class SpecConventionTest {
         .containsExactly("ledger.Answered", "ledger.Freed");
     assertThat(lemmasAdded(new RegistrationSpec(), new RegistrationSpec(1)))
         .containsExactly("registration.Registered");
-    assertThat(lemmasAdded(new TubesSpec(), new TubesSpec(1))).containsExactly("tubes.Told");
+    assertThat(lemmasAdded(new TubesSpec(), new TubesSpec(1)))
+        .containsExactly("tubes.Passed", "tubes.Told");
   }
 
   @Test

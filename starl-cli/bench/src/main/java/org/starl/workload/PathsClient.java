@@ -10,6 +10,7 @@ import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.PathPlanner;
 import org.starl.primitives.paths.RrtPlanner;
 import org.starl.primitives.paths.RrtSettings;
+import org.starl.primitives.paths.TubeFlag;
 import org.starl.primitives.paths.TubeSettings;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.random.Rng;
@@ -36,7 +37,13 @@ final class PathsClient extends Client {
 
   private static final long CANCEL_MS = 10_000;
 
-  static final TubeSettings TUBES = tubes(60);
+  /** Half of these while a claim is under way: a tube may be granted after the stop. */
+  private static final long CANCEL_CLAIM_MS = 150;
+
+  static final TubeSettings TUBES = tubes(60, 1_000);
+
+  /** The longest legs of small tubes, whose radius has little room for the stray of a long leg. */
+  private static final int SHORT_LEG_MM = 400;
 
   /** The tubes' deadline, and the longest drive with its stops. */
   private static final long TOLD_NS = 600 * Time.NS_PER_S;
@@ -56,18 +63,18 @@ final class PathsClient extends Client {
   static void setUp(Setup setup) {
     boolean isOptimal = setup.request().choice(PLANNER).equals("optimal");
     // A tube may allow for less than the error that a robot has between two fixes, or while one is
-    // due.
+    // due: then it must wait for a better one.
     int noiseMm = (int) Math.ceil(setup.settings().positionNoise().boundMm());
     boolean isSmall = new Rng(setup.request().seed()).fork("paths/tubes").nextBoolean(0.5);
-    TubeSettings tubes = isSmall ? tubes(noiseMm) : TUBES;
+    TubeSettings tubes = isSmall ? tubes(noiseMm, SHORT_LEG_MM) : TUBES;
     setup.place(gvh -> new PathsClient(gvh, setup, isOptimal, tubes));
     setup.simulation().obstacles(setup.walls());
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
     setup.promise(PROMPT_MS + setup.robots() * PROMPT_EACH_MS, PROMPT_MESSAGES, true);
   }
 
-  private static TubeSettings tubes(int positionErrorMm) {
-    return new TubeSettings(positionErrorMm, 1_000, 30_000, 200, 2_000, 200, 2_000);
+  private static TubeSettings tubes(int positionErrorMm, int maxLegMm) {
+    return new TubeSettings(positionErrorMm, maxLegMm, 30_000, 200, 2_000, 200, 2_000);
   }
 
   /** Wheels and fixes with errors, as for motion. */
@@ -90,7 +97,12 @@ final class PathsClient extends Client {
   protected boolean obtain(int round) {
     paths.goTo(new ItemPosition("place" + round, somewhere(), somewhere()));
     if (rng.nextBoolean(CANCELLED)) {
-      await(() -> !paths.isUnderWay(), rng.nextLong(0, CANCEL_MS));
+      if (rng.nextBoolean(0.5)) {
+        await(() -> !paths.isUnderWay() || paths.tubeflag().get() == TubeFlag.CLAIMING);
+        await(() -> !paths.isUnderWay(), rng.nextLong(0, CANCEL_CLAIM_MS));
+      } else {
+        await(() -> !paths.isUnderWay(), rng.nextLong(0, CANCEL_MS));
+      }
       paths.stop();
     }
     await(() -> !paths.isUnderWay());

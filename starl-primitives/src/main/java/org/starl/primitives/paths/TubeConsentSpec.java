@@ -26,7 +26,7 @@ import org.starl.trace.TraceEvent.Variable;
  *       consented, unless that robot has told it of newer tubes. A refusal names no older ones.
  *   <li>{@code Claimed}: a new tube is held after the consent of a majority; other changes, those of a
  *       restart too, only give parts back, and not the last one. A restarted robot tells the others
- *       what it still holds.
+ *       what it still holds. A claim is given up as refused only when no majority can consent.
  * </ul>
  *
  * <p>{@code Claimed} is not checked of runs in real time, since the end of a killed process's trace
@@ -68,6 +68,8 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
     private List<Tube> held = List.of();
     private @Nullable Holding asked;
     private final Set<RobotId> votes = new TreeSet<>();
+    private final Set<RobotId> refusals = new TreeSet<>();
+    private @Nullable TubeFlag flag;
 
     // Whether it has held a second tube: then a tube survives a crash.
     private boolean hasSettled;
@@ -78,6 +80,7 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
 
     private void onCrash() {
       hasCrashed = true;
+      flag = null;
       untoldNs = NONE;
     }
   }
@@ -104,6 +107,18 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
         claimant.untoldNs = variable.timeNs();
       }
       claimant.hasCrashed = false;
+    }
+    TubeFlag flag = variable.of(TubeFact.FLAG);
+    if (flag != null) {
+      Claims all = instance(variable.source());
+      Claimant claimant = all.claimant(variable.robot());
+      boolean isRefused = claimant.flag == TubeFlag.CLAIMING && flag == TubeFlag.PLANNING;
+      int others = all.participants.size() - claimant.refusals.size();
+      if (isRefused && !isRealTime && 2 * others > all.participants.size()) {
+        String detail = "gives up its claim, refused only by " + claimant.refusals;
+        report.violated(CLAIMED, variable.timeNs(), List.of(variable.robot()), detail);
+      }
+      claimant.flag = flag;
     }
   }
 
@@ -175,10 +190,15 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
     if (!asked.equals(claimant.asked) && !asked.wanted().isEmpty()) {
       claimant.asked = asked;
       claimant.votes.clear();
+      claimant.refusals.clear();
     }
   }
 
   private static void refused(Sent sent, TubeMessage.Refuse refusal, Claims all, Report report) {
+    Claimant claimant = all.claimant(new RobotId(sent.to()));
+    if (claimant.asked != null && claimant.asked.version() == refusal.version()) {
+      claimant.refusals.add(sent.robot());
+    }
     RobotId who = refusal.who();
     Holding known = byVoter(all.consents, sent.robot()).get(who);
     report.checked(CONSENTS);

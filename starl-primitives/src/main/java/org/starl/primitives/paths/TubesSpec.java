@@ -1,16 +1,20 @@
 package org.starl.primitives.paths;
 
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
-import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FaultState;
 import org.starl.spec.InstanceMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
@@ -30,7 +34,9 @@ import org.starl.trace.TraceEvent.Variable;
  *   <li>{@code Freed}: a robot frees a part only when its body is certainly in the rest: by its own
  *       position and error bound.
  *   <li>{@code Told}: every {@code goTo} is DONE or FAIL within the bound, unless its robot
- *       crashes. A robot drives in its tube only.
+ *       crashes, and what it was told stays so. A robot drives in its tube only.
+ *   <li>{@code Passed}: a robot that drives, or has driven, soon holds no more than it needs: one tube,
+ *       with its body in the first part; when it has arrived, the disc at the end.
  * </ul>
  */
 public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tube>>> {
@@ -39,18 +45,28 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   static final String INSIDE = "tubes.Inside";
   static final String FREED = "tubes.Freed";
   static final String TOLD = "tubes.Told";
+  static final String PASSED = "tubes.Passed";
 
   private static final long STEP_NS = 10_000_000;
 
   /** The time within which a robot stands after its drive. */
   private static final long STOP_NS = 1_000_000_000;
 
+  /** The time within which a robot gives back what it has passed, when no fault is active. */
+  private static final long PASSED_NS = 3_000_000_000L;
+
   /** Rounding of positions in closed form. */
   private static final double ROUNDING_MM = 1e-3;
 
   private final Bodies bodies = new Bodies();
-  private final SortedSet<String> outside = new TreeSet<>();
+  private final FaultState faults = new FaultState();
+  private final Set<ProcessKey> outside = new HashSet<>();
   private final Deadlines tasks;
+  private final Deadlines passed;
+  private final Map<ProcessKey, TubeFlag> flags = new HashMap<>();
+  // Those that have driven since their latest start: before, a robot may hold what a crash has
+  // left.
+  private final Set<ProcessKey> driven = new HashSet<>();
   private final SortedMap<RobotId, Long> standsFromNs = new TreeMap<>();
   private long nextCheckNs;
 
@@ -74,9 +90,15 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
     tasks =
         new Deadlines(
             TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
+    passed =
+        new Deadlines(
+            PASSED,
+            tasks.isBounded() ? PASSED_NS : Deadlines.NO_BOUND,
+            sinceNs -> "holds more than it needs, since " + sinceNs + " ns");
     if (tasks.isBounded()) {
       progress(
           TOLD, "Every drive ends, done or failed, within the bound, and then the robot stands.");
+      progress(PASSED, "A robot gives back the tubes that it does not need, and passed parts.");
     }
   }
 
@@ -94,6 +116,10 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   public void observe(TraceEvent event, Report report) {
     tasks.expire(event.timeNs(), report);
     checkInsideUntil(event.timeNs(), report);
+    passed.expire(event.timeNs(), report);
+    if (faults.observe(event)) {
+      passed.assumeAll(faults.isFaultFree(), event.timeNs());
+    }
     if (event instanceof TraceEvent.Moved moved) {
       checkStands(moved, report);
     }
@@ -134,16 +160,24 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
   @Override
   protected void happened(TraceEvent event, Report report) {
     if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
-      instances().keySet().forEach(source -> tasks.stop(new ProcessKey(source, fault.robot())));
+      instances().keySet().forEach(source -> crashed(new ProcessKey(source, fault.robot())));
     } else if (event instanceof TraceEvent.Moved moved) {
       checkInsideAt(moved.timeNs(), report);
     }
+  }
+
+  private void crashed(ProcessKey key) {
+    tasks.stop(key);
+    passed.stop(key);
+    flags.remove(key);
+    driven.remove(key);
   }
 
   @Override
   public void finish(long endNs, Report report) {
     tasks.expire(endNs, report);
     checkInsideUntil(endNs, report);
+    passed.expire(endNs, report);
     checkInsideAt(endNs, report);
   }
 
@@ -157,17 +191,30 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
       checkTubes(variable, all, report);
       checkInsideAt(variable.timeNs(), report);
     }
+    ProcessKey key = new ProcessKey(variable.source(), robot);
+    TubeFailure why = variable.of(TubeFact.FAILURE);
+    if (why != null && why != TubeFailure.NONE && isOver(flags.get(key)) && tasks.isBounded()) {
+      String detail = "fails by " + why + ", although no drive is under way";
+      report.violated(TOLD, variable.timeNs(), List.of(robot), detail);
+    }
     TubeFlag flag = variable.of(TubeFact.FLAG);
     if (flag != null) {
+      flags.put(key, flag);
       if (flag == TubeFlag.MOVING) {
+        driven.add(key);
         standsFromNs.remove(robot);
       } else {
         standsFromNs.putIfAbsent(robot, variable.timeNs() + STOP_NS);
       }
-      if (flag == TubeFlag.DONE || flag == TubeFlag.FAIL) {
-        tasks.meet(new ProcessKey(variable.source(), robot), report);
+      if (isOver(flag)) {
+        tasks.meet(key, report);
       }
+      checkInsideAt(variable.timeNs(), report);
     }
+  }
+
+  private static boolean isOver(@Nullable TubeFlag flag) {
+    return flag == TubeFlag.DONE || flag == TubeFlag.FAIL;
   }
 
   private void checkStands(TraceEvent.Moved moved, Report report) {
@@ -239,7 +286,10 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
     report.checked(INSIDE);
     Point at = bodies.poseAt(robot, timeNs).at();
     double radiusMm = bodies.radiusMm(robot) - ROUNDING_MM;
-    String key = source + " " + robot;
+    ProcessKey key = new ProcessKey(source, robot);
+    if (driven.contains(key)) {
+      checkPassed(key, tubes, at, radiusMm, timeNs, report);
+    }
     if (tubes.stream().anyMatch(tube -> tube.containsDisc(at, radiusMm))) {
       outside.remove(key);
     } else if (outside.add(key)) {
@@ -253,6 +303,22 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
               + Math.round(at.yMm())
               + ") mm is not inside its tubes: "
               + Tube.text(tubes));
+    }
+  }
+
+  private void checkPassed(
+      ProcessKey key, List<Tube> tubes, Point at, double radiusMm, long timeNs, Report report) {
+    TubeFlag flag = flags.get(key);
+    Tube tube = tubes.get(0);
+    boolean needsIt =
+        flag == TubeFlag.DONE ? tube.points().size() == 1 : tube.part(0).containsDisc(at, radiusMm);
+    if ((flag != TubeFlag.MOVING && !isOver(flag)) || (tubes.size() == 1 && needsIt)) {
+      passed.stop(key);
+    } else {
+      passed.start(key, timeNs);
+    }
+    if (passed.isBounded()) {
+      report.checked(PASSED);
     }
   }
 }

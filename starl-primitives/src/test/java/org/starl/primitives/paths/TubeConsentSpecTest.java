@@ -126,6 +126,24 @@ class TubeConsentSpecTest {
     assertThat(monitors.report().violations(TubeConsentSpec.CONSENTS)).isEqualTo(1);
   }
 
+  @Test
+  void aClaimThatIsGivenUpWithoutARefusalViolatesClaimed() {
+    asks(A, new Holding(1, List.of(HERE), List.of(CROSSING)));
+    claims(TubeFlag.CLAIMING);
+    monitors.observe(sends(0, B, A, new TubeMessage.Refuse(1, B, Holding.NONE)));
+    claims(TubeFlag.PLANNING);
+    assertThat(monitors.report().violations()).isEmpty();
+    asks(A, new Holding(2, List.of(HERE), List.of(FAR)));
+    claims(TubeFlag.CLAIMING);
+    monitors.observe(sends(0, B, A, new TubeMessage.Refuse(1, B, Holding.NONE)));
+    claims(TubeFlag.PLANNING);
+    assertThat(monitors.report().violations(TubeConsentSpec.CLAIMED)).isEqualTo(1);
+  }
+
+  private void claims(TubeFlag flag) {
+    monitors.observe(new Variable(0, A, X, TubeFact.FLAG, flag));
+  }
+
   private static Tube tube(double x1, double y1, double x2, double y2) {
     return new Tube(List.of(new Point(x1, y1), new Point(x2, y2)), 300);
   }

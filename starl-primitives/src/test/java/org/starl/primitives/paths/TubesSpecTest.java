@@ -120,6 +120,62 @@ class TubesSpecTest {
     assertThat(monitors.report().holds()).isTrue();
   }
 
+  @Test
+  void aDriveThatKeepsWhatItHasPassedViolatesPassed() {
+    monitors.observe(new Joined(0, A, new Pose(2000, 0, 0), 165));
+    flag(0, TubeFlag.MOVING);
+    holds(1, A, X, tube(300, 0, 0, 1000, 0, 3000, 0));
+    holds(2 * S, A, X, tube(300, 1000, 0, 3000, 0));
+    assertThat(monitors.report().holds()).isTrue();
+    holds(5 * S, A, X, tube(300, 0, 0, 1000, 0, 3000, 0));
+    holds(11 * S, A, X, tube(300, 1000, 0, 3000, 0));
+    assertThat(monitors.report().violations(TubesSpec.PASSED)).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"DONE, 1", "FAIL, 0", "PLANNING, 0"})
+  void aRobotThatHasArrivedAndHoldsALegViolatesPassed(TubeFlag flag, int violations) {
+    monitors.observe(new Joined(0, A, new Pose(1000, 0, 0), 165));
+    flag(0, TubeFlag.MOVING);
+    holds(1, A, X, tube(300, 0, 0, 1000, 0));
+    flag(S, flag);
+    monitors.finish(9 * S);
+    assertThat(monitors.report().violations(TubesSpec.PASSED)).isEqualTo(violations);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"crash, 0", "restart, 1"})
+  void aSecondTubeThatIsKeptViolatesPassedButNotAfterACrash(String fault, int violations) {
+    monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
+    holds(0, A, X, tube(300, 0, 0));
+    flag(0, TubeFlag.MOVING);
+    monitors.observe(new Fault(1, A, fault, ""));
+    holds(2, A, X, tube(300, 0, 0), tube(300, 0, 0, 1000, 0));
+    flag(S, TubeFlag.FAIL);
+    monitors.finish(9 * S);
+    assertThat(monitors.report().violations(TubesSpec.PASSED)).isEqualTo(violations);
+  }
+
+  @Test
+  void whileAFaultIsActivePassedIsNotRequired() {
+    monitors.observe(new Fault(0, Fault.WORLD, Fault.BEGIN, "disk"));
+    aRobotThatHasArrivedAndHoldsALegViolatesPassed(TubeFlag.DONE, 0);
+  }
+
+  @Test
+  void aFailureOfADriveThatIsOverViolatesTold() {
+    flag(S, TubeFlag.MOVING);
+    monitors.observe(new Variable(2 * S, A, X, TubeFact.FAILURE, TubeFailure.STOPPED));
+    flag(2 * S, TubeFlag.FAIL);
+    assertThat(monitors.report().violations(TubesSpec.TOLD)).isZero();
+    monitors.observe(new Variable(3 * S, A, X, TubeFact.FAILURE, TubeFailure.MOTION));
+    assertThat(monitors.report().violations(TubesSpec.TOLD)).isEqualTo(1);
+  }
+
+  private void flag(long timeNs, TubeFlag flag) {
+    monitors.observe(new Variable(timeNs, A, X, TubeFact.FLAG, flag));
+  }
+
   private void goTo(long timeNs, RobotId robot) {
     TubeFact goTo = new TubeFact.goTo(new TubeGoal.Place(new ItemPosition("goal", 0, 0)));
     monitors.observe(Action.of(timeNs, robot, X, TubeFact.SHAPE, goTo));
