@@ -52,6 +52,11 @@ final class GeocastClient extends Client {
   /** An interval that ends so soon after a copy may end before the copy arrives, or just after. */
   private static final long LAST_COPY_MS = 60;
 
+  /** How often another geocast is under way when a robot sends one, and for how long at most. */
+  private static final double BEFORE = 0.25;
+
+  private static final long BEFORE_MS = 300;
+
   private final double sideMm;
   private final boolean endsWithCopies;
   private final Geocast<Integer> geocast;
@@ -87,6 +92,10 @@ final class GeocastClient extends Client {
       double xMm = gvh.gps.pose().xMm() + REACH_MM * StrictMath.cos(angle);
       double yMm = gvh.gps.pose().yMm() + REACH_MM * StrictMath.sin(angle);
       gvh.plat.moat.doMove(new ItemPosition("somewhere", xMm, yMm));
+    }
+    if (rng.nextBoolean(BEFORE)) {
+      geocast.do_geocast(-1, area(), MAX_D_MS);
+      pause(rng.nextLong(0, BEFORE_MS));
     }
   }
 

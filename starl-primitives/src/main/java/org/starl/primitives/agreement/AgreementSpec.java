@@ -5,17 +5,22 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of {@link SetAgreement}: {@code Agreement}, one value for each instance; {@code
- * Validity}, only a proposed value; and, where a bound is given, {@code Decided}.
+ * Validity}, only a proposed value; and, where a bound is given, {@code Decided}: a robot that proposes
+ * is served in time, and once it has given up, asks no more.
  */
 public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
@@ -44,7 +49,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
     progress =
         progress(
             DECIDED,
-            "A robot that proposes learns of a decision within the bound.",
+            "A robot that proposes learns of a decision within the bound; one that gives up asks no more.",
             decidedWithinNs,
             sinceNs -> "knows no decision of what it proposed by " + sinceNs + " ns");
   }
@@ -54,6 +59,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
     private List<RobotId> acceptors = List.of();
     private final Set<String> proposals = new TreeSet<>();
     private final Set<RobotId> knowing = new TreeSet<>();
+    private final Set<RobotId> givenUp = new TreeSet<>();
     private @Nullable First decision;
   }
 
@@ -86,6 +92,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
       }
       case AgreementAction.propose proposal -> {
         run.proposals.add(proposal.v());
+        run.givenUp.remove(action.robot());
         if (!run.knowing.contains(action.robot())) {
           progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
         }
@@ -97,6 +104,9 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
   @Override
   protected void changed(Variable variable, Report report) {
     boolean isOver = Boolean.TRUE.equals(variable.of(AgreementFact.FAILED));
+    if (isOver) {
+      instance(variable.source()).givenUp.add(variable.robot());
+    }
     if (variable.of(AgreementFact.DECIDED) instanceof Decision.Decided<?> decision) {
       Run run = instance(variable.source());
       decided(run, decision.toString(), variable, report); // as in the proposal
@@ -133,10 +143,23 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
   }
 
   @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (progress.isBounded()
+        && event instanceof Sent sent
+        && (sent.message() instanceof Prepare || sent.message() instanceof Accept)
+        && AgreementFact.isAgreement(sent.channel())
+        && instance(sent.channel()).givenUp.contains(sent.robot())) {
+      String detail = sent.channel() + ": " + sent.message() + " after it has given up";
+      report.violated(DECIDED, sent.timeNs(), List.of(sent.robot()), detail);
+    }
+  }
+
+  @Override
   protected void ended(RobotId robot) {
     instances()
         .forEach((source, run) -> {
           run.knowing.remove(robot);
+          run.givenUp.remove(robot);
           progress.stop(new ProcessKey(source, robot));
         });
   }

@@ -168,6 +168,10 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
         && sent.channel().kind().equals(BarrierFact.SYNOD)
         && sent.message() instanceof SynodMessage.Accept accept) {
       Instance source = sent.channel().owner();
+      if (told.isBounded() && !instance(source).isWaiting(sent.robot())) {
+        String detail = source + ": " + accept + ", although it does not wait";
+        report.violated(NOT_HUNG, sent.timeNs(), List.of(sent.robot()), detail);
+      }
       long sinceNs = told.beganNs(new ProcessKey(source, sent.robot()));
       boolean isEarly =
           sent.timeNs() < sinceNs + deadlineNs && faults.isClockRight(sent.robot(), sinceNs);

@@ -1,6 +1,7 @@
 package org.starl.primitives.geocast;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -24,8 +25,23 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class CompletionCheck {
 
+  /** The time by which a copy may be late: a robot may compute meanwhile. */
+  private static final long LATE_NS = 50_000_000;
+
   /** A message of one program that is not complete, and who has acknowledged it. */
-  private record Message(long startNs, long deadlineNs, Set<RobotId> acknowledged) {}
+  private record Message(
+      GeocastId id, long startNs, long deadlineNs, Set<RobotId> acknowledged, Repetition next) {}
+
+  /** When the next copy is due, and the wait for it. */
+  private static final class Repetition {
+    private long waitNs;
+    private long dueNs;
+
+    private void after(long nowNs, long newWaitNs) {
+      waitNs = newWaitNs;
+      dueNs = nowNs + newWaitNs;
+    }
+  }
 
   private final GeocastSettings settings;
   private final FaultState faults;
@@ -70,15 +86,55 @@ final class CompletionCheck {
           participants.computeIfAbsent(action.source(), any -> new TreeSet<>()).add(action.robot());
       case GeocastFact.do_geocast f -> starts(action, f.m(), f.bound(), report);
       case GeocastFact.BCast f -> starts(action, f.m(), f.bound(), report);
+      case GeocastFact.copy f -> repeats(action, f.m(), report);
       default -> {}
+    }
+  }
+
+  private void repeats(Action action, GeocastId id, Report report) {
+    ProcessKey key = new ProcessKey(action.source(), action.robot());
+    Message message = messages.getOrDefault(key, Map.of()).get(id);
+    checkRepeated(key, report);
+    checkRepeated(key, report);
+    if (message != null) {
+      long waitNs = message.next.waitNs;
+      message.next.after(
+          nowNs, waitNs == 0 ? settings.firstResendNs() : settings.nextResendNs(waitNs));
+    }
+  }
+
+  /** A sender repeats each message that some participant has not acknowledged. */
+  private void checkRepeated(ProcessKey key, Report report) {
+    Set<RobotId> receivers = participants.getOrDefault(key.source(), Set.of());
+    for (Message m : messages.getOrDefault(key, Map.of()).values()) {
+      long dueNs = m.next.dueNs + LATE_NS;
+      report.checked(GeocastSpec.REPEATED);
+      if (m.next.waitNs > 0
+          && nowNs > dueNs
+          && dueNs < m.deadlineNs
+          && !isBy(receivers, m)
+          && faults.isClockRight(key.robot(), m.startNs)) {
+        m.next.dueNs = m.deadlineNs;
+        String detail =
+            key.source() + ": has not repeated " + m.id + " for " + m.next.waitNs + " ns";
+        report.violated(GeocastSpec.REPEATED, nowNs, List.of(key.robot()), detail);
+      }
     }
   }
 
   private void starts(Action action, GeocastId id, long boundNs, Report report) {
     ProcessKey key = new ProcessKey(action.source(), action.robot());
+    checkRepeated(key, report);
     messages
         .computeIfAbsent(key, any -> new LinkedHashMap<>())
-        .put(id, new Message(nowNs, nowNs + boundNs, new TreeSet<>(Set.of(action.robot()))));
+        .put(
+            id,
+            new Message(
+                id,
+                nowNs,
+                nowNs + boundNs,
+                new TreeSet<>(Set.of(action.robot())),
+                new Repetition()));
     says(key, action, report);
   }
 
@@ -86,6 +142,7 @@ final class CompletionCheck {
     ProcessKey key = new ProcessKey(got.channel(), got.robot());
     Map<GeocastId, Message> own = messages.get(key);
     Message message = own == null ? null : own.get(id);
+    checkRepeated(key, report);
     if (own != null && message != null && message.acknowledged().add(got.from())) {
       own.values().removeIf(other -> other.deadlineNs() < nowNs);
       says(key, got, report);

@@ -32,6 +32,7 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String ACKNOWLEDGED = "geocast.acknowledged";
   static final String ANSWERED = "geocast.answered";
   static final String GCASTFLAG = "geocast.Gcastflag";
+  static final String REPEATED = "geocast.Repeated";
 
   /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;
@@ -78,13 +79,16 @@ public final class GeocastSpec extends LemmaMonitor {
   }
 
   /**
-   * Also requires, of robots that acknowledge, that they do it at once, and that a sender knows when all have.
+   * Also requires, of robots that acknowledge, that they do it at once, and that a sender knows when all have,
+   * and repeats its messages in time until then.
    */
   public GeocastSpec answering() {
     lemma(ANSWERED, "A robot that has the message acknowledges each copy of it at once.");
     lemma(
         GCASTFLAG,
         "Gcastflag is true exactly if all have acknowledged the robot's messages, or their intervals are over.");
+    lemma(
+        REPEATED, "A sender repeats a message in time, until all have it or its interval is over.");
     completion = new CompletionCheck(settings, faults);
     return this;
   }

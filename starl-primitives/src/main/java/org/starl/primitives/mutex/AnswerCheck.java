@@ -2,6 +2,7 @@ package org.starl.primitives.mutex;
 
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -28,7 +29,7 @@ import org.starl.trace.TraceEvent.Sent;
 /**
  * Checks that requests are answered at once. A process that neither holds nor waits for a section consents in
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
- * the request is repeated. Nothing is required of a process whose robot may stand in sections of an earlier one.
+ * the request is repeated, and none consents to a request that it knows to be over. Nothing is required of a process whose robot may stand in sections of an earlier one.
  */
 final class AnswerCheck {
 
@@ -80,8 +81,7 @@ final class AnswerCheck {
       case Delivered got when got.message() instanceof Req req -> asked(got, req);
       case Delivered got when got.message() instanceof Rem rem && rem.left().isEmpty() ->
           of(got.channel(), rem.to()).ended.merge(rem.from(), rem.num(), Math::max);
-      case Sent sent when sent.message() instanceof Ok ok && isWhole(ok) ->
-          of(sent.channel(), ok.from()).granted.merge(ok.to(), ok.num(), Math::max);
+      case Sent sent when sent.message() instanceof Ok ok -> consented(sent, ok, report);
       case Fault fault when fault.name().equals(Fault.CRASH) -> ended(fault.robot());
       case TraceEvent.Left left -> ended(left.robot());
       default -> {}
@@ -92,6 +92,23 @@ final class AnswerCheck {
     return participants
         .computeIfAbsent(source, any -> new TreeMap<>())
         .computeIfAbsent(id, any -> new Participant());
+  }
+
+  private void consented(Sent sent, Ok ok, Report report) {
+    Participant by = of(sent.channel(), ok.from());
+    Req latest = by.asked.get(ok.to());
+    boolean isOver = by.hasEnded(ok.to(), ok.num()) || (latest != null && ok.num() < latest.num());
+    // Earlier processes of a robot consent to all, and who has left is forgotten.
+    boolean isKnown =
+        by.view.contains(ok.to())
+            && ok.from().equals(newest.get(new ProcessKey(sent.channel(), sent.robot())));
+    if (isOver && isKnown) {
+      String detail = ok + ": a consent to a request that it knows to be over";
+      report.violated(ConsentSpec.ANSWERED, sent.timeNs(), List.of(sent.robot()), detail);
+    }
+    if (isWhole(ok)) {
+      by.granted.merge(ok.to(), ok.num(), Math::max);
+    }
   }
 
   private static boolean isWhole(Ok ok) {

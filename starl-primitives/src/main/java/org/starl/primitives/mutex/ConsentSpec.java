@@ -73,7 +73,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   ConsentSpec answering() {
     lemma(
         ANSWERED,
-        "A process that wants no section consents at once; a repeated request is answered at once.");
+        "A process that wants no section consents at once; a repeated request is answered at once, an ended one not.");
     answers = new AnswerCheck();
     return this;
   }

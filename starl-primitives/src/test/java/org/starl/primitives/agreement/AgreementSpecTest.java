@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 class AgreementSpecTest {
@@ -113,6 +115,25 @@ class AgreementSpecTest {
     assertThat(late()).isZero();
     bounded.finish(2101);
     assertThat(late()).isEqualTo(1);
+  }
+
+  @Test
+  void whoHasGivenUpAndAsksOnViolatesDecided() {
+    sees(Seen.proposes(1, A, "x", "01"));
+    asks(2);
+    sees(new Variable(3, A, Seen.agreement("x"), AgreementFact.FAILED, true));
+    assertThat(late()).isZero();
+    asks(4);
+    assertThat(late()).isEqualTo(1);
+    sees(Seen.proposes(5, A, "x", "01"));
+    asks(6);
+    assertThat(late()).isEqualTo(1);
+  }
+
+  private void asks(long timeNs) {
+    Ballot ballot = new Ballot(1, new ProcessId(A, 1));
+    SynodMessage prepare = new SynodMessage.Prepare(1, ballot, Value.EMPTY);
+    sees(new Sent(timeNs, A, "b", Seen.agreement("x"), 1, 1, SynodMessage.SHAPE, prepare));
   }
 
   private void proposes(RobotId robot, String xid, String value) {

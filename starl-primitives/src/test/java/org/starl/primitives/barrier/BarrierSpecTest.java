@@ -192,6 +192,16 @@ class BarrierSpecTest {
   }
 
   @Test
+  void whoDoesNotWaitAndProposesViolatesNotHung() {
+    arrive(A, 1);
+    see(Seen.proposes(10, A, Seen.ids("a", "b", "c"), 1, "c"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+    told(A, unknown(1), 20);
+    see(Seen.proposes(30, A, Seen.ids("a", "b", "c"), 1, "c"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(1);
+  }
+
+  @Test
   void anUnknownOutcomeBeforeTwoDeadlinesViolatesNotHung() {
     for (long toldNs : List.of(6 * NS_PER_MS, 6 * NS_PER_MS - 1)) {
       nowNs = 0;

@@ -126,6 +126,30 @@ class GeocastSpecTest {
   }
 
   @Test
+  void aMessageThatIsNotRepeatedInTimeViolatesRepeated() {
+    for (boolean isAcknowledged : List.of(false, true)) {
+      monitors = new Monitors(List.of(new GeocastSpec().answering()));
+      see(opens(0, ORIGIN, 1), opens(0, OTHER, 1), casts(), copies(0), copies(149 * MS));
+      assertThat(monitors.report().violations("geocast.Repeated")).isZero();
+      if (isAcknowledged) {
+        GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
+        see(new Delivered(160 * MS, ORIGIN, OTHER, SOURCE, 1, MESSAGE, ack));
+      }
+      see(copies(350 * MS + 1));
+      long expected = isAcknowledged ? 0 : 1;
+      assertThat(monitors.report().violations("geocast.Repeated")).isEqualTo(expected);
+    }
+  }
+
+  private static Action casts() {
+    return act(0, ORIGIN, new GeocastFact.BCast(FIRST, new Everywhere(), 2_000 * MS));
+  }
+
+  private static Action copies(long timeNs) {
+    return act(timeNs, ORIGIN, new GeocastFact.copy(FIRST));
+  }
+
+  @Test
   void gcastflagFollowsTheAcknowledgmentsOfAll() {
     assertThat(flagged(false, false, 30)).as("nobody has acknowledged").isZero();
     assertThat(flagged(false, true, 30)).as("complete too early").isEqualTo(1);

@@ -178,6 +178,20 @@ class ConsentSpecTest {
   }
 
   @Test
+  void whoConsentsToARequestThatItKnowsToBeOverViolatesAnswered() {
+    req(1, J, I, 1);
+    ok(1, I, J, 1);
+    req(2, J, I, 2);
+    ok(2, I, J, 2);
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isZero();
+    ok(3, I, J, 1);
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+    deliver(4, new MutexMessage.Rem(J, I, 2, new TreeSet<>()));
+    ok(5, I, J, 2);
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(2);
+  }
+
+  @Test
   void whoseRequestEndsMustConsentToWhatItDeferred() {
     ask(0);
     req(1, J, I, 1);
