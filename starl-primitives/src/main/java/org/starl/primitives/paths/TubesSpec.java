@@ -1,7 +1,7 @@
 package org.starl.primitives.paths;
 
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -60,13 +60,13 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
 
   private final Bodies bodies = new Bodies();
   private final FaultState faults = new FaultState();
-  private final Set<ProcessKey> outside = new HashSet<>();
+  private final Set<ProcessKey> outside = new LinkedHashSet<>();
   private final Deadlines tasks;
   private final Deadlines passed;
-  private final Map<ProcessKey, TubeFlag> flags = new HashMap<>();
+  private final Map<ProcessKey, TubeFlag> flags = new LinkedHashMap<>();
   // Those that have driven since their latest start: before, a robot may hold what a crash has
   // left.
-  private final Set<ProcessKey> driven = new HashSet<>();
+  private final Set<ProcessKey> driven = new LinkedHashSet<>();
   private final SortedMap<RobotId, Long> standsFromNs = new TreeMap<>();
   private long nextCheckNs;
 
