@@ -95,7 +95,6 @@ final class CompletionCheck {
     ProcessKey key = new ProcessKey(action.source(), action.robot());
     Message message = messages.getOrDefault(key, Map.of()).get(id);
     checkRepeated(key, report);
-    checkRepeated(key, report);
     if (message != null) {
       long waitNs = message.next.waitNs;
       message.next.after(

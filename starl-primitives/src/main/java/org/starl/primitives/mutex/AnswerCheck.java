@@ -29,7 +29,8 @@ import org.starl.trace.TraceEvent.Sent;
 /**
  * Checks that requests are answered at once. A process that neither holds nor waits for a section consents in
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
- * the request is repeated, and none consents to a request that it knows to be over. Nothing is required of a process whose robot may stand in sections of an earlier one.
+ * the request is repeated, and none consents to a request that it knows to be over. Nothing is required of a
+ * process whose robot may stand in sections of an earlier one.
  */
 final class AnswerCheck {
 
