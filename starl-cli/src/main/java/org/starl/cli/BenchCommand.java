@@ -247,10 +247,10 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       rows.forEach(row -> out.println(Json.line(row)));
       return;
     }
-    out.println("| robots | dispatch | message loss | deliveries/h |");
+    out.println("| robots | dispatch | faults | deliveries/h |");
     out.println("|---|---|---|---|");
     for (Map<String, Object> row : rows) {
-      out.println(String.format(Locale.ROOT, "| %d | %s | %.1f | %.0f |", row.values().toArray()));
+      out.println(String.format(Locale.ROOT, "| %d | %s | %s | %.0f |", row.values().toArray()));
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
@@ -36,6 +37,30 @@ public final class FleetRates {
   public static final String SUMMARY =
       "deliveries an hour of 2, 4, 8, ... robots, by the app fleet and by a central planner";
 
+  /** What happens to a run of the fleet. */
+  private enum Fault {
+    NONE("none", 0),
+    SOME_LOSS("loss 0.1", 0.1),
+    MUCH_LOSS("loss 0.3", 0.3),
+    CRASHES("a crash a minute", 0);
+
+    private final String text;
+    private final double loss;
+
+    Fault(String text, double loss) {
+      this.text = text;
+      this.loss = loss;
+    }
+
+    /** Each robot that crashes starts again after ten seconds. */
+    private List<String> faults(SimSettings settings) {
+      long minutes = this == CRASHES ? settings.get(Setting.DURATION).toMinutes() : 0;
+      return LongStream.rangeClosed(1, minutes)
+          .mapToObj(minute -> "crash(any,at=" + 60 * minute + "s,restart=10s)")
+          .toList();
+    }
+  }
+
   private static final int DELIVERIES_A_ROBOT = 4;
 
   /** An hour: far more than robots deliver. */
@@ -45,7 +70,6 @@ public final class FleetRates {
   private static final double SLACK_MM = 100;
 
   private static final long HANDLE_MS = 2000;
-  private static final List<Double> LOSSES = List.of(0.0, 0.1, 0.3);
 
   /** Deliveries an hour of one run. */
   private interface Dispatch {
@@ -56,12 +80,12 @@ public final class FleetRates {
 
   /** The number of rows up to so many robots. */
   public static int rows(int mostRobots) {
-    return (int) sizes(mostRobots).count() * (1 + LOSSES.size());
+    return (int) sizes(mostRobots).count() * (1 + Fault.values().length);
   }
 
   /**
-   * Rows for 2 robots, for 4, 8, and so on, up to {@code mostRobots}: the central planner, and the fleet
-   * with message losses; the means of {@code runs} runs, of the seeds from {@code seed} on.
+   * Rows for 2 robots, for 4, 8, and so on, and for {@code mostRobots}: the central planner, and the
+   * fleet with losses and crashes; the means of {@code runs} runs, of the seeds from {@code seed} on.
    *
    * @param afterRow called with the number of rows so far
    */
@@ -69,10 +93,10 @@ public final class FleetRates {
       int mostRobots, long seed, int runs, IntConsumer afterRow) {
     List<Map<String, Object>> rows = new ArrayList<>();
     for (int robots : sizes(mostRobots).toArray()) {
-      rows.add(row(robots, "central", 0, seed, runs, FleetRates::central));
+      rows.add(row(robots, "central", Fault.NONE, seed, runs, FleetRates::central));
       afterRow.accept(rows.size());
-      for (double loss : LOSSES) {
-        rows.add(row(robots, "fleet", loss, seed, runs, request -> fleet(request, loss)));
+      for (Fault fault : Fault.values()) {
+        rows.add(row(robots, "fleet", fault, seed, runs, request -> fleet(request, fault)));
         afterRow.accept(rows.size());
       }
     }
@@ -80,11 +104,12 @@ public final class FleetRates {
   }
 
   private static IntStream sizes(int most) {
-    return IntStream.iterate(2, robots -> robots <= most, robots -> 2 * robots);
+    return IntStream.concat(
+        IntStream.iterate(2, robots -> robots < most, robots -> 2 * robots), IntStream.of(most));
   }
 
   private static Map<String, Object> row(
-      int robots, String name, double loss, long seed, int runs, Dispatch dispatch) {
+      int robots, String name, Fault fault, long seed, int runs, Dispatch dispatch) {
     double sum = 0;
     for (int i = 0; i < runs; i++) {
       sum += dispatch.anHour(request(robots, seed + i));
@@ -92,7 +117,7 @@ public final class FleetRates {
     Map<String, Object> row = new LinkedHashMap<>();
     row.put("robots", robots);
     row.put("dispatch", name);
-    row.put("message_loss", loss);
+    row.put("faults", fault.text);
     row.put("deliveries_an_hour", sum / runs);
     return row;
   }
@@ -125,10 +150,12 @@ public final class FleetRates {
         .anHour();
   }
 
-  static double fleet(Request request, double loss) {
+  private static double fleet(Request request, Fault fault) {
     FleetDemo demo = new FleetDemo();
-    SimSettings settings = demo.defaultSettings(request).set(Setting.MESSAGE_LOSS, loss).build();
+    SimSettings settings =
+        demo.defaultSettings(request).set(Setting.MESSAGE_LOSS, fault.loss).build();
     Plan plan = demo.plan(request, settings);
+    fault.faults(settings).forEach(plan.simulation()::fault);
     plan.simulation().name(NAME).seed(request.seed()).build().run();
     return plan.story().measures().figures().getOrDefault("deliveries_an_hour", 0.0);
   }
