@@ -56,7 +56,7 @@ final class Course {
   /** The zones behind that the whole body has left for certain. */
   List<String> left() {
     List<String> left = new ArrayList<>(behind);
-    left.removeIf(zone -> !Crossing.isClearOf(gvh, zone));
+    left.removeIf(zone -> !Crossing.hasLeft(gvh, zone));
     return left;
   }
 
@@ -75,7 +75,7 @@ final class Course {
   /** The zones ahead that the body may be in. */
   List<String> occupied() {
     List<String> occupied = zones();
-    occupied.removeIf(zone -> Crossing.isClearOf(gvh, zone));
+    occupied.removeIf(zone -> Crossing.hasLeft(gvh, zone));
     return occupied;
   }
 

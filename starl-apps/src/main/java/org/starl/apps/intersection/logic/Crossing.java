@@ -47,6 +47,10 @@ public final class Crossing {
 
   private static final double GOAL_RADIUS_MM = 10;
 
+  // A tenth of the speed, the slowest that is tried beside a region to avoid, for a reaction of 150
+  // ms, and a millimetre for the arc.
+  private static final double LEFT_MM = 6;
+
   // Where the original StarL's intersection lies.
   private static final Point MIDDLE = new Point(2500, 2500);
 
@@ -76,7 +80,7 @@ public final class Crossing {
   static Region others(GlobalVarHolder gvh, Collection<String> own) {
     List<Region> others = new ArrayList<>();
     REGIONS.forEach((name, region) -> {
-      if (!own.contains(name) && isClearOf(gvh, name)) {
+      if (!own.contains(name) && isClearOf(gvh, name, 0)) {
         others.add(region);
       }
     });
@@ -121,9 +125,17 @@ public final class Crossing {
     return named;
   }
 
-  /** Whether the whole body of this robot is outside a zone or place for certain. */
-  static boolean isClearOf(GlobalVarHolder gvh, String name) {
-    return gvh.gps.isClearOf(region(name), gvh.plat.moat.parameters().robotRadiusMm());
+  /**
+   * Whether the body of this robot is outside a zone or place for certain, and far enough to drive on
+   * from there: beside a region to avoid, no command is safe that errors of the wheels could turn
+   * towards it.
+   */
+  static boolean hasLeft(GlobalVarHolder gvh, String name) {
+    return isClearOf(gvh, name, LEFT_MM);
+  }
+
+  private static boolean isClearOf(GlobalVarHolder gvh, String name, double byMm) {
+    return gvh.gps.isClearOf(region(name), gvh.plat.moat.parameters().robotRadiusMm() + byMm);
   }
 
   /** The critical zone that contains {@code at}, if one does. */

@@ -136,7 +136,7 @@ public final class FlowingCar extends LogicThread {
   /** After a restart of the program: finds the sections that the body may be in. */
   private void resume() {
     List<String> stands = new ArrayList<>(trip.zones());
-    stands.removeIf(zone -> Crossing.isClearOf(gvh, zone));
+    stands.removeIf(zone -> Crossing.hasLeft(gvh, zone));
     boolean isBeyond = stands.isEmpty() && isIn(track.sections().size());
     List<String> rest = new ArrayList<>(isBeyond ? List.of() : trip.zones());
     while (!stands.isEmpty() && !rest.get(0).equals(stands.get(0))) {
@@ -287,7 +287,7 @@ public final class FlowingCar extends LogicThread {
     List<String> sections = track.sections();
     boolean isBehind = isIn(sections.size());
     for (int i = sections.size() - 1; i >= 0; i--) {
-      if (isBehind && Crossing.isClearOf(gvh, sections.get(i))) {
+      if (isBehind && Crossing.hasLeft(gvh, sections.get(i))) {
         from = arcEnd != null ? from : Math.max(from, i + 1);
         lane.leave(sections.get(i));
         if (claim.leave(sections.get(i))) {
@@ -296,7 +296,7 @@ public final class FlowingCar extends LogicThread {
       }
       isBehind |= isIn(i);
     }
-    claim.knows(zone -> Crossing.isClearOf(gvh, zone));
+    claim.knows(zone -> Crossing.hasLeft(gvh, zone));
     lane.knowsPlace();
   }
 

@@ -80,7 +80,7 @@ public final class Lane {
    */
   void resume(boolean isPast) {
     List<String> stands = names();
-    stands.removeIf(place -> Crossing.isClearOf(gvh, place));
+    stands.removeIf(place -> Crossing.hasLeft(gvh, place));
     while (!stands.isEmpty() && !ahead.element().name().equals(stands.get(0))) {
       ahead.remove();
     }
@@ -137,7 +137,7 @@ public final class Lane {
   /** After a restart: the body is not where it was not seen since then. */
   void knowsPlace() {
     if (claim != null) {
-      claim.knows(place -> Crossing.isClearOf(gvh, place));
+      claim.knows(place -> Crossing.hasLeft(gvh, place));
     }
   }
 
@@ -145,7 +145,7 @@ public final class Lane {
   void releaseLeft() {
     for (String place : rest()) {
       boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(place));
-      if (!isAhead && Crossing.isClearOf(gvh, place)) {
+      if (!isAhead && Crossing.hasLeft(gvh, place)) {
         leave(place);
       }
     }
