@@ -55,6 +55,9 @@ final class CompletionCheck {
   private final Map<ProcessKey, Map<GeocastId, Message>> messages = new LinkedHashMap<>();
   private long nowNs;
 
+  // Until then some fault was active: a robot that computes repeats its copies late.
+  private long faultyUntilNs = Long.MIN_VALUE;
+
   CompletionCheck(GeocastSettings settings, FaultState faults) {
     this.faults = faults;
     this.settings = settings;
@@ -64,6 +67,7 @@ final class CompletionCheck {
   /** Sees every event, before the other methods. */
   void observe(TraceEvent event, Report report) {
     nowNs = event.timeNs();
+    faultyUntilNs = faults.isFaultFree() ? faultyUntilNs : nowNs;
     answers.observe(event, report);
     flag.observe(event, report);
     switch (event) {
@@ -112,7 +116,7 @@ final class CompletionCheck {
           && nowNs > dueNs
           && dueNs < m.deadlineNs
           && !isBy(receivers, m)
-          && faults.isClockRight(key.robot(), m.startNs)) {
+          && m.next.dueNs - m.next.waitNs > faultyUntilNs) {
         m.next.dueNs = m.deadlineNs;
         String detail =
             key.source() + ": has not repeated " + m.id + " for " + m.next.waitNs + " ns";
