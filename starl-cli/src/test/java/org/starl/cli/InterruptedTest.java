@@ -1,8 +1,10 @@
 package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.BufferedReader;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -32,6 +34,8 @@ class InterruptedTest {
 
   /** Signals as soon as a line on standard error shows progress. */
   private static Ended run(String signal, String progress, List<String> words) throws Exception {
+    assumeFalse(
+        signal.equals("INT") && ignoresInt(), "INT is ignored, as in a shell's background job");
     List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
     command.remove(RobotCommand.NAME);
     command.addAll(words);
@@ -47,6 +51,15 @@ class InterruptedTest {
       List<String> errors = err.lines().toList();
       return new Ended(process.waitFor(), printed, errors);
     }
+  }
+
+  /** Whether this process, and so its children, ignore the signal INT, which has the number 2. */
+  private static boolean ignoresInt() throws IOException {
+    Path status = Path.of("/proc/self/status");
+    return Files.exists(status)
+        && Files.readAllLines(status).stream()
+            .filter(line -> line.startsWith("SigIgn:"))
+            .anyMatch(line -> (Long.parseUnsignedLong(line.split("\\s+")[1], 16) & 2) != 0);
   }
 
   @ParameterizedTest
