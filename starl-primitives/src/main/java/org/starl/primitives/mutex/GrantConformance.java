@@ -98,9 +98,9 @@ abstract class GrantConformance<S, A extends Action>
     private final Map<RobotId, Long> tickets = new TreeMap<>();
     // What each robot waits for, by the facts.
     private final Map<RobotId, SortedSet<String>> waits = new TreeMap<>();
-    // What each robot's newest request holds, by the facts: to ask anew meanwhile is a restart in
-    // the theory, so a part of this is in the theory's rest.
-    private final Map<RobotId, SortedSet<String>> holds = new TreeMap<>();
+    // What each process holds, by the facts: to ask anew meanwhile is a restart in the theory, so a
+    // part of this is in the theory's rest.
+    private final Map<ProcessId, SortedSet<String>> holds = new TreeMap<>();
     // The robots whose newest request takes over what an earlier start of the program held.
     private final Set<RobotId> resuming = new TreeSet<>();
     private final Map<Long, TreeMap<ProcessId, Long>> places = new TreeMap<>();
@@ -175,11 +175,9 @@ abstract class GrantConformance<S, A extends Action>
     RobotId i = fact.who().robot();
     switch (fact) {
       case MutexFact.DoMutex request -> {
-        boolean isSame = request.who().equals(run.asked.put(i, request.who()));
-        boolean isAnew = isSame && !run.waits.getOrDefault(i, Sections.NONE).isEmpty();
-        if (!isSame) {
-          run.holds.remove(i);
-        }
+        boolean isAnew =
+            request.who().equals(run.asked.put(i, request.who()))
+                && !run.waits.getOrDefault(i, Sections.NONE).isEmpty();
         if (isAnew && crit(run, i).isEmpty()) {
           run.replay.step(event, theory.withdraw(i), report);
         }
@@ -197,7 +195,7 @@ abstract class GrantConformance<S, A extends Action>
             report);
       }
       case MutexFact.OdMutex access -> {
-        run.holds.put(i, access.held());
+        run.holds.put(access.who(), access.held());
         run.waits.computeIfPresent(i, (same, all) -> Sections.without(all, access.held()));
         if (!isWaiting(run, i)) {
           // Its id was given up, and enters what others still leave to it, as if it resumed.
@@ -229,7 +227,7 @@ abstract class GrantConformance<S, A extends Action>
         }
       }
       case MutexFact.Release release -> {
-        run.holds.put(i, release.left());
+        run.holds.put(release.who(), release.left());
         SortedSet<String> rest = rest(run, i);
         if (release.who().equals(run.asked.get(i))) {
           SortedSet<String> given = Sections.common(release.given(), crit(run, i));
@@ -247,9 +245,7 @@ abstract class GrantConformance<S, A extends Action>
         }
       }
       case MutexFact.StandsIn place -> {
-        boolean isOfRequest = place.who().equals(run.asked.get(i));
-        SortedSet<String> holds =
-            isOfRequest ? run.holds.getOrDefault(i, Sections.NONE) : Sections.NONE;
+        SortedSet<String> holds = run.holds.getOrDefault(place.who(), Sections.NONE);
         run.replay.step(event, theory.standsIn(i, Sections.union(place.sections(), holds)), report);
       }
       case MutexFact.Learned learned -> learned(run, event, learned.view(), report);
