@@ -43,7 +43,7 @@ import org.starl.sim.junit.StarlTest;
 
 /**
  * Election, ledger, registration, mutex, tubes and barrier in one app. After a restart it keeps the order of
- * docs/primitives.md: it says where it stands, drives to where it blocks nobody, then waits for others.
+ * docs/primitives.md: it says where it stands, leaves the way of others, and then waits for them.
  */
 class TogetherTest {
 

@@ -35,6 +35,11 @@ class TubesSimulationTest {
   private static final long S = 1_000_000_000;
   private static final long BOUND_NS = 600_000_000_000L;
 
+  private static DistributedPathPlanning planning(GlobalVarHolder gvh, TubeSettings settings) {
+    return new DistributedPathPlanning(
+        gvh, "floor", gvh.id.participants(), new OptimalPlanner(), FLOOR, settings);
+  }
+
   /** Goes to several places in order; returns the result of each drive. */
   private static final class Traveller extends LogicThread {
     private final TubeSettings settings;
@@ -48,9 +53,7 @@ class TubesSimulationTest {
 
     @Override
     public List<Object> callStarL() {
-      DistributedPathPlanning paths =
-          new DistributedPathPlanning(
-              gvh, "floor", gvh.id.participants(), new OptimalPlanner(), FLOOR, settings);
+      DistributedPathPlanning paths = planning(gvh, settings);
       List<Object> ends = new ArrayList<>();
       await(gvh.gps::hasFix);
       Rng rng = gvh.plat.entropy.fork("trips");
@@ -77,9 +80,7 @@ class TubesSimulationTest {
 
     @Override
     public List<Object> callStarL() {
-      DistributedPathPlanning paths =
-          new DistributedPathPlanning(
-              gvh, "floor", gvh.id.participants(), new OptimalPlanner(), FLOOR, settings);
+      DistributedPathPlanning paths = planning(gvh, settings);
       await(gvh.gps::hasFix);
       Point here = gvh.gps.pose().at();
       ItemPosition goal = new ItemPosition("goal", (here.xMm() + 4_000) / 2, here.yMm());
