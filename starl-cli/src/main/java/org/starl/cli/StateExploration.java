@@ -15,6 +15,7 @@ import org.starl.primitives.exhaustive.StateSearch;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.primitives.mutex.MutexStates;
+import org.starl.primitives.paths.TubeStates;
 import org.starl.primitives.registration.RegistrationStates;
 import org.starl.time.Time;
 import picocli.CommandLine.Model.OptionSpec;
@@ -31,7 +32,8 @@ final class StateExploration {
           SynodStates.SPACE,
           BarrierStates.SPACE,
           ElectionStates.SPACE,
-          RegistrationStates.SPACE);
+          RegistrationStates.SPACE,
+          TubeStates.SPACE);
   private static final List<String> OWN_OPTIONS = List.of("--robots", "--crashes");
   private static final Set<String> OPTIONS =
       Set.of("--strategy", "--states", "--set", "--json", "--stacktrace", "--robots", "--crashes");

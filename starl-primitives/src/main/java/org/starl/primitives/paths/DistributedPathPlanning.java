@@ -48,6 +48,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private final TubeSettings settings;
   private final int radiusMm;
   private final Instance source;
+  private final TubePort port;
   private final TubeClaims claims;
   private final TubeDriver driver;
   private final Rng rng;
@@ -105,7 +106,8 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     flag = gvh.variable(source, TubeFact.FLAG, TubeFlag.IDLE);
     failure = gvh.variable(source, TubeFact.FAILURE, TubeFailure.NONE);
     driver = new TubeDriver(gvh, new DriverWiring());
-    claims = new TubeClaims(gvh, channel, participants, settings, radiusMm, new ClaimsWiring());
+    port = new TubePort(gvh, channel, participants, settings, radiusMm, new ClaimsWiring());
+    claims = port.claims;
     gvh.gps.require(settings.needs(radiusMm));
     gvh.gps.onFix(this::seek);
     gvh.explain(this::waitsFor);
@@ -324,7 +326,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     stop();
     closed = true;
     timer.cancel();
-    claims.close();
+    port.close();
   }
 
   private void record(TubeGoal goal) {

@@ -117,6 +117,16 @@ final class TubeClaimant {
     wakeAtNs = isAnswered() ? Long.MAX_VALUE : nowNs + resendNs;
   }
 
+  /** All that decides what it holds and wants from now on; repetitions do not. */
+  String state() {
+    return isAsking() ? holding + " " + votes + refusals : holding.toString();
+  }
+
+  /** Whether an answer decides nothing, now and later. */
+  boolean isSpent(RobotId from, long version) {
+    return version < holding.version() || !isAsking() || votes.contains(from);
+  }
+
   private void update(List<Tube> held, List<Tube> wanted, long nowNs) {
     holding = new Holding(holding.version() + 1, held, wanted);
     votes.clear();

@@ -2,8 +2,6 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -11,33 +9,27 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.starl.GlobalVarHolder;
-import org.starl.Persistent;
-import org.starl.comms.Channel;
-import org.starl.comms.Endpoint;
-import org.starl.gvh.GvhCell;
+import org.starl.geometry.Point;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
-import org.starl.shape.Shapes;
 
 /**
- * Connects the {@link TubeClaimant} and the {@link TubeVoter} of a robot to its gvh. At the first
- * fix it claims the disc at the robot's place. Strand only.
+ * The {@link TubeClaimant} and the {@link TubeVoter} of a robot, and what they keep on stable storage.
+ * At the first fix it claims the disc at the robot's place. Strand only.
  */
 final class TubeClaims {
 
-  private final GlobalVarHolder gvh;
+  static final String OWN = ".own";
+
   private final TubeSettings settings;
   private final int radiusMm;
+  private final Port port;
   private final Listener listener;
-  private final Persistent<Optional<TubeVoter.Note>> own;
-  private final Map<RobotId, Persistent<Optional<TubeVoter.Note>>> notes = new TreeMap<>();
+  private final RobotId me;
   private final TubeVoter voter;
   private final TubeClaimant claimant;
-  private final Endpoint<TubeMessage> endpoint;
-  private final GvhCell<TubeList> held;
-  private final Timer timer;
+  private TubeList held;
 
   /** The tubes of others as reported in refusals; they may be newer than this robot's notes. */
   private final SortedMap<RobotId, Holding> reported = new TreeMap<>();
@@ -52,6 +44,30 @@ final class TubeClaims {
   private int writes;
   private boolean closed;
 
+  /** What the claims need of their robot. */
+  interface Port {
+
+    long nowNs();
+
+    /** The robot's position. */
+    Point at();
+
+    /** What was stored by {@code name} before this start. */
+    Optional<TubeVoter.Note> stored(String name);
+
+    /** Stores, and calls {@code whenFlushed} once a crash does not lose it; never inside this call. */
+    void store(String name, TubeVoter.Note note, Runnable whenFlushed);
+
+    /** Sends, best effort, also to this robot itself. */
+    void send(RobotId to, TubeMessage message);
+
+    /** The tubes that the robot holds now. */
+    void holds(TubeList tubes);
+
+    /** {@link #expired} is due at this time; replaces the time before. */
+    void wakeAt(long timeNs);
+  }
+
   /** Receives the outcomes of claims; each call is in a separate step of the strand. */
   interface Listener {
 
@@ -65,45 +81,46 @@ final class TubeClaims {
   }
 
   TubeClaims(
-      GlobalVarHolder gvh,
-      Channel<TubeMessage> channel,
+      RobotId me,
+      int boot,
       Participants participants,
       TubeSettings settings,
       int radiusMm,
+      Port port,
       Listener listener) {
-    this.gvh = gvh;
+    this.me = me;
     this.settings = settings;
     this.radiusMm = radiusMm;
+    this.port = port;
     this.listener = listener;
-    own = stored(channel.name() + ".own");
+    Optional<TubeVoter.Note> own = port.stored(OWN);
     voter = new TubeVoter(participants, new VoterWiring());
     for (RobotId robot : participants) {
-      Persistent<Optional<TubeVoter.Note>> note = stored(channel.name() + ".note." + robot);
-      notes.put(robot, note);
-      note.get().ifPresent(known -> voter.restore(robot, known));
+      port.stored(note(robot)).ifPresent(known -> voter.restore(robot, known));
     }
     // The held tubes and, before the first grant, the disc at the robot's place.
-    Holding start = own.get().map(TubeVoter.Note::holding).orElse(Holding.NONE);
+    Holding start = own.map(TubeVoter.Note::holding).orElse(Holding.NONE);
     standing = start.wanted().isEmpty() ? null : start.wanted().get(0);
     claimant =
         new TubeClaimant(
             participants,
             participants.size() / 2 + 1,
             settings,
-            start.inBoot(gvh.id.boot()),
+            start.inBoot(boot),
             new ClaimantWiring());
-    held = gvh.variable(channel.instance(), TubeFact.HELD, new TubeList(start.held()));
-    timer = gvh.plat.timers.timer(this::expired);
-    endpoint = gvh.comms.open(channel, this::received);
-    gvh.gps.onFix(this::place);
-    if (!start.held().isEmpty()) {
-      claimant.keep(start.held(), nowNs());
-      rearm();
-    }
+    held = new TubeList(start.held());
   }
 
-  private Persistent<Optional<TubeVoter.Note>> stored(String name) {
-    return gvh.plat.persistent(name, Shapes.optional(TubeVoter.Note.SHAPE), Optional.empty());
+  static String note(RobotId robot) {
+    return ".note." + robot;
+  }
+
+  /** Tells the others of the tubes that it holds since before a restart. */
+  void begin() {
+    if (!held().isEmpty()) {
+      claimant.keep(held(), port.nowNs());
+      rearm();
+    }
   }
 
   boolean isPlaced() {
@@ -115,8 +132,12 @@ final class TubeClaims {
     return isPlaced() && writes == 0 && !claimant.isAsking();
   }
 
+  boolean isAsking() {
+    return claimant.isAsking();
+  }
+
   List<Tube> held() {
-    return held.get().tubes();
+    return held.tubes();
   }
 
   /** Robots whose tubes met the tube of the latest request, as far as known. */
@@ -149,21 +170,21 @@ final class TubeClaims {
   }
 
   private SortedMap<RobotId, Holding> latest() {
-    SortedMap<RobotId, Holding> latest = voter.others(gvh.id.name());
+    SortedMap<RobotId, Holding> latest = voter.others(me);
     reported.forEach((robot, holding) -> latest.merge(robot, holding, TubeClaims::newer));
     return latest;
   }
 
   void ask(Tube tube) {
     inTheWay.clear();
-    claimant.ask(tube, nowNs());
+    claimant.ask(tube, port.nowNs());
     rearm();
   }
 
   /** Cancels a request for a tube, but not the first one, for the disc at the robot's place. */
   void withdraw() {
     if (standing == null) {
-      claimant.withdraw(nowNs());
+      claimant.withdraw(port.nowNs());
       rearm();
     }
   }
@@ -176,24 +197,29 @@ final class TubeClaims {
     write(
         new Holding(0, rest, List.of()),
         () -> {
-          claimant.keep(rest, nowNs());
-          held.set(new TubeList(rest));
+          claimant.keep(rest, port.nowNs());
+          show(rest);
           rearm();
         });
   }
 
-  void close() {
-    closed = true;
-    timer.cancel();
-    endpoint.close();
+  private void show(List<Tube> tubes) {
+    held = new TubeList(tubes);
+    port.holds(held);
   }
 
-  private void place() {
-    if (closed || isPlaced() || claimant.isAsking() || nowNs() < placeAgainNs) {
+  void close() {
+    closed = true;
+    rearm();
+  }
+
+  /** Its robot has a position. */
+  void place() {
+    if (closed || isPlaced() || claimant.isAsking() || port.nowNs() < placeAgainNs) {
       return;
     }
     if (standing == null) {
-      standing = Tube.disc(gvh.gps.pose().at(), radiusMm);
+      standing = Tube.disc(port.at(), radiusMm);
     }
     // Stored before it is sent, so that a restarted robot asks for the same place.
     Tube disc = standing;
@@ -203,8 +229,9 @@ final class TubeClaims {
 
   private void write(Holding holding, Runnable then) {
     writes++;
-    own.set(
-        Optional.of(new TubeVoter.Note(holding, false)),
+    port.store(
+        OWN,
+        new TubeVoter.Note(holding, false),
         () -> {
           if (!closed) {
             writes--;
@@ -216,10 +243,10 @@ final class TubeClaims {
         });
   }
 
-  private void received(RobotId from, TubeMessage message) {
+  void received(RobotId from, TubeMessage message) {
     switch (message) {
       case TubeMessage.Ask m -> voter.asked(from, m.holding());
-      case TubeMessage.Vote m -> claimant.voted(from, m.version(), nowNs());
+      case TubeMessage.Vote m -> claimant.voted(from, m.version(), port.nowNs());
       case TubeMessage.Refuse m -> {
         if (m.theirs().version() > 0) {
           reported.merge(m.who(), m.theirs(), TubeClaims::newer);
@@ -227,58 +254,67 @@ final class TubeClaims {
         if (m.version() == claimant.holding().version()) {
           inTheWay.add(m.who());
         }
-        claimant.refused(from, m.version(), nowNs());
+        claimant.refused(from, m.version(), port.nowNs());
       }
     }
     rearm();
+  }
+
+  /** All that decides which tubes it holds, wants and consents to from now on. */
+  String state() {
+    return claimant.state() + voter.state() + standing + placeAgainNs + writes;
+  }
+
+  /** Whether a message has no effect, now and until a restart. */
+  boolean isSpent(RobotId from, TubeMessage message) {
+    return message instanceof TubeMessage.Ask
+        ? message.version() < voter.version(from)
+        : claimant.isSpent(from, message.version());
   }
 
   private static Holding newer(Holding a, Holding b) {
     return a.version() >= b.version() ? a : b;
   }
 
-  private void expired() {
-    claimant.timer(nowNs());
+  /** The time of {@link Port#wakeAt}. */
+  void expired() {
+    claimant.timer(port.nowNs());
     rearm();
   }
 
   private void rearm() {
-    timer.set(closed ? Timer.NEVER : claimant.wakeAtNs());
-  }
-
-  private long nowNs() {
-    return gvh.plat.clock.nowNs();
+    port.wakeAt(closed ? Timer.NEVER : claimant.wakeAtNs());
   }
 
   private final class VoterWiring implements TubeVoter.Out {
     @Override
     public void send(RobotId to, TubeMessage message) {
-      endpoint.send(to, message);
+      port.send(to, message);
     }
 
     @Override
     public void persist(RobotId about, TubeVoter.Note note, TubeMessage answer) {
-      Objects.requireNonNull(notes.get(about))
-          .set(
-              Optional.of(note),
-              () -> {
-                if (!closed) {
-                  endpoint.send(about, answer);
-                }
-              });
+      port.store(
+          note(about),
+          note,
+          () -> {
+            if (!closed) {
+              port.send(about, answer);
+            }
+          });
     }
   }
 
   private final class ClaimantWiring implements TubeClaimant.Out {
     @Override
     public void send(RobotId to, TubeMessage message) {
-      endpoint.send(to, message);
+      port.send(to, message);
     }
 
     @Override
     public void granted(Tube tube) {
       Holding now = claimant.holding();
-      held.set(new TubeList(now.held()));
+      show(now.held());
       boolean first = tube.equals(standing);
       standing = null;
       write(
@@ -294,7 +330,7 @@ final class TubeClaims {
     public void refused() {
       if (standing != null) {
         // Two robots stand too close together; a person may move one of them.
-        placeAgainNs = nowNs() + settings.maxResendNs();
+        placeAgainNs = port.nowNs() + settings.maxResendNs();
       } else {
         listener.refused();
       }

@@ -56,8 +56,7 @@ class TubeVoter {
 
   void asked(RobotId from, Holding holding) {
     Note before = notes.get(from);
-    if (!participants.contains(from)
-        || (before != null && holding.version() < before.holding().version())) {
+    if (!participants.contains(from) || holding.version() < version(from)) {
       return;
     }
     boolean again = before != null && before.voted() && before.holding().equals(holding);
@@ -105,6 +104,17 @@ class TubeVoter {
     notes.forEach((robot, note) -> others.put(robot, note.holding()));
     others.remove(me);
     return others;
+  }
+
+  /** The latest version that it has heard of, 0 for none. */
+  long version(RobotId robot) {
+    Note note = notes.get(robot);
+    return note == null ? 0 : note.holding().version();
+  }
+
+  /** All that decides its answers. */
+  String state() {
+    return notes.toString();
   }
 
   List<RobotId> unplaced() {
