@@ -20,6 +20,7 @@ import org.starl.primitives.exhaustive.StateSearch.Steps;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.spec.Monitor.Report;
+import org.starl.spec.SpecReport;
 
 /**
  * The states of robots that run a protocol over a Synod. Nothing outside the robots has a state.
@@ -155,20 +156,10 @@ public abstract class SynodModel<R extends SynodRobot<?>> implements Model<R, Pa
 
   @Override
   public final Optional<String> violation(List<R> all, String none) {
-    List<String> violations = new ArrayList<>();
-    check(
-        all,
-        new Report() {
-          @Override
-          public void checked(String lemma) {
-            // Only violations count.
-          }
-
-          @Override
-          public void violated(String lemma, long timeNs, List<RobotId> of, String detail) {
-            violations.add(lemma + ": " + detail);
-          }
-        });
-    return violations.stream().findFirst();
+    SpecReport report = new SpecReport();
+    check(all, report);
+    return report.violations().stream()
+        .findFirst()
+        .map(each -> each.lemma() + ": " + each.detail());
   }
 }

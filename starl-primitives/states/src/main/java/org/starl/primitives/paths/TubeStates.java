@@ -20,6 +20,7 @@ import org.starl.primitives.exhaustive.StateSearch.Steps;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.spec.Monitor.Report;
+import org.starl.spec.SpecReport;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -316,26 +317,16 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
 
   @Override
   public Optional<String> violation(List<Node> all, String none) {
-    List<String> violations = new ArrayList<>();
-    Report report =
-        new Report() {
-          @Override
-          public void checked(String lemma) {
-            // Only violations count.
-          }
-
-          @Override
-          public void violated(String lemma, long timeNs, List<RobotId> of, String detail) {
-            violations.add(lemma + ": " + detail);
-          }
-        };
+    SpecReport report = new SpecReport();
     TubesSpec spec = new TubesSpec();
     for (Node node : all) {
       TubeList held = new TubeList(node.shown);
       spec.observe(new Variable(0, node.name, SOURCE, TubeFact.HELD, held), report);
       checkBody(node, all, report);
     }
-    return violations.stream().findFirst();
+    return report.violations().stream()
+        .findFirst()
+        .map(each -> each.lemma() + ": " + each.detail());
   }
 
   /** Its body is in what it holds; before it holds anything, in nothing that another one holds. */
