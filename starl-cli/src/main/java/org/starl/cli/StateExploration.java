@@ -14,6 +14,7 @@ import org.starl.primitives.election.ElectionStates;
 import org.starl.primitives.exhaustive.StateSearch;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
+import org.starl.primitives.geocast.GeocastStates;
 import org.starl.primitives.mutex.MutexStates;
 import org.starl.primitives.paths.TubeStates;
 import org.starl.primitives.registration.RegistrationStates;
@@ -33,6 +34,7 @@ final class StateExploration {
           BarrierStates.SPACE,
           ElectionStates.SPACE,
           RegistrationStates.SPACE,
+          GeocastStates.SPACE,
           TubeStates.SPACE);
   private static final List<String> OWN_OPTIONS = List.of("--robots", "--crashes");
   private static final Set<String> OPTIONS =

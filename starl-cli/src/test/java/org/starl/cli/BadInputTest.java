@@ -36,7 +36,7 @@ class BadInputTest {
       run intersection --robots 13 | robots: 13 | expected 1 to 12 cars
       explore agreement --strategy states --loss 0.1 | --loss cannot be used with --strategy states
       explore agreement --strategy states --robots 9 | --robots | '9' | from 1 to 5
-      explore race --strategy states | 'race' | expected one of [mutex, agreement, barrier, election, registration]
+      explore race --strategy states | 'race' | expected one of [mutex, agreement, barrier, election, registration, geocast, paths]
       explore mutex --strategy states --set votes=1 | --set votes | expected one of requesters=0..4
       explore barrier --strategy states --set generations=4 | --set generations | '4' | from 1 to 3
       explore election --strategy states --set terms=2 | --set terms: no such bound | timers=0..5

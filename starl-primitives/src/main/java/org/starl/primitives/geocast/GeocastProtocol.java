@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.starl.geometry.Region;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
@@ -13,7 +15,7 @@ import org.starl.id.RobotId;
  * One robot's part in geocasts: pure, driven by messages and the clock. Times are in ns on this
  * robot's clock, and never decrease from call to call.
  */
-final class GeocastProtocol<T> {
+class GeocastProtocol<T> {
 
   private static final int MIN_KEPT = 64;
 
@@ -27,7 +29,7 @@ final class GeocastProtocol<T> {
   private final List<Underway<T>> underway = new ArrayList<>();
 
   /** The delivered geocasts, each with the last time at which a copy could be delivered. */
-  private final Map<GeocastId, Long> delivered = new HashMap<>();
+  final Map<GeocastId, Long> delivered = new HashMap<>();
 
   private int forgetAtSize = MIN_KEPT;
   private long lastNumber;
@@ -48,6 +50,11 @@ final class GeocastProtocol<T> {
 
     long wakeAtNs() {
       return Math.min(resendNs, copy.deadlineNs());
+    }
+
+    @Override
+    public String toString() {
+      return copy + "" + receipt.acknowledgedBy() + deploymentAcks;
     }
   }
 
@@ -79,6 +86,13 @@ final class GeocastProtocol<T> {
   /** Whether there was a geocast, and all are complete: the paper's {@code Gcastflag}. */
   boolean isComplete() {
     return lastNumber > 0 && underway.isEmpty();
+  }
+
+  /** The state without the times of repetitions: robots with equal texts behave alike. */
+  String state() {
+    SortedMap<String, Long> known = new TreeMap<>();
+    delivered.forEach((id, lastNs) -> known.put(id.toString(), lastNs));
+    return underway + " " + known + lastNumber + " " + forgetAtSize;
   }
 
   /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
@@ -155,7 +169,7 @@ final class GeocastProtocol<T> {
   }
 
   // Forgets geocasts whose interval is over, but only after the number of entries has doubled.
-  private void forgetFinished(long nowNs) {
+  void forgetFinished(long nowNs) {
     if (delivered.size() >= forgetAtSize) {
       delivered.values().removeIf(lastNs -> lastNs < nowNs);
       forgetAtSize = Math.max(MIN_KEPT, 2 * delivered.size());
