@@ -2,10 +2,9 @@ package org.starl.primitives.geocast;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import org.starl.geometry.Circle;
@@ -13,19 +12,19 @@ import org.starl.geometry.Everywhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
-import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.RobotModel;
 import org.starl.primitives.agreement.SynodRobot;
 import org.starl.primitives.agreement.SynodRobot.Packet;
 import org.starl.primitives.exhaustive.StateSearch;
-import org.starl.primitives.exhaustive.StateSearch.Model;
 import org.starl.primitives.exhaustive.StateSearch.Steps;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
-import org.starl.spec.Monitors;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitor.Report;
 import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
@@ -43,7 +42,7 @@ import org.starl.trace.TraceEvent.Variable;
  * more than a tick ahead of another: the skew that the settings allow. A tick is longer than each
  * wait for a repetition.
  */
-public class GeocastStates implements Model<GeocastStates.Node, Packet, String> {
+public class GeocastStates extends RobotModel<GeocastStates.Node> {
 
   /** Robots send to an area, into which and out of which they move, and start again. */
   public static final StateSpace SPACE =
@@ -73,25 +72,12 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
 
   private static final Shape<GeocastMessage<String>> MESSAGE = GeocastMessage.shape(Shapes.TEXT);
 
-  private final int robots;
-  private final int crashes;
-  private final int callers;
-  private final int casts;
-  private final int outside;
-  private final int moves;
-  private final int ticks;
   private final Region area;
   private final Instance source;
 
   GeocastStates(ToIntFunction<String> bounds) {
-    robots = bounds.applyAsInt("robots");
-    crashes = bounds.applyAsInt("crashes");
-    callers = bounds.applyAsInt("callers");
-    casts = bounds.applyAsInt("casts");
-    outside = bounds.applyAsInt("outside");
-    moves = bounds.applyAsInt("moves");
-    ticks = bounds.applyAsInt("ticks");
-    boolean toAll = bounds.applyAsInt("broadcast") == 1;
+    super(bounds);
+    boolean toAll = bound("broadcast") == 1;
     area = toAll ? new Everywhere() : new Circle(new Point(0, 0), RADIUS_MM);
     source = Instance.of(toAll ? GeocastFact.BROADCAST : GeocastFact.GEOCAST, "states");
   }
@@ -99,15 +85,6 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
   /** The protocol; another one in a test. */
   GeocastProtocol<String> program(ProcessId me, Node node) {
     return new GeocastProtocol<>(me, names(), SETTINGS, node);
-  }
-
-  /** The robots' names. */
-  final Participants names() {
-    List<RobotId> names = new ArrayList<>();
-    for (int i = 0; i < robots; i++) {
-      names.add(SynodRobot.robot(i));
-    }
-    return Participants.of(names);
   }
 
   /**
@@ -123,9 +100,8 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
     private final RobotId name;
     private final Consumer<Packet> net;
     private final List<Noted> history = new ArrayList<>();
-    // The messages of this start that are in the history: once, since a repetition says nothing
-    // new.
-    private final Set<String> seen = new HashSet<>();
+    // The messages of this start that are in the history: each once.
+    private final Set<String> seen = new TreeSet<>();
     private boolean isInside;
     private boolean isComplete;
     private long nowNs;
@@ -138,7 +114,7 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
       this.me = me;
       this.net = net;
       name = SynodRobot.robot(me);
-      isInside = me < robots - outside;
+      isInside = me < size() - bound("outside");
       note(Fault.WORLD, new Joined(0, name, pose(), 1));
       protocol = start();
     }
@@ -192,9 +168,8 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
     private void receive(RobotId from, GeocastMessage<String> message) {
       boolean isCopy = message instanceof GeocastMessage.Copy;
       // A copy that finds the robot outside requires nothing.
-      if ((!isCopy || surelyInsideMm(area) > 0) && seen.add(from + " " + message)) {
-        RobotId sender = message.id().origin().robot();
-        note(sender, new Delivered(nowNs, name, from, source, 0, MESSAGE, message));
+      if (!isCopy || surelyInsideMm(area) > 0) {
+        noteOnce(new Delivered(nowNs, name, from, source, 0, MESSAGE, message), message);
       }
       protocol.received(from, message, nowNs);
       settle();
@@ -219,17 +194,20 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
       history.add(new Noted(sender, event));
     }
 
-    private void noteSent(String to, GeocastMessage<String> message) {
-      if (seen.add(to + message)) {
-        RobotId sender = message.id().origin().robot();
-        note(sender, new Sent(nowNs, name, to, source, 0, 0, MESSAGE, message));
+    private void noteOnce(TraceEvent event, GeocastMessage<String> message) {
+      if (seen.add(event.at(0).toString())) {
+        note(message.id().origin().robot(), event);
       }
+    }
+
+    private Sent sent(String to, GeocastMessage<String> message) {
+      return new Sent(nowNs, name, to, source, 0, 0, MESSAGE, message);
     }
 
     @Override
     public void broadcast(GeocastMessage.Copy<String> copy) {
-      noteSent(Sent.ALL, copy);
-      for (int to = 0; to < robots; to++) {
+      noteOnce(sent(Sent.ALL, copy), copy);
+      for (int to = 0; to < size(); to++) {
         if (to != me) {
           net.accept(new Packet(me, to, copy));
         }
@@ -238,7 +216,7 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
 
     @Override
     public void acknowledge(RobotId to, GeocastMessage.Ack<String> ack) {
-      noteSent(to.name(), ack);
+      noteOnce(sent(to.name(), ack), ack);
       net.accept(new Packet(me, names().asList().indexOf(to), ack));
     }
 
@@ -262,11 +240,6 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
   }
 
   @Override
-  public int size() {
-    return robots;
-  }
-
-  @Override
   public Node make(int i, Consumer<Packet> net) {
     return new Node(i, net);
   }
@@ -274,11 +247,6 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
   @Override
   public String text(Node node) {
     return node.protocol.state() + node.isDue() + node.nowNs + node.history;
-  }
-
-  @Override
-  public int to(Packet packet) {
-    return packet.to();
   }
 
   @Override
@@ -293,47 +261,37 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
   }
 
   @Override
-  public String begin() {
-    return "";
-  }
-
-  @Override
   public void addSteps(int i, List<Node> all, String none, Steps<Node, String> steps) {
     Node robot = all.get(i);
-    boolean isCaller = callers == 0 || i < callers;
-    if (isCaller && robot.protocol.nextId().number() <= casts) {
+    if (isCaller(i) && robot.protocol.nextId().number() <= bound("casts")) {
       steps.add(robot.name + " sends", Node::send, none);
     }
     boolean isAhead = all.stream().anyMatch(other -> other.nowNs < robot.nowNs);
-    if (!isAhead && !robot.isDue() && robot.nowNs < ticks * TICK_NS) {
+    if (!isAhead && !robot.isDue() && robot.nowNs < bound("ticks") * TICK_NS) {
       steps.add(robot.name + "'s clock goes on", node -> node.nowNs += TICK_NS, none);
     }
     if (robot.isDue()) {
       steps.add(robot.name + "'s timer", Node::timer, none);
     }
-    if (sum(all, node -> node.moved) < moves) {
+    if (sum(all, node -> node.moved) < bound("moves")) {
       String where = robot.isInside ? " leaves the area" : " enters the area";
       steps.add(robot.name + where, Node::move, none);
     }
-    if (sum(all, node -> node.starts) < robots + crashes) {
+    if (mayRestart(all, node -> node.starts)) {
       steps.add(robot.name + " restarts", Node::restart, none);
     }
   }
 
-  private static int sum(List<Node> all, ToIntFunction<Node> count) {
-    return all.stream().mapToInt(count).sum();
-  }
-
   @Override
-  public Optional<String> violation(List<Node> all, String none) {
-    return all.stream().flatMap(sender -> violation(sender, all).stream()).findFirst();
+  protected void check(List<Node> all, Report report) {
+    all.forEach(sender -> check(sender, all, report));
   }
 
   /**
    * Checks what is about the messages of one robot, on its clock. On it another robot's event may
    * be as late as the skew, but not later than now.
    */
-  private Optional<String> violation(Node sender, List<Node> all) {
+  private static void check(Node sender, List<Node> all, Report report) {
     List<TraceEvent> trace = new ArrayList<>();
     for (Node node : all) {
       node.history.subList(0, BEGUN).forEach(noted -> trace.add(noted.event()));
@@ -342,14 +300,12 @@ public class GeocastStates implements Model<GeocastStates.Node, Packet, String> 
     all.stream().filter(node -> node != sender).forEach(node -> addHistory(node, sender, trace));
     trace.sort(Comparator.comparingLong(TraceEvent::timeNs));
     GeocastSpec spec = new GeocastSpec(ERROR_MM, SETTINGS).answering();
-    Monitors monitors = new Monitors(List.of(spec, new GeocastConformance()));
-    trace.forEach(monitors::observe);
     // As if nothing else happened: so all that is required by now is checked.
-    monitors.observe(new Dropped(END_NS, sender.name, "?", "end"));
-    monitors.finish(END_NS);
-    return monitors.report().violations().stream()
-        .findFirst()
-        .map(each -> each.lemma() + ": " + each.detail());
+    trace.add(new Dropped(END_NS, sender.name, "?", "end"));
+    for (Monitor monitor : List.of(spec, new GeocastConformance())) {
+      trace.forEach(event -> monitor.observe(event, report));
+      monitor.finish(END_NS, report);
+    }
   }
 
   private static void addHistory(Node node, Node sender, List<TraceEvent> trace) {

@@ -1,7 +1,6 @@
 package org.starl.primitives.paths;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -10,17 +9,15 @@ import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
-import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.RobotModel;
 import org.starl.primitives.agreement.SynodRobot;
 import org.starl.primitives.agreement.SynodRobot.Packet;
 import org.starl.primitives.exhaustive.StateSearch;
-import org.starl.primitives.exhaustive.StateSearch.Model;
 import org.starl.primitives.exhaustive.StateSearch.Steps;
 import org.starl.primitives.exhaustive.StateSpace;
 import org.starl.primitives.exhaustive.StateSpace.Bound;
 import org.starl.spec.Monitor.Report;
-import org.starl.spec.SpecReport;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -28,7 +25,7 @@ import org.starl.trace.TraceEvent.Variable;
  * The states of robots that claim reach tubes: each drives from its place to one in the middle that
  * all want, and back. Repetitions make no other state, since a message stays for ever.
  */
-public class TubeStates implements Model<TubeStates.Node, Packet, String> {
+public class TubeStates extends RobotModel<TubeStates.Node> {
 
   /** Robots claim, drive, give back, withdraw, crash and start again. */
   public static final StateSpace SPACE =
@@ -49,20 +46,17 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
   private static final int BODY_MM = 165;
   private static final Point MIDDLE = new Point(1_000, 1_500);
 
-  private final int robots;
   private final int crashes;
-  private final int callers;
   private final boolean placed;
   private final int requests;
   private final int withdrawals;
 
   TubeStates(ToIntFunction<String> bounds) {
-    robots = bounds.applyAsInt("robots");
-    crashes = bounds.applyAsInt("crashes");
-    callers = bounds.applyAsInt("callers");
-    placed = bounds.applyAsInt("placed") == 1;
-    requests = bounds.applyAsInt("requests");
-    withdrawals = bounds.applyAsInt("withdrawals");
+    super(bounds);
+    crashes = bound("crashes");
+    placed = bound("placed") == 1;
+    requests = bound("requests");
+    withdrawals = bound("withdrawals");
   }
 
   /** What a robot reads from its storage when it starts; another answer in a test. */
@@ -93,7 +87,7 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
       this.net = net;
       name = SynodRobot.robot(me);
       body = start(me);
-      for (int i = 0; i < robots && placed; i++) {
+      for (int i = 0; i < size() && placed; i++) {
         stable.put(TubeClaims.note(SynodRobot.robot(i)), note(i));
         stable.put(TubeClaims.OWN, note(me));
       }
@@ -229,19 +223,6 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
     }
   }
 
-  private Participants names() {
-    List<RobotId> names = new ArrayList<>();
-    for (int i = 0; i < robots; i++) {
-      names.add(SynodRobot.robot(i));
-    }
-    return Participants.of(names);
-  }
-
-  @Override
-  public int size() {
-    return robots;
-  }
-
   @Override
   public Node make(int i, Consumer<Packet> net) {
     return new Node(i, net);
@@ -263,11 +244,6 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
   }
 
   @Override
-  public int to(Packet packet) {
-    return packet.to();
-  }
-
-  @Override
   public void receive(Node node, Packet packet) {
     RobotId from = SynodRobot.robot(packet.from());
     node.step(robot -> robot.claims.received(from, (TubeMessage) packet.content()));
@@ -286,11 +262,6 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
   }
 
   @Override
-  public String begin() {
-    return "";
-  }
-
-  @Override
   public void addSteps(int i, List<Node> all, String none, Steps<Node, String> steps) {
     Node robot = all.get(i);
     TubeClaims claims = robot.claims;
@@ -298,35 +269,31 @@ public class TubeStates implements Model<TubeStates.Node, Packet, String> {
       steps.add(robot.name + " has a fix", node -> node.step(it -> it.claims.place()), none);
     } else if (robot.mayDrive()) {
       steps.add(robot.name + " drives on", node -> node.step(Node::drive), none);
-    } else if (claims.isSettled() && robot.asked < requests && (callers == 0 || i < callers)) {
+    } else if (claims.isSettled() && robot.asked < requests && isCaller(i)) {
       steps.add(robot.name + " requests a tube", node -> node.step(Node::ask), none);
     }
     if (robot.entering != null && claims.isSettled()) {
       steps.add(robot.name + " gives its tube back", node -> node.step(Node::giveBack), none);
     }
-    if (claims.isAsking() && all.stream().mapToInt(node -> node.withdrawn).sum() < withdrawals) {
+    if (claims.isAsking() && sum(all, node -> node.withdrawn) < withdrawals) {
       steps.add(robot.name + " withdraws", node -> node.step(Node::withdraw), none);
     }
     if (!robot.unflushed.isEmpty()) {
       steps.add(robot.name + " flushes", Node::flush, none);
     }
-    if (all.stream().mapToInt(node -> node.boot).sum() < robots + crashes) {
+    if (mayRestart(all, node -> node.boot)) {
       steps.add(robot.name + " restarts", Node::restart, none);
     }
   }
 
   @Override
-  public Optional<String> violation(List<Node> all, String none) {
-    SpecReport report = new SpecReport();
+  protected void check(List<Node> all, Report report) {
     TubesSpec spec = new TubesSpec();
     for (Node node : all) {
       TubeList held = new TubeList(node.shown);
       spec.observe(new Variable(0, node.name, SOURCE, TubeFact.HELD, held), report);
       checkBody(node, all, report);
     }
-    return report.violations().stream()
-        .findFirst()
-        .map(each -> each.lemma() + ": " + each.detail());
   }
 
   /** Its body is in what it holds; before it holds anything, in nothing that another one holds. */

@@ -77,7 +77,7 @@ class GeocastExplorationTest {
         copies(copy ->
             new Copy<>(
                 copy.id(), new Everywhere(), copy.startNs(), copy.deadlineNs(), copy.message())),
-        GeocastAutomaton.GEOCAST_DECLS);
+        GeocastSpec.EXCLUSION);
   }
 
   @Test
