@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.starl.input.BadInput;
 import org.starl.lang.check.Report;
 import org.starl.lang.check.Search;
@@ -109,13 +111,35 @@ final class CheckCommand extends SourceCommand {
   }
 
   private Verdict check(Automaton automaton, List<Automaton> automata) {
-    Sizes of = sizes(automaton, automata);
+    Sizes usual = sizes(automaton, automata);
+    List<Sizes> all = Machine.sizes(automaton, usual, numbers(automaton));
+    if (all.isEmpty()) {
+      String cure =
+          automaton.refined().numbers().stream()
+              .map(name -> "--value " + name + "=...")
+              .collect(Collectors.joining(" "));
+      out()
+          .println(
+              "%s: not decided: no numbers to --nat %d meet the assumptions; give larger ones: %s"
+                  .formatted(automaton.name(), usual.nat(), cure));
+      return Verdict.NOT_DECIDED;
+    }
+    Verdict verdict = Verdict.HOLDS;
+    for (Sizes each : all) {
+      if (!stop().isStopped()) {
+        verdict = verdict.and(check(automaton, automata, each));
+      }
+    }
+    return verdict;
+  }
+
+  private Verdict check(Automaton automaton, List<Automaton> automata, Sizes of) {
     int limit = OptionValues.whole("--most", most, 1, MOST_STATES);
     Search search;
     Machine machine = null;
     try {
       machine = new Machine(automaton, of);
-      search = new Search(machine, of, values(machine), !hasNoSymmetry, limit);
+      search = new Search(machine, of, values(machine, of, automata), !hasNoSymmetry, limit);
     } catch (TooLarge e) {
       throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
     } catch (EvalError e) {
@@ -123,7 +147,7 @@ final class CheckCommand extends SourceCommand {
       if (machine == null) {
         throw new BadInput(message);
       }
-      out().println(automaton.name() + ": the start is undefined");
+      out().println(Report.head(automaton, of, Set.of()) + ": the start is undefined");
       out().println("  " + message);
       return Verdict.VIOLATED;
     } catch (OutOfMemoryError e) {
@@ -157,11 +181,15 @@ final class CheckCommand extends SourceCommand {
     for (String size : sizes) {
       String type = left("--size", size, "TYPE=N");
       if (automata.stream().noneMatch(a -> Machine.opaqueTypes(a).contains(type))) {
+        boolean isValue =
+            automata.stream()
+                .flatMap(a -> a.valueParameters().stream())
+                .anyMatch(p -> p.name().equals(type));
         throw new BadInput(
             "--size: "
                 + BadInput.quote(type)
-                + " is no opaque type here; expected one of "
-                + String.join(", ", opaque.keySet()));
+                + " is no opaque type here; expected "
+                + (isValue ? "--value " + size : "one of " + String.join(", ", opaque.keySet())));
       }
       int number = OptionValues.whole("--size", size.substring(type.length() + 1), 1, LARGEST);
       opaque.computeIfPresent(type, (key, usual) -> number);
@@ -180,10 +208,31 @@ final class CheckCommand extends SourceCommand {
     return text.substring(0, equals).strip();
   }
 
-  private Map<String, Object> values(Machine machine) {
+  /** The values that are given for parameters in bounds of ranges. */
+  private Map<String, Integer> numbers(Automaton automaton) {
+    Map<String, Integer> given = new LinkedHashMap<>();
+    for (String each : values) {
+      String parameter = left("--value", each, "NAME=VALUE");
+      if (automaton.refined().numbers().contains(parameter)) {
+        String text = each.substring(each.indexOf('=') + 1).strip();
+        given.put(parameter, OptionValues.whole("--value " + parameter, text, 0, LARGEST_NUMBER));
+      }
+    }
+    return given;
+  }
+
+  private Map<String, Object> values(Machine machine, Sizes of, List<Automaton> automata) {
     Map<String, Object> given = new LinkedHashMap<>();
     for (String each : values) {
       String parameter = left("--value", each, "NAME=VALUE");
+      boolean isOfAnother =
+          machine.parameters().stream().noneMatch(p -> p.name().equals(parameter))
+              && automata.stream()
+                  .flatMap(a -> a.valueParameters().stream())
+                  .anyMatch(p -> p.name().equals(parameter));
+      if (isOfAnother || of.numbers().containsKey(parameter)) {
+        continue;
+      }
       Field field =
           machine.parameters().stream()
               .filter(p -> p.name().equals(parameter))

@@ -29,6 +29,15 @@ class CheckTest {
       invariant Counted: n = 0 <=> (forall r: Rooms :: by(r) = none)
       """;
 
+  private static final String RING =
+      """
+      automaton Ring[N: nat]
+      assume Some: N > 0
+      state turn: 0..N-1
+      start turn = 0
+      action pass eff turn := (turn + 1) mod N
+      """;
+
   /** Registers twice under one id. */
   static final String TWICE =
       """
@@ -68,6 +77,38 @@ class CheckTest {
             "Lamps (PIDS 2, Rooms 2): 4 states, 11 steps, at most 2 steps from a start; Counted holds",
             "  states that differ in the names of elements alone count once: PIDS, Rooms",
             "  never false: 'i in first' of take");
+  }
+
+  @Test
+  void parameterInTheBoundsOfARangeIsASize() throws IOException {
+    Cli cli = check(RING);
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.out())
+        .containsExactly(
+            "Ring (N 1): 1 state, 1 step, at most 0 steps from a start; it has no invariant",
+            "Ring (N 2): 2 states, 2 steps, at most 1 step from a start; it has no invariant");
+    assertThat(check(RING, "--value", "N=5").out())
+        .containsExactly(
+            "Ring (N 5): 5 states, 5 steps, at most 4 steps from a start; it has no invariant");
+    String[] both = {"--robots", "1", "--value", "first={bot0}", "--value", "N=3"};
+    assertThat(check(LAMPS + RING, both).out())
+        .anyMatch(line -> line.startsWith("Lamps (PIDS 1, Rooms 2): 3 states"))
+        .anyMatch(line -> line.startsWith("Ring (N 3): 3 states"));
+    assertThat(check(RING, "--value", "N=x").err())
+        .singleElement()
+        .asString()
+        .isEqualTo("starl: --value N: 'x': expected a whole number from 0 to 1000");
+    Cli none = check(RING, "--nat", "0");
+    assertThat(none.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+    assertThat(none.out())
+        .containsExactly(
+            "Ring: not decided: no numbers to --nat 0 meet the assumptions; give larger ones: --value N=...");
+    Cli empty = check(RING.replace("N > 0", "N >= 0"));
+    assertThat(empty.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(empty.out())
+        .startsWith(
+            "Ring (N 0): the start is undefined",
+            "  " + folder.resolve("lamps.starl") + ":3:13: the range 0..-1 is empty");
   }
 
   @Test
@@ -135,6 +176,7 @@ class CheckTest {
           --robots=0 | --robots: '0': expected a whole number from 1 to 62
           --size=Room=2 | --size: 'Room' is no opaque type here; expected one of PIDS, Rooms
           --size=Rooms | --size: 'Rooms': expected TYPE=N
+          --size=first=2 | --size: 'first' is no opaque type here; expected --value first=2
           --size=Rooms=none | --size: 'none': expected a whole number from 1 to 62
           --nat=-1 | --nat: '-1': expected a whole number from 0 to 1000
           --value=last={} | --value: 'last' is no value parameter of Lamps; expected one of [first]

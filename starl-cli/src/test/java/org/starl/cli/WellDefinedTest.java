@@ -147,7 +147,7 @@ class WellDefinedTest {
     Cli prove = Cli.run("prove", file.toString());
     assertThat(check.status()).as("%s", check).isEqualTo(ExitStatus.VIOLATED);
     assertThat(prove.status()).as("%s", prove).isEqualTo(ExitStatus.VIOLATED);
-    assertThat(check.out()).contains("A: the start is undefined");
+    assertThat(check.out()).contains("A (P 2): the start is undefined");
     assertThat(prove.out()).anyMatch(line -> line.startsWith("A: start "));
   }
 }

@@ -84,6 +84,9 @@ public final class Undefined extends IllegalStateException {
 
   /** {@code value}, which must be a number from {@code low} to {@code high}. */
   public static long within(String place, long low, long high, long value) {
+    if (low > high) {
+      throw new Undefined(place, "the range " + low + ".." + high + " is empty");
+    }
     if (value < low || value > high) {
       throw new Undefined(place, value + " is not in " + low + ".." + high);
     }
@@ -96,6 +99,14 @@ public final class Undefined extends IllegalStateException {
       throw new Undefined(place, "a division by 0");
     }
     return a / b;
+  }
+
+  /** The remainder of {@code a} by {@code b}, from 0 to {@code b - 1}; {@code b} is above 0. */
+  public static long remainder(String place, long a, long b) {
+    if (b <= 0) {
+      throw new Undefined(place, "a remainder by " + b + "; expected a number above 0");
+    }
+    return Math.floorMod(a, b);
   }
 
   /** {@code after}, the state after an action that must not change one place to two values. */

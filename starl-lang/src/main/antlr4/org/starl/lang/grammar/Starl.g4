@@ -134,14 +134,20 @@ type
     | name=id                                   # namedType
     ;
 
-// Numbers alone; all else is told by what it is.
-bound: '-'? (NUMBER | id) (('+' | '-') (NUMBER | id))*;
+// What may not be in it is told by what it is.
+bound: negative='-'? product (sign product)*;
+
+sign: '+' | '-';
+
+product: factor ('*' factor)*;
+
+factor: NUMBER | id | '(' bound ')';
 
 expression
     : expression '.' name=id                                            # fieldOf
     | expression '(' (expression (',' expression)*)? ')'                # apply
     | '-' expression                                                    # negative
-    | expression op=('*' | '/') expression                              # product
+    | expression op=('*' | '/' | MOD) expression                        # multiplication
     | expression op=('+' | '++' | '-' | UNION | MINUS | INTERSECT) expression  # sum
     | expression '..' expression                                        # range
     | expression op=('=' | '!=' | '<' | '<=' | '>' | '>=' | IN | SUBSET | DISJOINT) expression # comparison
@@ -221,6 +227,7 @@ OPTION: 'option';
 UNION: 'union';
 MINUS: 'minus';
 INTERSECT: 'intersect';
+MOD: 'mod';
 IN: 'in';
 SUBSET: 'subset';
 DISJOINT: 'disjoint';

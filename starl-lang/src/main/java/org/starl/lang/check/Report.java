@@ -27,7 +27,7 @@ public final class Report {
   public static List<String> lines(
       Automaton automaton, Sizes sizes, Search.Result result, UnaryOperator<String> file) {
     List<String> lines = new ArrayList<>();
-    String head = automaton.name() + sizes(sizes, result.bounded()) + ": ";
+    String head = head(automaton, sizes, result.bounded()) + ": ";
     String counts =
         "%s, %s, at most %s from a start"
             .formatted(
@@ -142,11 +142,13 @@ public final class Report {
     return result.never().isEmpty() ? "" : "; never happens: " + String.join(", ", result.never());
   }
 
-  private static String sizes(Sizes sizes, Set<String> bounded) {
+  /** An automaton with its sizes: {@code Bridge (PIDS 3)}. */
+  public static String head(Automaton automaton, Sizes sizes, Set<String> bounded) {
     List<String> texts = new ArrayList<>();
     sizes.opaque().forEach((type, size) -> texts.add(type + " " + size));
+    sizes.numbers().forEach((parameter, number) -> texts.add(parameter + " " + number));
     bounded.forEach(parameter -> texts.add(parameter + " " + within(sizes)));
-    return texts.isEmpty() ? "" : " (" + String.join(", ", texts) + ")";
+    return automaton.name() + (texts.isEmpty() ? "" : " (" + String.join(", ", texts) + ")");
   }
 
   private static String verdict(Automaton automaton, Search.Result result) {

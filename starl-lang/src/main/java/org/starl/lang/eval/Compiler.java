@@ -572,11 +572,11 @@ final class Compiler {
           };
       case WITHIN -> {
         partial = true;
-        Domain range = domains.of(builtIn.type());
+        Domain.Numbers range = (Domain.Numbers) domains.of(builtIn.type());
         yield frame -> {
           Object value = of.of(frame);
           if (!range.contains(value)) {
-            throw error(pos, value + " is not in " + range.type());
+            throw error(pos, range.outside(value));
           }
           return value;
         };
@@ -633,6 +633,10 @@ final class Compiler {
       case TIMES -> arithmetic(binary, left, right, Num::times);
       case LESS_BY -> lessBy(binary, left, right);
       case DIVIDED_BY -> dividedBy(binary, left, right);
+      case MOD -> {
+        partial = true;
+        yield frame -> ((Num) left.of(frame)).mod(positive(binary, (Num) right.of(frame)));
+      }
     };
   }
 
@@ -736,6 +740,13 @@ final class Compiler {
       }
       return quotient.of(frame);
     };
+  }
+
+  private Num positive(Expr.Binary at, Num by) {
+    if (by.compareTo(Num.of(0)) <= 0) {
+      throw error(at.pos(), "a remainder by " + by + "; expected a number above 0");
+    }
+    return by;
   }
 
   private Body body(String name) {

@@ -224,8 +224,8 @@ public abstract sealed class Domain {
     private final Num least;
     private final Num most;
 
-    Numbers(Type type, int least, int most) {
-      super(type, most - least + 1L, List.of());
+    Numbers(Type type, long least, long most) {
+      super(type, Math.max(0, most - least + 1), List.of());
       this.least = Num.of(least);
       this.most = Num.of(most);
     }
@@ -242,6 +242,13 @@ public abstract sealed class Domain {
     @Override
     Object make(int number) {
       return Num.of(least.over() + number);
+    }
+
+    /** What a value of a range is not, if it is none. */
+    String outside(Object value) {
+      return least.compareTo(most) > 0
+          ? "the range " + least + ".." + most + " is empty"
+          : value + " is not in " + least + ".." + most;
     }
 
     @Override

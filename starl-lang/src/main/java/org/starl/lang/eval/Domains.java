@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.lang.tree.Automaton.Component;
@@ -38,6 +39,17 @@ final class Domains {
       known.put(base, domain);
     }
     return domain;
+  }
+
+  /** Of a parameter that bounds of ranges have, its one value. */
+  Domain of(Field parameter) {
+    return number(parameter.name())
+        .<Domain>map(n -> new Domain.Numbers(parameter.type(), n, n))
+        .orElseGet(() -> of(parameter.type()));
+  }
+
+  Optional<Integer> number(String parameter) {
+    return sizes.number(parameter);
   }
 
   void choose(Domain of) {
@@ -79,7 +91,9 @@ final class Domains {
             case TIME -> new Domain.Numbers(num, 0, sizes.time());
             case REAL -> new Domain.Numbers(num, -sizes.time(), sizes.time());
           };
-      case Type.Range range -> new Domain.Numbers(range, range.low(), range.high());
+      case Type.Range range ->
+          new Domain.Numbers(
+              range, range.low().at(sizes.numbers()), range.high().at(sizes.numbers()));
       case Type.Opaque ids -> new Domain.Ids(ids, names(ids.name()));
       case Type.Alias alias -> of(alias.target());
       case Type.Rec rec ->

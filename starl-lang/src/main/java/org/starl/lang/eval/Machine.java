@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.starl.lang.eval.Code.Frame;
@@ -74,7 +75,7 @@ public final class Machine {
     Set<Field> all = new LinkedHashSet<>();
     collect(automaton, all);
     parameters = List.copyOf(all);
-    parameters.forEach(field -> parts.add(new Part(field.name(), domains.of(field.type()))));
+    parameters.forEach(field -> parts.add(new Part(field.name(), domains.of(field))));
     automaton
         .state()
         .forEach(component -> parts.add(new Part(component.name(), domains.of(component.type()))));
@@ -94,6 +95,54 @@ public final class Machine {
     Set<String> names = new LinkedHashSet<>(automaton.typeParameters());
     automaton.uses().values().forEach(used -> names.addAll(opaqueTypes(used)));
     return List.copyOf(names);
+  }
+
+  /**
+   * The sizes with each choice of values for the parameters that bounds of ranges have, of those that
+   * meet the assumptions on them; of none if these are given.
+   *
+   * @param given the values of some
+   */
+  public static List<Sizes> sizes(Automaton of, Sizes sizes, Map<String, Integer> given) {
+    Automaton numbers = of.refined().ofNumbers();
+    List<Map<String, Integer>> all = new ArrayList<>(List.of(Map.of()));
+    for (Field field : numbers.valueParameters()) {
+      String name = field.name();
+      Integer one = given.get(name);
+      all =
+          all.stream()
+              .flatMap(values ->
+                  IntStream.rangeClosed(one == null ? 0 : one, one == null ? sizes.nat() : one)
+                      .mapToObj(n -> with(values, name, n)))
+              .toList();
+    }
+    boolean areGiven = given.keySet().containsAll(numbers.numbers());
+    return all.stream()
+        .map(sizes::with)
+        .filter(each -> areGiven || areAssumed(numbers, each))
+        .toList();
+  }
+
+  private static Map<String, Integer> with(Map<String, Integer> values, String name, int value) {
+    Map<String, Integer> more = new TreeMap<>(values);
+    more.put(name, value);
+    return more;
+  }
+
+  /** Whether the assumptions on the numbers alone hold. */
+  private static boolean areAssumed(Automaton of, Sizes sizes) {
+    List<Field> numbers = of.valueParameters();
+    Object[] values =
+        numbers.stream().map(each -> Num.of(sizes.number(each.name()).orElseThrow())).toArray();
+    Compiler compiler = new Compiler(of, new Domains(sizes, opaqueTypes(of)), numbers, false);
+    for (Invariant each : of.assumptions()) {
+      Compiler.Scope scope = new Compiler.Scope();
+      Code code = compiler.code(each.condition(), scope);
+      if (!code.test(new Frame(values, values, 0, new Object[scope.most], 0))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static void collect(Automaton automaton, Set<Field> parameters) {

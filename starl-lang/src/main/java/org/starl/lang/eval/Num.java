@@ -122,6 +122,13 @@ public record Num(long over, long under) implements Comparable<Num> {
     return of(Math.multiplyExact(over, other.under), Math.multiplyExact(under, other.over));
   }
 
+  /** The remainder of whole numbers, from 0 to {@code other - 1}; {@code other} is above 0. */
+  Num mod(Num other) {
+    requireOne();
+    other.requireOne();
+    return of(Math.floorMod(over, other.over));
+  }
+
   @Override
   public int compareTo(Num other) {
     if (isBelow() && other.isAbove() && over <= other.over) {

@@ -52,12 +52,17 @@ public final class Starts {
     List<Machine.Part> parts = machine.parts();
     root = new Object[parts.size()];
     for (int i = 0; i < root.length; i++) {
-      Object value = given.get(parts.get(i).name());
+      String name = parts.get(i).name();
+      Object value =
+          machine.domains().number(name).<Object>map(Num::of).orElseGet(() -> given.get(name));
       root[i] = value == null ? hollow(parts.get(i).domain(), i) : value;
     }
     Compiler compiler =
         new Compiler(machine.automaton(), machine.domains(), machine.parameters(), true);
     Frame frame = new Frame(root, root, machine.parameters().size(), new Object[0], 0);
+    for (Expr range : machine.automaton().ranges()) {
+      compiler.code(range, new Compiler.Scope()).of(frame); // an error if it is empty
+    }
     for (Invariant assumption : machine.automaton().assumptions()) {
       named = assumption.name();
       expand(List.of(assumption.condition()), compiler, frame);

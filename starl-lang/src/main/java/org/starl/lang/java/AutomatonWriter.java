@@ -99,6 +99,7 @@ final class AutomatonWriter {
           isSet ? types.use("org.starl.spec.automaton.Sets") + ".of(" + name + ")" : name;
       out.line(4, "this." + name + " = " + value + ";");
     }
+    automaton.maybeEmpty().forEach(range -> out.statement(4, "", writer("").of(range)));
     out.line(2, "}");
     for (Field each : automaton.valueParameters()) {
       if (!(each.type().base() instanceof Type.MapOf)) {

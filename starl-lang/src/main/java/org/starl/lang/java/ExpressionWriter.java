@@ -328,8 +328,8 @@ final class ExpressionWriter {
       }
       case WITHIN -> {
         Type.Range range = (Type.Range) at.type().base();
-        Code low = Code.name(range.low() + "L");
-        Code high = Code.name(range.high() + "L");
+        Code low = JavaTypes.bound(range.low());
+        Code high = JavaTypes.bound(range.high());
         yield tells ? told("within", at.pos(), low, high, of) : of;
       }
       case LENGTH -> new Code.Prefix("(long) ", of.then("size"));
@@ -366,6 +366,11 @@ final class ExpressionWriter {
               at.pos(), "quotients need java " + at.type() + " = \"double\"; it is \"long\"");
         }
         yield arithmetic(at);
+      }
+      case MOD -> {
+        Code of = of(at.left());
+        Code by = of(at.right());
+        yield tells ? told("remainder", at.pos(), of, by) : Code.call("Math.floorMod", of, by);
       }
       case IN -> in(at.left(), at.right());
       case SUBSET, DISJOINT, UNION, MINUS, INTERSECT -> sets(at);

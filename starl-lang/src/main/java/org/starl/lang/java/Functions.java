@@ -79,6 +79,9 @@ final class Functions {
 
   private static boolean readsParameter(Expr at) {
     return at instanceof Expr.Parameter
+        || !at.type().parameters().isEmpty()
+        || (at instanceof Expr.Quantified of
+            && of.variables().stream().anyMatch(v -> !v.type().parameters().isEmpty()))
         || Exprs.parts(at).stream().anyMatch(Functions::readsParameter);
   }
 }

@@ -26,8 +26,13 @@ final class JavaText {
 
   /** {@code return value;}. */
   JavaText returned(int indent, Code value) {
-    Layout layout = new Layout().token("return ");
-    value.write(layout);
+    return statement(indent, "return ", value);
+  }
+
+  /** A statement: what it begins with, and the rest. */
+  JavaText statement(int indent, String head, Code rest) {
+    Layout layout = new Layout().token(head);
+    rest.write(layout);
     return add(indent, layout.token(";"));
   }
 

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.JavaType;
+import org.starl.lang.tree.Bound;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 
@@ -198,7 +199,9 @@ final class JavaTypes {
       case Type.Bool bool -> Code.Text.FALSE;
       case Type.Num number -> zero(number, pos);
       case Type.Range range ->
-          Code.name((range.low() > 0 ? range.low() : Math.min(0, range.high())) + "L");
+          range.low().isAtMost(Bound.of(0)) && range.high().isAtLeast(0)
+              ? bound(Bound.of(0))
+              : bound(range.high().isAtMost(Bound.of(-1)) ? range.high() : range.low());
       case Type.SetOf set when form(set) == Sets.FUN -> always(Code.Text.FALSE);
       case Type.SetOf set when form(set) == Sets.FINITE -> emptyset();
       case Type.ListOf list -> Code.call(use("java.util.List") + ".of");
@@ -259,9 +262,12 @@ final class JavaTypes {
 
   Code all(Type.Range range) {
     return Code.call(
-        use("org.starl.spec.automaton.Finite") + ".range",
-        Code.name(range.low() + "L"),
-        Code.name(range.high() + "L"));
+        use("org.starl.spec.automaton.Finite") + ".range", bound(range.low()), bound(range.high()));
+  }
+
+  /** A bound of a range, as an argument. */
+  static Code bound(Bound of) {
+    return Code.name(of.text("-", JavaTypes::name, "L"));
   }
 
   Code bottom() {

@@ -78,6 +78,7 @@ final class ProgramWriter {
         program.typeParameters(),
         program.given(),
         List.of(),
+        List.of(),
         program.types(),
         List.copyOf(state),
         Map.of(),

@@ -41,7 +41,14 @@ final class AutomatonScript {
     translator = new Translator(sorts, script);
     if (!automaton.valueParameters().isEmpty()) {
       script.comment("parameters");
-      automaton.valueParameters().forEach(p -> declare("p." + p.name(), p.type()));
+      automaton
+          .valueParameters()
+          .forEach(p -> {
+            declare("p." + p.name(), p.type());
+            if (sorts.isFinite() && automaton.numbers().contains(p.name())) {
+              script.require(Smt.call("<=", "p." + p.name(), String.valueOf(sorts.size())));
+            }
+          });
     }
     script.comment("s: a state");
     before = before();

@@ -19,6 +19,7 @@ import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Refinement;
 
@@ -67,6 +68,18 @@ public final class Prover {
   public Report prove() {
     List<Claim> claims = new ArrayList<>();
     measures(automaton, claims);
+    // Of the numbers alone: a state has no values of a type without any.
+    Automaton numbers = automaton.ofNumbers();
+    claims.addAll(
+        undefined(
+            "start",
+            (size, title) -> new Question(numbers, size, title),
+            question ->
+                question.obligations(
+                    Stream.concat(
+                            numbers.assumptions().stream().map(Invariant::condition),
+                            numbers.maybeEmpty().stream().map(Exprs::defined))
+                        .toList())));
     claims.addAll(
         undefined(
             "start",
@@ -151,13 +164,15 @@ public final class Prover {
     if (Sorts.isRecursive(automaton)) {
       return new Finding(Verdict.UNDECIDED, List.of());
     }
-    return automaton.typeParameters().isEmpty()
-        ? Finding.PROVED
-        : new Finding(Verdict.PROVED_SMALL, List.of());
+    return isOfOneSize() ? Finding.PROVED : new Finding(Verdict.PROVED_SMALL, List.of());
   }
 
   private int sizes() {
-    return automaton.typeParameters().isEmpty() ? 1 : MOST_ELEMENTS;
+    return isOfOneSize() ? 1 : MOST_ELEMENTS;
+  }
+
+  private boolean isOfOneSize() {
+    return automaton.typeParameters().isEmpty() && automaton.numbers().isEmpty();
   }
 
   /** That some state is as {@code questions} ask. */
@@ -220,12 +235,21 @@ public final class Prover {
     return claims;
   }
 
-  private String types() {
-    return String.join(" and ", automaton.typeParameters());
+  /** {@code any number of PIDS and any N}. */
+  private String sizes(String ofTypes, String before, String after) {
+    List<String> all = new ArrayList<>();
+    if (!automaton.typeParameters().isEmpty()) {
+      all.add(ofTypes + String.join(" and ", automaton.typeParameters()));
+    }
+    automaton.numbers().forEach(name -> all.add(before + name + after));
+    return String.join(" and ", all);
   }
 
   private String small() {
-    return "for 1 to " + MOST_ELEMENTS + " of " + types() + "; for more it is not decided";
+    String most = String.valueOf(MOST_ELEMENTS);
+    return "for "
+        + sizes("1 to " + most + " of ", "", " to " + most)
+        + "; for more it is not decided";
   }
 
   /** Only a function that ends can be defined by itself. */
@@ -443,10 +467,7 @@ public final class Prover {
       String text =
           switch (verdict) {
             case PROVED ->
-                "holds"
-                    + (automaton.typeParameters().isEmpty()
-                        ? ""
-                        : ", for any number of " + types());
+                "holds" + (isOfOneSize() ? "" : ", for " + sizes("any number of ", "any ", ""));
             case PROVED_SMALL -> "holds " + small();
             default -> "stands only on operations that have values, which is not proved";
           };

@@ -2,6 +2,7 @@ package org.starl.lang.prove;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -329,6 +330,12 @@ final class Question {
       return List.of("the states that Z3 found could not be made small within the limit");
     }
     List<String> lines = new ArrayList<>();
+    if (!automaton.numbers().isEmpty()) {
+      lines.add(
+          automaton.numbers().stream()
+              .map(name -> name + " = " + solver.number("p." + name))
+              .collect(Collectors.joining(", ", "with    ", "")));
+    }
     List<String> unusual = shown.unusual(machine.before);
     String state = action == null ? "state " : "before";
     lines.add(

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
@@ -34,15 +35,18 @@ final class Sorts {
 
   private final Automaton automaton;
   private final Map<String, List<String>> opaque = new LinkedHashMap<>();
+  private final int size;
   private final boolean isFinite;
   private final boolean isRecursive;
   private final boolean hasSequences;
 
   /**
-   * @param size elements of each opaque type; 0 if any number
+   * @param size elements of each opaque type, and the largest value of each parameter in bounds of
+   *     ranges; 0 if any number
    */
   Sorts(Automaton automaton, int size) {
     this.automaton = automaton;
+    this.size = size;
     isFinite = size > 0;
     isRecursive = isRecursive(automaton);
     hasSequences = hasSequences(automaton);
@@ -263,11 +267,7 @@ final class Sorts {
           case Type.Bool bool -> List.of(Smt.FALSE, Smt.TRUE);
           case Type.Num number when number == Type.Num.NAT && hasFewNumbers() ->
               IntStream.rangeClosed(0, MOST_NUMBER).mapToObj(String::valueOf).toList();
-          case Type.Range range ->
-              IntStream.rangeClosed(
-                      range.low(), Math.min(range.high(), range.low() + MOST_ELEMENTS))
-                  .mapToObj(n -> Smt.number(BigDecimal.valueOf(n), false))
-                  .toList();
+          case Type.Range range -> numbers(range);
           case Type.Opaque of -> opaque.getOrDefault(of.name(), List.of());
           case Type.Sum sum when sum.isEnum() ->
               sum.constructors().stream().map(form -> form(sum, form)).toList();
@@ -284,6 +284,23 @@ final class Sorts {
         };
     boolean isKnown = isFinite || type.base() instanceof Type.Range;
     return isKnown && all.size() <= MOST_ELEMENTS ? all : List.of();
+  }
+
+  /** All that may be in a range, if they are few: with parameters at most {@link #size}. */
+  private List<String> numbers(Type.Range range) {
+    if (!isFinite && !range.parameters().isEmpty()) {
+      return List.of();
+    }
+    long low = range.low().least(size);
+    long high = range.high().negated().least(size) * -1;
+    return LongStream.rangeClosed(low, Math.min(high, low + MOST_ELEMENTS))
+        .mapToObj(n -> Smt.number(BigDecimal.valueOf(n), false))
+        .toList();
+  }
+
+  /** The largest value of a parameter in bounds of ranges; 0 if any. */
+  int size() {
+    return size;
   }
 
   /** Sets as maps to {@code bool}. */

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.lang.prove.Val.Fn;
 import org.starl.lang.prove.Val.Term;
 import org.starl.lang.tree.Action.Conjunct;
+import org.starl.lang.tree.Bound;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Binary;
 import org.starl.lang.tree.Expr.Operator;
@@ -206,8 +207,8 @@ final class Translator {
               ? Smt.TRUE
               : Smt.call(">=", smt(value), number == Num.NAT ? "0" : "0.0");
       case Type.Range range -> {
-        String low = Smt.number(BigDecimal.valueOf(range.low()), false);
-        String high = Smt.number(BigDecimal.valueOf(range.high()), false);
+        String low = bound(range.low());
+        String high = bound(range.high());
         yield Smt.and(List.of(Smt.call("<=", low, smt(value)), Smt.call("<=", smt(value), high)));
       }
       case Type.SetOf set -> Smt.TRUE;
@@ -251,6 +252,21 @@ final class Translator {
       }
       default -> Smt.TRUE;
     };
+  }
+
+  private static String bound(Bound of) {
+    List<String> sum = new ArrayList<>();
+    of.times()
+        .forEach(
+            (name, n) -> sum.add(n == 1 ? "p." + name : Smt.call("*", number(n), "p." + name)));
+    if (of.plus() != 0 || sum.isEmpty()) {
+      sum.add(number(of.plus()));
+    }
+    return sum.size() == 1 ? sum.getFirst() : Smt.call("+", sum);
+  }
+
+  private static String number(long of) {
+    return Smt.number(BigDecimal.valueOf(of), false);
   }
 
   private String is(Type.Sum sum, Constructor form, String value) {
@@ -525,10 +541,7 @@ final class Translator {
                       .formatted(builtIn.name() == Expr.BuiltIn.Name.HEAD ? "head" : "tail"),
                   builtIn.pos());
           case WITHIN ->
-              oblige(
-                  inside(builtIn.type(), new Term(of)),
-                  "makes a number that is not in " + builtIn.type().base(),
-                  builtIn.pos());
+              oblige(inside(builtIn.type(), new Term(of)), outside(builtIn), builtIn.pos());
           case LENGTH, CARD, ELEMENTS, DISTINCT, CHOOSE -> {
             // These have values for all lists, or are translated above.
           }
@@ -536,6 +549,14 @@ final class Translator {
         yield builtIn(builtIn, of);
       }
     };
+  }
+
+  /** A range is empty if its first number is not in it. */
+  private static String outside(Expr.BuiltIn within) {
+    Type.Range range = (Type.Range) within.type().base();
+    return within.of().equals(range.low().expr(within.pos()))
+        ? "has an empty range, " + range
+        : "makes a number that is not in " + range;
   }
 
   private String texts(
@@ -655,8 +676,9 @@ final class Translator {
     Type element = map.arguments().getFirst();
     List<String> all = sorts.elements(element);
     if (!all.isEmpty()) {
+      Fn proper = proper(set);
       List<String> ones = new ArrayList<>(List.of("0"));
-      all.forEach(each -> ones.add(Smt.ite(smt(set.at().apply(List.of(each))), "1", "0")));
+      all.forEach(each -> ones.add(Smt.ite(smt(proper.at().apply(List.of(each))), "1", "0")));
       return new Term(Smt.call("+", ones));
     }
     isApproximate = true;
@@ -868,6 +890,11 @@ final class Translator {
         String by = smt(as(Num.REAL, right, scope));
         oblige(Smt.not(Smt.equal(by, "0.0")), "has no value: a division by 0", binary.pos());
         yield new Term(Smt.call("/", smt(as(Num.REAL, left, scope)), by));
+      }
+      case MOD -> {
+        String by = smt(value(right, scope));
+        oblige(Smt.call(">", by, "0"), "has no value: a remainder by 0 or less", binary.pos());
+        yield new Term(Smt.call("mod", smt(value(left, scope)), by));
       }
       case IN -> {
         Type element = Sorts.map(right.type()).arguments().getFirst();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.lang.tree.Action.Effect;
 import org.starl.lang.tree.Action.Selector;
+import org.starl.lang.tree.Bound;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Binary;
 import org.starl.lang.tree.Expr.Operator;
@@ -64,8 +65,13 @@ final class PvsExpr {
   }
 
   /** PVS 8.0 fails on a negative numeral in the type of an action's parameter. */
-  private static String bound(int number) {
-    return number < 0 ? "0 - " + -number : String.valueOf(number);
+  private static String bound(Bound of) {
+    return of.text("0 - ", PvsNames::id, "");
+  }
+
+  /** That a range has a value. */
+  static String nonEmpty(Type.Range range) {
+    return bound(range.low()) + " <= " + bound(range.high());
   }
 
   private static String types(List<Type> types) {
@@ -174,7 +180,7 @@ final class PvsExpr {
       case LESS, AT_MOST, GREATER, AT_LEAST -> COMPARISON;
       case PLUS, LESS_BY -> SUM;
       case TIMES, DIVIDED_BY -> PRODUCT;
-      case IN, SUBSET, DISJOINT, UNION, MINUS, INTERSECT, JOIN, NTH -> ATOM;
+      case IN, SUBSET, DISJOINT, UNION, MINUS, INTERSECT, JOIN, NTH, MOD -> ATOM;
     };
   }
 
@@ -371,6 +377,8 @@ final class PvsExpr {
       case INTERSECT -> apply("intersection", left, right);
       case JOIN -> apply("append", left, right);
       case NTH -> apply("nth", left, right);
+      // A source may have a function or action 'rem'.
+      case MOD -> Doc.of("modulo_arithmetic.rem(", of(right), ")(", of(left), ")");
       case UNION ->
           single(right).isEmpty()
               ? apply("union", left, right)

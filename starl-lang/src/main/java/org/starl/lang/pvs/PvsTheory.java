@@ -108,7 +108,7 @@ public final class PvsTheory {
       used.add(LISTS);
     }
     automaton.uses().values().forEach(each -> used.add("  IMPORTING " + instance(each)));
-    if (!automaton.assumptions().isEmpty()) {
+    if (!automaton.assumptions().isEmpty() || !automaton.maybeEmpty().isEmpty()) {
       addAssumptions();
     }
     if (!used.isEmpty()) {
@@ -116,7 +116,7 @@ public final class PvsTheory {
     }
   }
 
-  /** Each use of the theory has to prove them. */
+  /** Each use of the theory has to prove them, and that ranges are not empty. */
   private void addAssumptions() {
     PvsNames before = PvsNames.none(automaton.assumptions());
     PvsExpr assumed = new PvsExpr(before);
@@ -129,6 +129,11 @@ public final class PvsTheory {
       lines.add(
           group(2, PvsNames.id(each.name()) + ": ASSUMPTION", LINE, assumed.of(each.condition()))
               .text(4));
+    }
+    for (Expr each : automaton.maybeEmpty()) {
+      // No name of a source has a '?' inside.
+      String name = "nonempty?" + (automaton.maybeEmpty().indexOf(each) + 1);
+      lines.add("    " + name + ": ASSUMPTION " + PvsExpr.nonEmpty((Type.Range) each.type()));
     }
     lines.add("  ENDASSUMING");
     block(lines);

@@ -66,18 +66,27 @@ final class AutomatonReader extends PartsReader {
           scope.types.put(type.name.getText(), new Type.Opaque(type.name.getText()));
         } else if (parameter instanceof StarlParser.ValueParameterContext value) {
           valueParameters.add(value);
+          if (value.type().getText().equals(Type.Num.NAT.toString())) {
+            scope.numbers.add(value.name.getText());
+          }
         }
       }
     }
     readTypes();
     List<Field> values = new ArrayList<>();
+    List<String> numbers = List.copyOf(scope.numbers);
+    scope.numbers.clear(); // a parameter's type may have those before it alone
     for (StarlParser.ValueParameterContext at : valueParameters) {
       orTold(() -> {
         Field field = new Field(newName(at.name), types.type(at.type()));
         scope.values.put(field.name(), field.type());
+        if (numbers.contains(field.name())) {
+          scope.numbers.add(field.name());
+        }
         return values.add(field);
       });
     }
+    scope.numbers.addAll(numbers);
     each( // before there are other names: it may speak of parameters alone
         StarlParser.AssumePartContext.class,
         at -> assumptions.add(condition(at, at.name, at.expression())));
@@ -122,6 +131,7 @@ final class AutomatonReader extends PartsReader {
         List.copyOf(typeParameters),
         List.copyOf(values),
         List.copyOf(assumptions),
+        List.copyOf(scope.ranges),
         List.copyOf(declared),
         List.copyOf(state),
         java.util.Collections.unmodifiableMap(scope.uses),
@@ -160,6 +170,7 @@ final class AutomatonReader extends PartsReader {
         new Component(
             name, new Type.StateOf(instance), source.before(at), source.after(at.getStop())));
     assumptions.addAll(instance.assumptions());
+    scope.ranges.addAll(instance.ranges());
     scope.knowTypes(instance);
   }
 

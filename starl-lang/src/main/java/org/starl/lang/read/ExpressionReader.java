@@ -18,6 +18,7 @@ import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.ExpressionContext;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Bound;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.BuiltIn;
 import org.starl.lang.tree.Expr.Operator;
@@ -65,10 +66,11 @@ final class ExpressionReader {
   /** A number where one of a range is expected: asked for when it is evaluated, if it is no constant. */
   private Expr within(Expr expr, ExpressionContext at, Type.Range range, Type wanted) {
     Expr number = expr instanceof Expr.Negative minus ? minus.of() : expr;
-    if (number instanceof Expr.Numeral numeral) {
+    boolean isKnown = range.low().isNumber() && range.high().isNumber();
+    if (isKnown && number instanceof Expr.Numeral numeral) {
       BigDecimal value = number == expr ? numeral.value() : numeral.value().negate();
-      if (value.compareTo(BigDecimal.valueOf(range.low())) < 0
-          || value.compareTo(BigDecimal.valueOf(range.high())) > 0) {
+      if (value.compareTo(BigDecimal.valueOf(range.low().plus())) < 0
+          || value.compareTo(BigDecimal.valueOf(range.high().plus())) > 0) {
         throw wrong(
             at, "'" + text(at) + "' is not in " + range + "; expected one of these numbers");
       }
@@ -120,7 +122,7 @@ final class ExpressionReader {
           comparison(operator(compared.op.getText()), compared.expression(), pos);
       case StarlParser.SumContext sum ->
           arithmetic(operator(sum.op.getText()), sum.expression(), hint, pos);
-      case StarlParser.ProductContext product ->
+      case StarlParser.MultiplicationContext product ->
           arithmetic(operator(product.op.getText()), product.expression(), hint, pos);
       case StarlParser.RangeContext range -> range(range, hint, pos);
       case StarlParser.IsOfContext is -> is(is, pos);
@@ -547,8 +549,11 @@ final class ExpressionReader {
   private Expr range(StarlParser.RangeContext at, @Nullable Type hint, Pos pos) {
     Expr from = bound(at, 0);
     Expr to = bound(at, 1);
-    boolean isInt = hint != null && hint.base().equals(new Type.SetOf(Num.INT));
-    Type element = isInt || !isNatural(from) ? Num.INT : Num.NAT;
+    Type wanted = hint != null && hint.base() instanceof Type.SetOf of ? of.element() : Num.NAT;
+    Type element =
+        isPart(from, to, wanted)
+            ? wanted
+            : wanted == Num.INT || !isNatural(from) ? Num.INT : Num.NAT;
     String name = "n";
     while (scope.taken(name).isPresent()
         || Exprs.mentions(from, name)
@@ -558,6 +563,14 @@ final class ExpressionReader {
     Expr body = within(at, new Expr.Variable(name, element, pos), pos);
     return new Expr.SuchThat(
         new Field(name, element), body, whole(hint, new Type.SetOf(element)), pos);
+  }
+
+  /** Whether the numbers are some of a type that is a range: all of these are known to be. */
+  private static boolean isPart(Expr from, Expr to, Type wanted) {
+    return Bound.of(from)
+        .flatMap(low -> Bound.of(to).map(high -> new Type.Range(low, high)))
+        .filter(range -> wanted.base() instanceof Type.Range && range.isA(wanted))
+        .isPresent();
   }
 
   private Expr bound(StarlParser.RangeContext at, int number) {
@@ -658,6 +671,10 @@ final class ExpressionReader {
     }
     if (operator == Operator.JOIN) {
       return joined(sides.get(0), sides.get(1), hint, pos);
+    }
+    if (operator == Operator.MOD) {
+      Expr left = read(sides.get(0), Num.INT);
+      return new Expr.Binary(operator, left, read(sides.get(1), Num.INT), Num.NAT, pos);
     }
     Type of = operator == Operator.DIVIDED_BY ? Num.REAL : whole(hint);
     Expr first = number(sides.get(0), operator, of);

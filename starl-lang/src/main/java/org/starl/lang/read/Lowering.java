@@ -114,6 +114,7 @@ final class Lowering {
         List.copyOf(typeParameters),
         List.copyOf(values),
         List.of(),
+        List.of(),
         List.copyOf(types),
         state(),
         java.util.Collections.unmodifiableMap(uses),

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Signature;
 import org.starl.lang.tree.Type;
@@ -30,6 +31,12 @@ final class Scope {
   final Map<String, Automaton> uses = new LinkedHashMap<>();
   final Map<String, Signature> functions = new LinkedHashMap<>();
   final Map<String, Known> constructors = new LinkedHashMap<>();
+
+  /** The value parameters that bounds of types may have. */
+  final Set<String> numbers = new TreeSet<>();
+
+  /** See {@link Automaton#ranges}. */
+  final List<Expr> ranges = new ArrayList<>();
 
   /** Names whose declaration is wrong: what uses them need not be told. */
   final Set<String> wrong = new TreeSet<>();
@@ -56,7 +63,14 @@ final class Scope {
   /** Makes all names of an automaton known, as in its own source. */
   void enter(Automaton known) {
     addTypes(known);
-    known.valueParameters().forEach(field -> values.put(field.name(), field.type()));
+    known
+        .valueParameters()
+        .forEach(field -> {
+          values.put(field.name(), field.type());
+          if (field.type() == Type.Num.NAT) {
+            numbers.add(field.name());
+          }
+        });
     known.state().forEach(component -> state.put(component.name(), component.type()));
     uses.putAll(known.uses());
     known.functions().forEach(f -> functions.put(f.signature().name(), f.signature()));

@@ -41,6 +41,7 @@ final class SyntaxMessage {
           "'-'",
           "'*'",
           "'/'",
+          "'mod'",
           "'('",
           "'.'",
           "'..'",
@@ -58,7 +59,7 @@ final class SyntaxMessage {
   private static final Pattern WORDS =
       Pattern.compile(
           "let|var|variables|const|constants|init|transition|rule|def|function|"
-              + "choose|property|safety|liveness|require|requires|guard|effect|ensures|all|any|mod|div");
+              + "choose|property|safety|liveness|require|requires|guard|effect|ensures|all|any|div");
 
   private static final int MOST_NAMED = 6;
   private static final String NEXT = " the next declaration or branch";
@@ -71,9 +72,8 @@ final class SyntaxMessage {
           entry("\\", "'and' or 'or'"),
           entry("!", "'not'"),
           entry("->", "'=>' for an implication"),
-          entry("%", "no remainder: the language has + - * and, of times, /"),
-          entry("mod", "no remainder: the language has + - * and, of times, /"),
-          entry("div", "no quotient of naturals: the language has + - * and, of times, /"),
+          entry("%", "'mod'"),
+          entry("div", "no quotient of naturals: the language has + - * mod and, of times, /"),
           entry(";", "',' between conditions and effects, and nothing after the last one"),
           entry(",", "no ',' after the last one, or a further one behind it"),
           entry("[", "'(': the value of a map m at i is m(i)"),

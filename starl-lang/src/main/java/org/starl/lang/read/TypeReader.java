@@ -11,6 +11,8 @@ import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.BinderGroupContext;
 import org.starl.lang.grammar.StarlParser.IdContext;
 import org.starl.lang.grammar.StarlParser.TypeContext;
+import org.starl.lang.tree.Bound;
+import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Constructor;
@@ -44,27 +46,73 @@ final class TypeReader {
   }
 
   private Type range(StarlParser.RangeTypeContext at) {
-    int low = number(at.bound(0));
-    int high = number(at.bound(1));
-    if (low > high) {
-      problems.add(
-          at, "the range " + low + ".." + high + " is empty; expected the lower number first");
+    Type.Range range = new Type.Range(bound(at.bound(0)), bound(at.bound(1)));
+    if (range.low().plus(-1, range.high()).isAtLeast(1)) {
+      problems.add(at, "the range " + range + " is empty; expected the lower number first");
       throw new Wrong();
     }
-    return new Type.Range(low, high);
+    boolean hasParameters = !range.low().isNumber() || !range.high().isNumber();
+    if (hasParameters && scope.ranges.stream().noneMatch(each -> each.type().equals(range))) {
+      Pos pos = Problems.pos(at);
+      scope.ranges.add(
+          new Expr.BuiltIn(Expr.BuiltIn.Name.WITHIN, range.low().expr(pos), range, pos));
+    }
+    return range;
   }
 
-  private int number(StarlParser.BoundContext at) {
-    String text = at.getText();
-    if (!text.matches("-?[0-9]{1,9}")) {
-      problems.add(
-          at,
-          "'"
-              + SourceText.of(at)
-              + "' is no bound of a type; expected a whole number of at most 9 digits");
-      throw new Wrong();
+  private Bound bound(StarlParser.BoundContext at) {
+    Bound sum = Bound.of(0);
+    try {
+      for (int i = 0; i < at.product().size(); i++) {
+        boolean isTaken = i == 0 ? at.negative != null : at.sign(i - 1).getText().equals("-");
+        sum = sum.plus(isTaken ? -1 : 1, product(at.product(i), at));
+      }
+    } catch (ArithmeticException e) {
+      throw noBound(at);
     }
-    return Integer.parseInt(text);
+    return sum;
+  }
+
+  private Bound product(StarlParser.ProductContext at, StarlParser.BoundContext whole) {
+    Bound product = Bound.of(1);
+    for (StarlParser.FactorContext factor : at.factor()) {
+      Bound value = factor(factor, whole);
+      if (!product.isNumber() && !value.isNumber()) {
+        throw noBound(whole);
+      }
+      product =
+          value.isNumber()
+              ? Bound.of(0).plus(value.plus(), product)
+              : Bound.of(0).plus(product.plus(), value);
+    }
+    return product;
+  }
+
+  private Bound factor(StarlParser.FactorContext at, StarlParser.BoundContext whole) {
+    String text = at.getText();
+    if (at.bound() != null) {
+      return bound(at.bound());
+    }
+    if (text.matches("[0-9]{1,9}")) {
+      return Bound.of(Integer.parseInt(text));
+    }
+    if (!scope.numbers.contains(text)) {
+      throw noBound(whole);
+    }
+    if (at.id() != null) {
+      problems.refer(at.id(), text + ": nat", scope.place(text, at));
+    }
+    return Bound.of(text);
+  }
+
+  private Wrong noBound(StarlParser.BoundContext at) {
+    problems.add(
+        at,
+        "'"
+            + SourceText.of(at)
+            + "' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of"
+            + " the automaton, and sums of them");
+    return new Wrong();
   }
 
   private Type named(IdContext at) {

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.starl.lang.tree.Type.Field;
 
@@ -14,6 +16,8 @@ import org.starl.lang.tree.Type.Field;
  * @param typeParameters the opaque types
  * @param valueParameters values and functions that are given from outside
  * @param assumptions what is known of the values of its parameters
+ * @param ranges of each range with parameters in its bounds the first number, as one that must be
+ *     in it
  * @param types the types that it declares, in order, with their comments
  * @param state the components of its state, those of used automata included, in order
  * @param uses the automata that it is composed with, by component
@@ -30,6 +34,7 @@ public record Automaton(
     List<String> typeParameters,
     List<Field> valueParameters,
     List<Invariant> assumptions,
+    List<Expr> ranges,
     List<Declared> types,
     List<Component> state,
     Map<String, Automaton> uses,
@@ -118,6 +123,44 @@ public record Automaton(
   /** What is to hold of each start state. */
   public List<Invariant> starts() {
     return refinements.stream().map(Refinement::start).toList();
+  }
+
+  /** The value parameters in the bounds of ranges. */
+  public Set<String> numbers() {
+    Set<String> names = new TreeSet<>();
+    ranges.forEach(each -> names.addAll(each.type().parameters()));
+    return names;
+  }
+
+  /** Its {@link #numbers} alone, with what is assumed of them: it has no state. */
+  public Automaton ofNumbers() {
+    return new Automaton(
+        name,
+        typeParameters,
+        valueParameters.stream().filter(each -> numbers().contains(each.name())).toList(),
+        assumptions.stream()
+            .filter(each -> numbers().containsAll(Exprs.parameters(each.condition())))
+            .toList(),
+        ranges,
+        List.of(),
+        List.of(),
+        Map.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        "",
+        Map.of(),
+        List.of(),
+        pos);
+  }
+
+  /** The ranges that may be empty: see {@link #ranges}. */
+  public List<Expr> maybeEmpty() {
+    return ranges.stream().filter(each -> ((Type.Range) each.type()).mayBeEmpty()).toList();
   }
 
   /** The action of this name. */

@@ -191,7 +191,8 @@ public sealed interface Expr {
     PLUS("+"),
     LESS_BY("-"),
     TIMES("*"),
-    DIVIDED_BY("/");
+    DIVIDED_BY("/"),
+    MOD("mod");
 
     private final String text;
 

@@ -2,6 +2,8 @@ package org.starl.lang.tree;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 
 /** Parts of expressions. */
@@ -69,6 +71,11 @@ public final class Exprs {
         .orElse(new Expr.Bool(true, pos));
   }
 
+  /** A condition that holds, if {@code at} has a value. */
+  public static Expr defined(Expr at) {
+    return new Expr.Binary(Expr.Operator.EQUAL, at, at, Type.Bool.BOOL, at.pos());
+  }
+
   private static List<Expr> all(List<Expr> parts, UnaryOperator<Expr> part) {
     return parts.stream().map(part).toList();
   }
@@ -97,12 +104,23 @@ public final class Exprs {
           case Expr.Get e -> e.of().type().base() instanceof Type.Sum;
           case Expr.Binary e ->
               e.operator() == Expr.Operator.DIVIDED_BY
+                  || e.operator() == Expr.Operator.MOD
                   || e.operator() == Expr.Operator.NTH
                   || (e.operator() == Expr.Operator.LESS_BY
                       && !Type.isNumber(e.type(), Type.Num::hasNegative));
           default -> false;
         };
     return isPartial || parts(at).stream().anyMatch(Exprs::isPartial);
+  }
+
+  /** The value parameters that {@code at} mentions. */
+  public static Set<String> parameters(Expr at) {
+    Set<String> names = new TreeSet<>();
+    if (at instanceof Expr.Parameter parameter) {
+      names.add(parameter.name());
+    }
+    parts(at).forEach(part -> names.addAll(parameters(part)));
+    return names;
   }
 
   /** Whether a variable of this name occurs in {@code at}, bound ones included. */

@@ -69,6 +69,7 @@ public record Refinement(
         a.typeParameters(),
         a.valueParameters(),
         a.assumptions(),
+        Stream.concat(a.ranges().stream(), of.ranges().stream()).toList(),
         a.types(),
         List.copyOf(state),
         uses,

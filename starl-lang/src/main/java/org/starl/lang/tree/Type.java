@@ -3,6 +3,8 @@ package org.starl.lang.tree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Predicate;
 
 /** A type of the language. Aliases are kept: two types are the same if their {@link #base}s are equal. */
@@ -56,12 +58,17 @@ public sealed interface Type {
     }
   }
 
-  /** {@code 0..3}: the whole numbers from {@code low} to {@code high}, which are some. */
-  record Range(int low, int high) implements Type {
+  /** {@code 0..N - 1}: the whole numbers from {@code low} to {@code high}. */
+  record Range(Bound low, Bound high) implements Type {
+
+    /** Whether it has no value for some values of its parameters. */
+    public boolean mayBeEmpty() {
+      return !low.isAtMost(high);
+    }
 
     /** Of which these are values. */
     public Num number() {
-      return low < 0 ? Num.INT : Num.NAT;
+      return low.isAtLeast(0) ? Num.NAT : Num.INT;
     }
 
     @Override
@@ -190,6 +197,32 @@ public sealed interface Type {
     };
   }
 
+  /** The parameters in the bounds of ranges of which it is made. */
+  default Set<String> parameters() {
+    Set<String> names = new TreeSet<>();
+    switch (base()) {
+      case Range range -> {
+        names.addAll(range.low.times().keySet());
+        names.addAll(range.high.times().keySet());
+      }
+      case SetOf set -> names.addAll(set.element.parameters());
+      case ListOf list -> names.addAll(list.element.parameters());
+      case OptionOf option -> names.addAll(option.element.parameters());
+      case MapOf map -> {
+        map.arguments.forEach(argument -> names.addAll(argument.parameters()));
+        names.addAll(map.result.parameters());
+      }
+      case Rec rec -> rec.fields.forEach(field -> names.addAll(field.type.parameters()));
+      case Sum sum ->
+          sum.constructors.forEach(
+              c -> c.fields.forEach(field -> names.addAll(field.type.parameters())));
+      default -> {
+        // It is made of no range.
+      }
+    }
+    return names;
+  }
+
   /** Whether it has finitely many values, if each opaque type has. */
   default boolean isFinite() {
     return switch (base()) {
@@ -229,7 +262,9 @@ public sealed interface Type {
   default boolean isA(Type other) {
     Type its = other.base();
     if (its instanceof Range wide) {
-      return base() instanceof Range range && wide.low <= range.low && range.high <= wide.high;
+      return base() instanceof Range range
+          && wide.low.isAtMost(range.low)
+          && range.high.isAtMost(wide.high);
     }
     Type mine = plain(this).base();
     return (mine instanceof Num a && its instanceof Num b) ? a.isA(b) : mine.equals(its);

@@ -3,6 +3,7 @@ package org.starl.lang.java;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
@@ -10,12 +11,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.LongStream;
 import javax.tools.ToolProvider;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Undefined;
 
 /** The Java of a source, compiled and loaded: {@code automaton x.XAutomaton}. */
 final class Compiled {
@@ -25,10 +28,11 @@ final class Compiled {
   private Object state;
 
   /**
-   * @param text of an automaton without value parameters whose class is {@code x.XAutomaton}
+   * @param text of an automaton whose class is {@code x.XAutomaton}
+   * @param parameters the values of its parameters, numbers
    */
   @SuppressWarnings("unchecked") // the class is not known before the test runs
-  Compiled(String text) throws SourceErrors {
+  Compiled(String text, long... parameters) throws SourceErrors {
     try {
       // Classes are loaded from it until the tests end.
       Path folder = Files.createTempDirectory(Files.createDirectories(Path.of("target")), "java");
@@ -43,7 +47,15 @@ final class Compiled {
       loader = new URLClassLoader(new URL[] {folder.toUri().toURL()});
       automaton =
           (Automaton<Object, Action>)
-              loader.loadClass("x.XAutomaton").getConstructor().newInstance();
+              loader
+                  .loadClass("x.XAutomaton")
+                  .getConstructors()[0]
+                  .newInstance(LongStream.of(parameters).boxed().toArray());
+    } catch (InvocationTargetException e) {
+      if (e.getCause() instanceof Undefined undefined) {
+        throw undefined;
+      }
+      throw new AssertionError(e);
     } catch (IOException | ReflectiveOperationException e) {
       throw new AssertionError(e);
     }

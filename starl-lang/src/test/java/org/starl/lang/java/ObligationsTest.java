@@ -69,6 +69,7 @@ class ObligationsTest {
           r := r + 1 | 13:32: 4 is not in 0..3 | `r := s`r + 1
           w := w - 1 | 13:32: 0.0 - 1.0 is below 0 | `w := s`w - 1
           w := 1 / w | 13:32: a division by 0 | `w := 1 / s`w
+          n := 1 mod n | 13:32: a remainder by 0; expected a number above 0 | `n := modulo_arithmetic.rem(s`n)(1)
           """)
   void eachToolAsksThatOperationsHaveValues(String effect, String told, String typed)
       throws SourceErrors {

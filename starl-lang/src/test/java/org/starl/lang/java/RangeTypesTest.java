@@ -187,8 +187,15 @@ class RangeTypesTest {
       textBlock =
           """
           state x: 3..1            | 2:10: the range 3..1 is empty; expected the lower number first
-          state x: 0..N - 1        | 2:13: 'N - 1' is no bound of a type; expected a whole number of at most 9 digits
-          state x: 0..1.5          | 2:13: '1.5' is no bound of a type; expected a whole number of at most 9 digits
+          state x: 0..1.5          | 2:13: '1.5' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: 0..K - 1        | 2:13: 'K - 1' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: 0..Z            | 2:13: 'Z' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: 0..N * (N - 1)  | 2:13: 'N * (N - 1)' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: 0..99*999999999*999999999*N | 2:13: '99*999999999*999999999*N' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: N..N - 1        | 2:10: the range N..N - 1 is empty; expected the lower number first
+          state x: 0..N - 1 start x | 2:25: 'x' is of type 0..N - 1; expected bool
+          state x: set[0..N] y: set[0..3] action a eff x := y | 2:51: 'y' is of type set[0..3]; expected set[0..N]
+          state x: set[0..N - 1] action a eff x := 0..N | 2:42: '0..N' is of type set[nat]; expected set[0..N - 1]
           state x: 0..2 start x    | 2:21: 'x' is of type 0..2; expected bool
           state x: 0..2 action a eff x := 3    | 2:33: '3' is not in 0..2; expected one of these numbers
           state x: 0..2 action a eff x := -1   | 2:33: '-1' is not in 0..2; expected one of these numbers
@@ -197,6 +204,7 @@ class RangeTypesTest {
           state x: set[0..2] y: set[nat] action a eff x := y | 2:50: 'y' is of type set[nat]; expected set[0..2]
           """)
   void mistakeIsTold(String parts, String told) {
-    assertThatThrownBy(() -> read("automaton A[N: nat]\n" + parts)).hasMessage("x.starl:" + told);
+    assertThatThrownBy(() -> read("automaton A[N: nat, Z: int]\n" + parts))
+        .hasMessage("x.starl:" + told);
   }
 }

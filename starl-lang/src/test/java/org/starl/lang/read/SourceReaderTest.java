@@ -59,7 +59,7 @@ class SourceReaderTest {
           action take ~ transition take ~ 10:1: found 'transition'; expected 'action'
           state ~ var ~ 4:1: found 'var'; expected 'state'
           fun free?: bool = by = none ~ fun free?: bool = by[1] = none ~ 8:21: found '['; expected '(': the value of a map m at i is m(i)
-          fun free?: bool = by = none ~ fun free?: bool = 1 mod 2 = 0 ~ 8:21: found 'mod'; expected no remainder: the language has + - * and, of times, /
+          fun free?: bool = by = none ~ fun free?: bool = 1 % 2 = 0 ~ 8:21: found '%'; expected 'mod'
           fun free?: bool = by = none ~ fun free?: bool = free? ~ 8:1: 'free?' calls itself; expected 'measure' and a natural number that becomes smaller with each call
           fun free?: bool = by = none ~ fun free?: bool = dark? or lit? fun dark?: bool = by = none fun lit?: bool = not free? ~ 8:1: 'free?' calls itself through 'lit?'; expected a function that calls itself directly
           // A lamp. ~ # A lamp. ~ 1:1: found '#'; expected '//' before a comment

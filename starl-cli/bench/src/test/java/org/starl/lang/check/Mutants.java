@@ -67,6 +67,7 @@ public final class Mutants {
         of.typeParameters(),
         of.valueParameters(),
         of.assumptions(),
+        of.ranges(),
         of.types(),
         of.state(),
         of.uses(),
