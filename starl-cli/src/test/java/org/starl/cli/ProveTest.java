@@ -73,7 +73,7 @@ class ProveTest {
     Cli wrong = Cli.run("prove", file);
     assertThat(wrong.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(wrong.err())
-        .containsExactly(file + ":6:13: 'i' is of type PIDS; expected option[PIDS]");
+        .containsExactly(file + ":6:13: 'i' is of type PIDS; expected option[PIDS]: some(i)");
     Cli missing = Cli.run("prove", "nothing.starl");
     assertThat(missing.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(missing.err())

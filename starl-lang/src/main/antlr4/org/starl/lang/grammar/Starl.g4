@@ -130,6 +130,7 @@ type
     | LIST '[' type ']'                         # listType
     | OPTION '[' type ']'                       # optionType
     | '[' type (',' type)* '->' type ']'        # mapType
+    | MAP '[' type (',' | arrow='->') type ']'    # partialMapType
     | bound '..' bound                          # rangeType
     | name=id                                   # namedType
     ;
@@ -179,7 +180,7 @@ namedArgument: name=id ':=' expression;
 
 // Words that are names where they cannot be anything else.
 id
-    : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION
+    : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION | MAP
     | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET | CHOOSE
     | REFINES | BY | NOTHING
     ;
@@ -224,6 +225,7 @@ RECORD: 'record';
 SET: 'set';
 LIST: 'list';
 OPTION: 'option';
+MAP: 'map';
 UNION: 'union';
 MINUS: 'minus';
 INTERSECT: 'intersect';

@@ -6,6 +6,7 @@ import static org.starl.lang.read.Problems.pos;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -58,9 +59,28 @@ final class ExpressionReader {
     if (!expr.type().isA(wanted)) {
       String found = named(expr.type(), wanted);
       String expected = named(wanted, expr.type());
-      throw wrong(at, "'" + text(at) + "' is of type " + found + "; expected " + expected);
+      throw wrong(
+          at,
+          "'"
+              + text(at)
+              + "' is of type "
+              + found
+              + "; expected "
+              + expected
+              + orOption(expr.type(), at, wanted));
     }
     return expr;
+  }
+
+  /** How a value becomes an option, or an option its value; empty if that is no cure. */
+  private static String orOption(Type type, ExpressionContext at, Type wanted) {
+    if (wanted.base() instanceof Type.OptionOf option && type.isA(option.element())) {
+      return ": some(" + text(at) + ")";
+    }
+    return type.base() instanceof Type.OptionOf option
+            && Type.plain(option.element()).isA(Type.plain(wanted))
+        ? ": the(" + text(at) + ")"
+        : "";
   }
 
   /** A number where one of a range is expected: asked for when it is evaluated, if it is no constant. */
@@ -137,6 +157,9 @@ final class ExpressionReader {
         yield new BuiltIn(BuiltIn.Name.CHOOSE, set, set.variable().type(), pos);
       }
       case StarlParser.MapOfContext map -> map(map, hint, pos);
+      case StarlParser.SetOfContext set
+          when set.expression().isEmpty() && hint != null && isPartialMap(hint) ->
+          emptyMap(hint, pos);
       case StarlParser.SetOfContext set -> {
         Type element = hint != null && hint.base() instanceof Type.SetOf of ? of.element() : null;
         List<Expr> elements = elements(set.expression(), element, at);
@@ -440,6 +463,12 @@ final class ExpressionReader {
       }
       return new BuiltIn(BuiltIn.Name.THE, of, option.element(), pos);
     }
+    if (name.equals("card") && isPartialMap(of.type())) {
+      Field key = new Field(unused("k", of), keys(of.type()));
+      Expr keyTest = keyTest(new Expr.Variable(key.name(), key.type(), pos), of, pos);
+      Expr keys = new Expr.SuchThat(key, keyTest, new Type.SetOf(key.type()), pos);
+      return new BuiltIn(BuiltIn.Name.CARD, keys, Num.NAT, pos);
+    }
     if (name.equals("card")) {
       return new BuiltIn(BuiltIn.Name.CARD, set(of, argument), Num.NAT, pos);
     }
@@ -454,6 +483,30 @@ final class ExpressionReader {
       case "distinct" -> new BuiltIn(BuiltIn.Name.DISTINCT, of, Type.Bool.BOOL, pos);
       default -> new BuiltIn(BuiltIn.Name.ELEMENTS, of, new Type.SetOf(list.element()), pos);
     };
+  }
+
+  // --- map[K, V] is [K -> option[V]]: a key is in it if it has a value there
+
+  private static boolean isPartialMap(Type type) {
+    return type.base() instanceof Type.MapOf map
+        && map.arguments().size() == 1
+        && map.result() instanceof Type.OptionOf;
+  }
+
+  private static Type keys(Type map) {
+    return ((Type.MapOf) map.base()).arguments().getFirst();
+  }
+
+  private static Expr keyTest(Expr key, Expr map, Pos pos) {
+    Type result = ((Type.MapOf) map.type().base()).result();
+    Expr value = new Expr.At(map, List.of(key), result, pos);
+    Expr none = new Expr.None(result, pos);
+    return new Expr.Binary(Operator.UNEQUAL, value, none, Type.Bool.BOOL, pos);
+  }
+
+  private Expr emptyMap(Type type, Pos pos) {
+    Expr none = new Expr.None(((Type.MapOf) type.base()).result(), pos);
+    return new Expr.MapOf(List.of(new Field(unused("k"), keys(type))), none, type, pos);
   }
 
   private Expr record(StarlParser.RecordOfContext at, @Nullable Type hint, Pos pos) {
@@ -523,7 +576,11 @@ final class ExpressionReader {
         if (inside(right) instanceof StarlParser.RangeContext range) {
           yield within(range, read(left, Num.INT), pos);
         }
-        Expr set = set(any(right, null), right);
+        Expr of = any(right, null);
+        if (isPartialMap(of.type())) {
+          yield keyTest(read(left, keys(of.type())), of, pos);
+        }
+        Expr set = set(of, right);
         Type element = ((Type.SetOf) set.type().base()).element();
         yield new Expr.Binary(operator, read(left, element), set, Type.Bool.BOOL, pos);
       }
@@ -554,15 +611,23 @@ final class ExpressionReader {
         isPart(from, to, wanted)
             ? wanted
             : wanted == Num.INT || !isNatural(from) ? Num.INT : Num.NAT;
-    String name = "n";
-    while (scope.taken(name).isPresent()
-        || Exprs.mentions(from, name)
-        || Exprs.mentions(to, name)) {
-      name += "_";
-    }
+    String name = unused("n", from, to);
     Expr body = within(at, new Expr.Variable(name, element, pos), pos);
     return new Expr.SuchThat(
         new Field(name, element), body, whole(hint, new Type.SetOf(element)), pos);
+  }
+
+  /** A name for a variable that means nothing else. */
+  private String unused(String wanted, Expr... beside) {
+    String name = wanted;
+    while (true) {
+      String now = name;
+      if (scope.taken(now).isEmpty()
+          && Arrays.stream(beside).noneMatch(each -> Exprs.mentions(each, now))) {
+        return name;
+      }
+      name += "_";
+    }
   }
 
   /** Whether the numbers are some of a type that is a range: all of these are known to be. */

@@ -146,12 +146,15 @@ final class SyntaxMessage {
     if (text.equals("[") && at.getContext() instanceof StarlParser.PartContext) {
       return "':' and an automaton after its name here, as in 'm: Mutex_decls[PIDS, Zones]'";
     }
+    if (text.equals("in") && isInside(at, StarlParser.BinderGroupContext.class)) {
+      return "':' and a type after a variable, as in 'forall i: 0..3 :: ...'";
+    }
     if (NO_WAY.matcher(message).matches() && isInside(at, StarlParser.MappingContext.class)) {
       return "':=' after a component, or 'is' after an action";
     }
     boolean isEffect = isInside(at, StarlParser.EffContext.class);
     if (NO_WAY.matcher(message).matches() && isEffect) {
-      return "':=' after the place, as in 'c := c + 1'";
+      return text.equals("[") ? cureOf(text) : "':=' after the place, as in 'c := c + 1'";
     }
     if (found.getType() == Token.EOF || !message.contains(" expecting ")) {
       return "";

@@ -39,6 +39,13 @@ final class TypeReader {
         map.type().forEach(each -> all.add(type(each)));
         yield new Type.MapOf(List.copyOf(all.subList(0, all.size() - 1)), all.getLast());
       }
+      case StarlParser.PartialMapTypeContext map -> {
+        if (map.arrow != null) {
+          problems.add(
+              Problems.pos(map.arrow), "found '->'; expected ',' as in 'map[K, V]', or '[K -> V]'");
+        }
+        yield new Type.MapOf(List.of(type(map.type(0))), new Type.OptionOf(type(map.type(1))));
+      }
       case StarlParser.RangeTypeContext range -> range(range);
       case StarlParser.NamedTypeContext named -> named(named.name);
       default -> throw new IllegalStateException("type " + at.getText());
@@ -97,6 +104,10 @@ final class TypeReader {
       return Bound.of(Integer.parseInt(text));
     }
     if (!scope.numbers.contains(text)) {
+      if (scope.types.get(text) instanceof Type.Opaque) {
+        problems.add(at, "'" + text + "' is a type; expected '" + text + ": nat' as a parameter");
+        throw new Wrong();
+      }
       throw noBound(whole);
     }
     if (at.id() != null) {
@@ -111,7 +122,7 @@ final class TypeReader {
         "'"
             + SourceText.of(at)
             + "' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of"
-            + " the automaton, and sums of them");
+            + " the automaton, and sums of them; others in a condition: 'i in 0..n'");
     return new Wrong();
   }
 

@@ -187,11 +187,13 @@ class RangeTypesTest {
       textBlock =
           """
           state x: 3..1            | 2:10: the range 3..1 is empty; expected the lower number first
-          state x: 0..1.5          | 2:13: '1.5' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
-          state x: 0..K - 1        | 2:13: 'K - 1' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
-          state x: 0..Z            | 2:13: 'Z' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
-          state x: 0..N * (N - 1)  | 2:13: 'N * (N - 1)' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
-          state x: 0..99*999999999*999999999*N | 2:13: '99*999999999*999999999*N' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them
+          state x: 0..1.5          | 2:13: '1.5' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them; others in a condition: 'i in 0..n'
+          state x: 0..K - 1        | 2:13: 'K - 1' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them; others in a condition: 'i in 0..n'
+          state x: 0..T            | 2:13: 'T' is a type; expected 'T: nat' as a parameter
+          state x: 0..1 start forall i in 0..1 :: x >= i | 2:30: found 'in'; expected ':' and a type after a variable, as in 'forall i: 0..3 :: ...'
+          state x: 0..Z            | 2:13: 'Z' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them; others in a condition: 'i in 0..n'
+          state x: 0..N * (N - 1)  | 2:13: 'N * (N - 1)' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them; others in a condition: 'i in 0..n'
+          state x: 0..99*999999999*999999999*N | 2:13: '99*999999999*999999999*N' is no bound of a type; expected whole numbers of at most 9 digits, nat parameters of the automaton, and sums of them; others in a condition: 'i in 0..n'
           state x: N..N - 1        | 2:10: the range N..N - 1 is empty; expected the lower number first
           state x: 0..N - 1 start x | 2:25: 'x' is of type 0..N - 1; expected bool
           state x: set[0..N] y: set[0..3] action a eff x := y | 2:51: 'y' is of type set[0..3]; expected set[0..N]
@@ -204,7 +206,7 @@ class RangeTypesTest {
           state x: set[0..2] y: set[nat] action a eff x := y | 2:50: 'y' is of type set[nat]; expected set[0..2]
           """)
   void mistakeIsTold(String parts, String told) {
-    assertThatThrownBy(() -> read("automaton A[N: nat, Z: int]\n" + parts))
+    assertThatThrownBy(() -> read("automaton A[N: nat, Z: int, T]\n" + parts))
         .hasMessage("x.starl:" + told);
   }
 }

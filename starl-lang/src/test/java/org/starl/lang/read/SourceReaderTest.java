@@ -107,7 +107,7 @@ class SourceReaderTest {
       textBlock =
           """
           shows = red then green | shos = red then green | 15:19: 'shos' is not known here; expected shows, or another of 14 names
-          by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]
+          by := some(i) | by := i | 12:13: 'i' is of type PIDS; expected option[PIDS]: some(i)
           by := some(i) | bi := some(i) | 12:7: 'bi' is no component of the state; expected one of [by, shows]
           shows: Color | shows: Colour | 6:10: 'Colour' is no type; expected one of bool, nat, int, time, real, PIDS, Color; is it Color?
           pre free? | pre free?(i) | 11:7: 'free?' has 1 arguments here; expected 0
