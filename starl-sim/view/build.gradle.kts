@@ -13,6 +13,7 @@ dependencies {
     implementation(libs.jackson.databind)
     implementation(libs.flatlaf)
     implementation(libs.jcodec)
+    implementation(libs.xmlgraphics.commons)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)

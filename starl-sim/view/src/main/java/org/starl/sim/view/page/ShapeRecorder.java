@@ -1,10 +1,8 @@
-// Longer than 500 lines because Graphics2D has that many abstract methods.
 package org.starl.sim.view.page;
 
 import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Composite;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.GradientPaint;
@@ -13,21 +11,14 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.Image;
 import java.awt.Paint;
-import java.awt.Polygon;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
-import java.awt.font.GlyphVector;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.PathIterator;
 import java.awt.geom.Point2D;
-import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.BufferedImageOp;
 import java.awt.image.ImageObserver;
@@ -42,8 +33,9 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import javax.imageio.ImageIO;
+import org.apache.xmlgraphics.java2d.AbstractGraphics2D;
+import org.apache.xmlgraphics.java2d.GraphicContext;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Painter;
 
@@ -52,47 +44,34 @@ import org.starl.sim.record.Painter;
  * repeat them. Shapes, strokes, text and images are recorded; clips, gradients and XOR are not
  * supported: a clip is ignored, a gradient becomes its first colour.
  */
-final class ShapeRecorder extends Graphics2D {
+final class ShapeRecorder extends AbstractGraphics2D {
 
   private static final int UNITS_PER_PX = 10;
 
   private final List<DrawnItem> items;
   private final Graphics2D metrics;
-  private AffineTransform transform;
-  private Color color = Color.BLACK;
-  private Color background = Color.WHITE;
-  private Stroke stroke = new BasicStroke();
-  private Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
-  private Composite composite = AlphaComposite.SrcOver;
-  private final RenderingHints hints = new RenderingHints(Map.of());
 
   /**
    * @param items to add to
    */
   ShapeRecorder(List<DrawnItem> items) {
-    this(
-        items,
-        new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics(),
-        new AffineTransform());
+    super(false);
+    this.items = items;
+    metrics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
     Painter.smooth(metrics);
+    gc = new GraphicContext();
+    setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
   }
 
-  private ShapeRecorder(List<DrawnItem> items, Graphics2D metrics, AffineTransform transform) {
-    this.items = items;
-    this.metrics = metrics;
-    this.transform = transform;
+  private ShapeRecorder(ShapeRecorder from) {
+    super(from);
+    items = from.items;
+    metrics = from.metrics;
   }
 
   @Override
   public Graphics create() {
-    ShapeRecorder copy = new ShapeRecorder(items, metrics, new AffineTransform(transform));
-    copy.color = color;
-    copy.background = background;
-    copy.stroke = stroke;
-    copy.font = font;
-    copy.composite = composite;
-    copy.hints.putAll(hints);
-    return copy;
+    return new ShapeRecorder(this);
   }
 
   @Override
@@ -102,16 +81,16 @@ final class ShapeRecorder extends Graphics2D {
 
   @Override
   public void draw(Shape shape) {
-    if (stroke instanceof BasicStroke line) {
+    if (getStroke() instanceof BasicStroke line) {
       add(shape, pen(line));
     } else {
-      add(stroke.createStrokedShape(shape), "");
+      add(getStroke().createStrokedShape(shape), "");
     }
   }
 
   /** {@code width cap join dash gap ...} in tenths of a pixel. */
   private String pen(BasicStroke line) {
-    double scale = Math.sqrt(Math.abs(transform.getDeterminant()));
+    double scale = Math.sqrt(Math.abs(getTransform().getDeterminant()));
     StringBuilder pen = new StringBuilder();
     pen.append(units(line.getLineWidth() * scale));
     pen.append(' ').append(line.getEndCap()).append(' ').append(line.getLineJoin());
@@ -123,6 +102,7 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   private void add(Shape shape, String pen) {
+    AffineTransform transform = getTransform();
     boolean isUpright = transform.getShearX() == 0 && transform.getShearY() == 0;
     if (shape instanceof Ellipse2D ellipse && isUpright) {
       Point2D centre = point(ellipse.getCenterX(), ellipse.getCenterY());
@@ -193,14 +173,14 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   private void add(int kind, String pen, String text, int... numbers) {
-    float share = composite instanceof AlphaComposite alpha ? alpha.getAlpha() : 1;
-    int opacity = Math.round(share * color.getAlpha());
-    int rgba = (opacity << 24) | (color.getRGB() & 0xFFFFFF);
+    float share = getComposite() instanceof AlphaComposite alpha ? alpha.getAlpha() : 1;
+    int opacity = Math.round(share * getColor().getAlpha());
+    int rgba = (opacity << 24) | (getColor().getRGB() & 0xFFFFFF);
     items.add(new DrawnItem(kind, rgba, pen, text, numbers));
   }
 
   private Point2D point(double x, double y) {
-    return transform.transform(new Point2D.Double(x, y), null);
+    return getTransform().transform(new Point2D.Double(x, y), null);
   }
 
   private static int units(double px) {
@@ -212,6 +192,8 @@ final class ShapeRecorder extends Graphics2D {
     if (text.isEmpty()) {
       return;
     }
+    AffineTransform transform = getTransform();
+    Font font = getFont();
     double scale = Math.sqrt(Math.abs(transform.getDeterminant()));
     double angle = StrictMath.atan2(transform.getShearY(), transform.getScaleX());
     Point2D start = point(x, y);
@@ -229,27 +211,12 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   @Override
-  public void drawString(String text, int x, int y) {
-    drawString(text, (float) x, (float) y);
-  }
-
-  @Override
-  public void drawString(AttributedCharacterIterator text, int x, int y) {
-    drawString(text, (float) x, (float) y);
-  }
-
-  @Override
   public void drawString(AttributedCharacterIterator text, float x, float y) {
     StringBuilder plain = new StringBuilder();
     for (char c = text.first(); c != CharacterIterator.DONE; c = text.next()) {
       plain.append(c);
     }
     drawString(plain.toString(), x, y);
-  }
-
-  @Override
-  public void drawGlyphVector(GlyphVector glyphs, float x, float y) {
-    fill(glyphs.getOutline(x, y));
   }
 
   @Override
@@ -263,7 +230,8 @@ final class ShapeRecorder extends Graphics2D {
     Graphics2D painting = copy.createGraphics();
     painting.drawImage(image, 0, 0, null);
     painting.dispose();
-    Rectangle at = transform.createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
+    Rectangle at =
+        getTransform().createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
     add(
         DrawnItem.IMAGE,
         "",
@@ -291,64 +259,6 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   @Override
-  public boolean drawImage(
-      Image image, int x, int y, Color ground, @Nullable ImageObserver observer) {
-    return drawImage(image, x, y, observer);
-  }
-
-  @Override
-  public boolean drawImage(
-      Image image,
-      int x,
-      int y,
-      int width,
-      int height,
-      Color ground,
-      @Nullable ImageObserver observer) {
-    return drawImage(image, x, y, width, height, observer);
-  }
-
-  @Override
-  public boolean drawImage(
-      Image image,
-      int dx1,
-      int dy1,
-      int dx2,
-      int dy2,
-      int sx1,
-      int sy1,
-      int sx2,
-      int sy2,
-      @Nullable ImageObserver observer) {
-    throw unsupported("a part of an image");
-  }
-
-  @Override
-  public boolean drawImage(
-      Image image,
-      int dx1,
-      int dy1,
-      int dx2,
-      int dy2,
-      int sx1,
-      int sy1,
-      int sx2,
-      int sy2,
-      Color ground,
-      @Nullable ImageObserver observer) {
-    throw unsupported("a part of an image");
-  }
-
-  @Override
-  public boolean drawImage(Image image, AffineTransform to, @Nullable ImageObserver observer) {
-    AffineTransform before = getTransform();
-    transform(to);
-    drawImage(image, 0, 0, observer);
-    setTransform(before);
-    return true;
-  }
-
-  @Override
   public void drawImage(BufferedImage image, @Nullable BufferedImageOp filter, int x, int y) {
     drawImage(filter == null ? image : filter.filter(image, null), x, y, null);
   }
@@ -371,141 +281,21 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   @Override
-  public void drawLine(int x1, int y1, int x2, int y2) {
-    draw(new Line2D.Double(x1, y1, x2, y2));
-  }
-
-  @Override
-  public void fillRect(int x, int y, int width, int height) {
-    fill(new Rectangle(x, y, width, height));
-  }
-
-  @Override
-  public void clearRect(int x, int y, int width, int height) {
-    Color before = color;
-    color = background;
-    fillRect(x, y, width, height);
-    color = before;
-  }
-
-  @Override
-  public void drawRoundRect(int x, int y, int width, int height, int arcWidth, int arcHeight) {
-    draw(new RoundRectangle2D.Double(x, y, width, height, arcWidth, arcHeight));
-  }
-
-  @Override
-  public void fillRoundRect(int x, int y, int width, int height, int arcWidth, int arcHeight) {
-    fill(new RoundRectangle2D.Double(x, y, width, height, arcWidth, arcHeight));
-  }
-
-  @Override
-  public void drawOval(int x, int y, int width, int height) {
-    draw(new Ellipse2D.Double(x, y, width, height));
-  }
-
-  @Override
-  public void fillOval(int x, int y, int width, int height) {
-    fill(new Ellipse2D.Double(x, y, width, height));
-  }
-
-  @Override
-  public void drawArc(int x, int y, int width, int height, int start, int extent) {
-    draw(new Arc2D.Double(x, y, width, height, start, extent, Arc2D.OPEN));
-  }
-
-  @Override
-  public void fillArc(int x, int y, int width, int height, int start, int extent) {
-    fill(new Arc2D.Double(x, y, width, height, start, extent, Arc2D.PIE));
-  }
-
-  @Override
-  public void drawPolyline(int[] xs, int[] ys, int count) {
-    Path2D path = new Path2D.Double();
-    for (int i = 0; i < count; i++) {
-      if (i == 0) {
-        path.moveTo(xs[i], ys[i]);
-      } else {
-        path.lineTo(xs[i], ys[i]);
-      }
-    }
-    draw(path);
-  }
-
-  @Override
-  public void drawPolygon(int[] xs, int[] ys, int count) {
-    draw(new Polygon(xs, ys, count));
-  }
-
-  @Override
-  public void fillPolygon(int[] xs, int[] ys, int count) {
-    fill(new Polygon(xs, ys, count));
-  }
-
-  @Override
   public void copyArea(int x, int y, int width, int height, int dx, int dy) {
     throw unsupported("a copied area");
   }
 
   @Override
-  public boolean hit(Rectangle area, Shape shape, boolean onStroke) {
-    Shape hit = onStroke ? stroke.createStrokedShape(shape) : shape;
-    return transform.createTransformedShape(hit).intersects(area);
-  }
-
-  @Override
-  public Color getColor() {
-    return color;
-  }
-
-  @Override
-  public void setColor(@Nullable Color newColor) {
-    if (newColor != null) {
-      color = newColor;
-    }
-  }
-
-  @Override
-  public Paint getPaint() {
-    return color;
-  }
-
-  @Override
   public void setPaint(Paint paint) {
-    if (paint instanceof Color plain) {
-      color = plain;
-    } else if (paint instanceof GradientPaint gradient) {
-      color = gradient.getColor1();
+    super.setPaint(paint instanceof GradientPaint gradient ? gradient.getColor1() : paint);
+  }
+
+  // Painters set back a hint that was unset; the base takes no null.
+  @Override
+  public void setRenderingHint(RenderingHints.Key key, @Nullable Object value) {
+    if (value != null) {
+      super.setRenderingHint(key, value);
     }
-  }
-
-  @Override
-  public Color getBackground() {
-    return background;
-  }
-
-  @Override
-  public void setBackground(Color newBackground) {
-    background = newBackground;
-  }
-
-  @Override
-  public Stroke getStroke() {
-    return stroke;
-  }
-
-  @Override
-  public void setStroke(Stroke newStroke) {
-    stroke = newStroke;
-  }
-
-  @Override
-  public Font getFont() {
-    return font;
-  }
-
-  @Override
-  public void setFont(Font newFont) {
-    font = newFont;
   }
 
   @Override
@@ -519,95 +309,11 @@ final class ShapeRecorder extends Graphics2D {
   }
 
   @Override
-  public Composite getComposite() {
-    return composite;
-  }
-
-  @Override
-  public void setComposite(Composite newComposite) {
-    composite = newComposite;
-  }
-
-  @Override
-  public @Nullable Object getRenderingHint(RenderingHints.Key key) {
-    return hints.get(key);
-  }
-
-  @Override
-  public void setRenderingHint(RenderingHints.Key key, @Nullable Object value) {
-    if (value == null) {
-      hints.remove(key);
-    } else {
-      hints.put(key, value);
-    }
-  }
-
-  @Override
-  public RenderingHints getRenderingHints() {
-    return (RenderingHints) hints.clone();
-  }
-
-  @Override
-  public void setRenderingHints(Map<?, ?> newHints) {
-    hints.clear();
-    hints.putAll(newHints);
-  }
-
-  @Override
-  public void addRenderingHints(Map<?, ?> more) {
-    hints.putAll(more);
-  }
-
-  @Override
-  public AffineTransform getTransform() {
-    return new AffineTransform(transform);
-  }
-
-  @Override
-  public void setTransform(AffineTransform newTransform) {
-    transform = new AffineTransform(newTransform);
-  }
-
-  @Override
-  public void transform(AffineTransform more) {
-    transform.concatenate(more);
-  }
-
-  @Override
-  public void translate(int x, int y) {
-    transform.translate(x, y);
-  }
-
-  @Override
-  public void translate(double x, double y) {
-    transform.translate(x, y);
-  }
-
-  @Override
-  public void rotate(double theta) {
-    transform.rotate(theta);
-  }
-
-  @Override
-  public void rotate(double theta, double x, double y) {
-    transform.rotate(theta, x, y);
-  }
-
-  @Override
-  public void scale(double x, double y) {
-    transform.scale(x, y);
-  }
-
-  @Override
-  public void shear(double x, double y) {
-    transform.shear(x, y);
-  }
-
-  @Override
   public GraphicsConfiguration getDeviceConfiguration() {
     return metrics.getDeviceConfiguration();
   }
 
+  // The page shows the whole floor.
   @Override
   public @Nullable Shape getClip() {
     return null;
@@ -616,31 +322,6 @@ final class ShapeRecorder extends Graphics2D {
   @Override
   public @Nullable Rectangle getClipBounds() {
     return null;
-  }
-
-  @Override
-  public void clip(Shape shape) {
-    // The page shows the whole floor.
-  }
-
-  @Override
-  public void setClip(@Nullable Shape shape) {
-    // See clip.
-  }
-
-  @Override
-  public void setClip(int x, int y, int width, int height) {
-    // See clip.
-  }
-
-  @Override
-  public void clipRect(int x, int y, int width, int height) {
-    // See clip.
-  }
-
-  @Override
-  public void setPaintMode() {
-    composite = AlphaComposite.SrcOver;
   }
 
   @Override
