@@ -1,5 +1,6 @@
 package org.starl.spec;
 
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
@@ -21,10 +22,11 @@ public abstract class InstanceMonitor<R> extends LemmaMonitor {
   private final Map<Instance, R> instances = new TreeMap<>();
 
   /**
-   * @param isInstance whether a source is an instance of the primitive
+   * @param kinds of its instances, as {@link Instance#kind} has them
    */
-  protected InstanceMonitor(Predicate<Instance> isInstance) {
-    this.isInstance = isInstance;
+  protected InstanceMonitor(String... kinds) {
+    List<String> known = List.of(kinds);
+    isInstance = source -> known.contains(source.kind());
   }
 
   /**

@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.LongFunction;
-import java.util.function.Predicate;
 import org.starl.id.RobotId;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
@@ -25,10 +23,10 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
   private final List<FlagCheck<?>> flags = new ArrayList<>();
 
   /**
-   * @param isInstance whether a source is an instance of the primitive
+   * @param kinds of its instances, as {@link InstanceMonitor} has them
    */
-  protected InstanceSpec(Predicate<Instance> isInstance) {
-    super(isInstance);
+  protected InstanceSpec(String... kinds) {
+    super(kinds);
   }
 
   /**

@@ -62,11 +62,6 @@ final class OneLock implements MutexPrim {
   }
 
   @Override
-  public boolean od_mutex() {
-    return inner.od_mutex();
-  }
-
-  @Override
   public GvhVariable<Boolean> crit() {
     return inner.crit();
   }
@@ -87,11 +82,6 @@ final class OneLock implements MutexPrim {
     if (zones.isEmpty() && !sections.isEmpty()) {
       inner.release(WHOLE);
     }
-  }
-
-  @Override
-  public void release(String... sections) {
-    release(List.of(sections));
   }
 
   @Override

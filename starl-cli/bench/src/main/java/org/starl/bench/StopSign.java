@@ -120,11 +120,6 @@ final class StopSign implements MutexPrim {
   }
 
   @Override
-  public void release(String... sections) {
-    release(List.of(sections));
-  }
-
-  @Override
   public void withdraw() {
     junction.stopped.remove(this);
   }

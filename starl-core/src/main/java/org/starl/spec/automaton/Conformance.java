@@ -1,7 +1,6 @@
 package org.starl.spec.automaton;
 
 import java.util.function.Function;
-import java.util.function.Predicate;
 import org.starl.spec.InstanceMonitor;
 import org.starl.trace.Instance;
 
@@ -20,13 +19,13 @@ public abstract class Conformance<R> extends InstanceMonitor<R> {
   /**
    * @param theory its name: {@code Mutex_decls}
    * @param subject the primitive, for the user: {@code every mutex}
-   * @param isInstance whether a source is an instance of the primitive
    * @param begin the state of an instance before its first event, by its source
+   * @param kinds of its instances, as {@link InstanceMonitor} has them
    */
   @SuppressWarnings("this-escape") // a lemma only adds a row to the table of the superclass
   protected Conformance(
-      String theory, String subject, Predicate<Instance> isInstance, Function<Instance, R> begin) {
-    super(isInstance);
+      String theory, String subject, Function<Instance, R> begin, String... kinds) {
+    super(kinds);
     this.begin = begin;
     lemma(theory, "The run of " + subject + " is one of the theory's automaton, step by step.");
   }

@@ -38,8 +38,8 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
     super(
         AgreementAutomaton.SET_AGREEMENT_DECLS,
         "every agreement",
-        AgreementFact::isAgreement,
-        source -> new Replay<>(new AgreementAutomaton(), source, steps));
+        source -> new Replay<>(new AgreementAutomaton(), source, steps),
+        AgreementFact.PRIMITIVE);
   }
 
   @Override

@@ -10,7 +10,6 @@ import org.starl.primitives.Phases;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -113,10 +112,5 @@ public final class AgreementFact {
   @SuppressWarnings("unchecked") // its shape reads the bytes of a decision, never its value
   static <T> Var<Decision<T>> decided() {
     return (Var<Decision<T>>) (Var<?>) DECIDED;
-  }
-
-  /** Whether {@code source} is an agreement, as in {@code agreement/colour}. */
-  static boolean isAgreement(Instance source) {
-    return source.kind().equals(PRIMITIVE);
   }
 }

@@ -43,7 +43,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
    *     with the whole bound once that holds again
    */
   public AgreementSpec(long decidedWithinNs) {
-    super(AgreementFact::isAgreement);
+    super(AgreementFact.PRIMITIVE);
     lemma(AGREEMENT, "No two robots decide on different values.");
     lemma(VALIDITY, "Only a proposed value is decided on.");
     progress =
@@ -147,7 +147,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
     if (progress.isBounded()
         && event instanceof Sent sent
         && (sent.message() instanceof Prepare || sent.message() instanceof Accept)
-        && AgreementFact.isAgreement(sent.channel())
+        && sent.channel().kind().equals(AgreementFact.PRIMITIVE)
         && instance(sent.channel()).givenUp.contains(sent.robot())) {
       String detail = sent.channel() + ": " + sent.message() + " after it has given up";
       report.violated(DECIDED, sent.timeNs(), List.of(sent.robot()), detail);

@@ -46,8 +46,8 @@ public final class BarrierConformance extends Conformance<BarrierRun> {
     super(
         BarrierAutomaton.BARRIER_DECLS,
         "every barrier",
-        BarrierFact::isBarrier,
-        source -> new BarrierRun(source, steps));
+        source -> new BarrierRun(source, steps),
+        BarrierFact.PRIMITIVE);
   }
 
   @Override

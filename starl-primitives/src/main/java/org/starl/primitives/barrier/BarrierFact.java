@@ -12,7 +12,6 @@ import org.starl.primitives.Phases;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shapes;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -96,10 +95,5 @@ public final class BarrierFact {
       return before;
     }
     return outcome instanceof BarrierOutcome.Passed ? PASSED : FAILED;
-  }
-
-  /** Whether {@code source} is a barrier, as in {@code barrier/convoy}. */
-  static boolean isBarrier(Instance source) {
-    return source.kind().equals(PRIMITIVE);
   }
 }

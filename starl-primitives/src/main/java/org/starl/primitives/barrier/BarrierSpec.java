@@ -68,7 +68,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
    *     for {@link FaultState#SETTLE_NS}
    */
   public BarrierSpec(long releasedWithinNs, long toldWithinNs, long promptNs) {
-    super(BarrierFact::isBarrier);
+    super(BarrierFact.PRIMITIVE);
     lemma(NO_EARLY, "No robot passes the barrier before all its members have arrived.");
     lemma(UNIFORM, "All robots that wait at one barrier are told the same outcome.");
     released =

@@ -50,8 +50,8 @@ public final class ElectionConformance extends Conformance<ElectionConformance.R
     super(
         ElectionAutomaton.ELECTION_DECLS,
         "every election",
-        ElectionFact::isElection,
-        source -> new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>()));
+        source -> new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>()),
+        ElectionFact.PRIMITIVE);
   }
 
   @Override

@@ -10,7 +10,6 @@ import org.starl.primitives.Phases;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shapes;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -108,10 +107,5 @@ public final class ElectionFact {
       case Leader.Fail fail -> HAS_FAILED;
       case Leader.Name name -> KNOWS_LEADER;
     };
-  }
-
-  /** Whether {@code source} is an election, as in {@code election/convoy}. */
-  static boolean isElection(Instance source) {
-    return source.kind().equals(PRIMITIVE);
   }
 }

@@ -67,7 +67,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
    *     happens, in ns: the elections' deadline
    */
   public ElectionSpec(long electedWithinNs, long toldWithinNs) {
-    super(ElectionFact::isElection);
+    super(ElectionFact.PRIMITIVE);
     lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
     lemma(SOUNDNESS, "A leader stood for election in its term.");
     lemma(TERMS, "The term of a robot's program never goes back.");

@@ -65,8 +65,9 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
     super(
         GeocastAutomaton.GEOCAST_DECLS,
         "every geocast",
-        GeocastFact::isGeocast,
-        source -> new Replay<>(new GeocastAutomaton(), source, steps));
+        source -> new Replay<>(new GeocastAutomaton(), source, steps),
+        GeocastFact.GEOCAST,
+        GeocastFact.BROADCAST);
   }
 
   @Override

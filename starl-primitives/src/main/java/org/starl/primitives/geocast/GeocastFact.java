@@ -13,7 +13,6 @@ import org.starl.shape.Geometry;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
 import org.starl.shape.SumShape;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -120,11 +119,6 @@ public sealed interface GeocastFact {
       case Variable variable when Boolean.TRUE.equals(variable.of(GCASTFLAG)) -> Phase.IDLE.name();
       default -> before;
     };
-  }
-
-  /** Whether {@code source} is a geocast or a broadcast. */
-  static boolean isGeocast(Instance source) {
-    return source.isOf(GEOCAST) || source.isOf(BROADCAST);
   }
 
   /** The action of the theory that robot {@code i} takes by a fact; null if it takes none. */

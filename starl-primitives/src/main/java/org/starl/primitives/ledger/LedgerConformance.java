@@ -44,8 +44,8 @@ public final class LedgerConformance extends Conformance<LedgerConformance.Log> 
     super(
         LedgerAutomaton.LEDGER_DECLS,
         "every ledger",
-        LedgerFact::isLedger,
-        source -> new Log(source, steps));
+        source -> new Log(source, steps),
+        LedgerFact.PRIMITIVE);
   }
 
   /** One ledger: its replay, and the number of the latest decree in it. */

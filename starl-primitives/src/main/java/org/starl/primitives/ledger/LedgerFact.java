@@ -12,7 +12,6 @@ import org.starl.primitives.agreement.SynodMessage;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shape;
 import org.starl.shape.Shapes;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 import org.starl.trace.Var;
@@ -139,10 +138,5 @@ public final class LedgerFact {
       return before;
     }
     return held.isEmpty() ? FREE : HOLDING;
-  }
-
-  /** Whether {@code source} is a ledger, as in {@code ledger/deliveries}. */
-  static boolean isLedger(Instance source) {
-    return source.kind().equals(PRIMITIVE);
   }
 }

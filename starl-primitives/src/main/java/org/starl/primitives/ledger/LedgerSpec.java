@@ -57,7 +57,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
    *     and more
    */
   public LedgerSpec(long answeredWithinNs, long freedWithinNs) {
-    super(LedgerFact::isLedger);
+    super(LedgerFact.PRIMITIVE);
     lemma(ONE_LOG, "All robots apply the same entries at one number of the log.");
     lemma(BEGUN_BY_ONE, "No two robots are told to do a task, unless it was reopened between.");
     lemma(FINISHED_ONCE, "A task is finished at most once, by the robot that has begun it.");

@@ -64,8 +64,8 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
     super(
         MotionControlAutomaton.MOTION_CONTROL_DECLS,
         "all motions",
-        MotionFact.SOURCE::equals,
-        source -> new Replay<>(new MotionControlAutomaton(Place::isNear), source, steps));
+        source -> new Replay<>(new MotionControlAutomaton(Place::isNear), source, steps),
+        MotionFact.SOURCE.kind());
     bodies = new MotionBodies(parameters);
     replay = instance(MotionFact.SOURCE);
   }

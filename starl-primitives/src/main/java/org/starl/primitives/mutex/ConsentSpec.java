@@ -62,7 +62,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
    * @param deadNs within which a dead participant is confined that a request waits for
    */
   ConsentSpec(long ghostNs, long deadNs) {
-    super(MutexFact::isMutex);
+    super(MutexFact.PRIMITIVE);
     behindGhosts = new Within<>(ghostNs);
     behindDead = new Within<>(deadNs);
     lemma(CONSENT, "A process enters only with the consent of all processes that it needs.");

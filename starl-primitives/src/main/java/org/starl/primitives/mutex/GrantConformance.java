@@ -80,7 +80,7 @@ abstract class GrantConformance<S, A extends Action>
 
   GrantConformance(
       String name, String subject, Theory<S, A> theory, Function<Instance, Replay<S, A>> replay) {
-    super(name, subject, MutexFact::isMutex, source -> new Run<>(replay.apply(source)));
+    super(name, subject, source -> new Run<>(replay.apply(source)), MutexFact.PRIMITIVE);
     this.theory = theory;
   }
 

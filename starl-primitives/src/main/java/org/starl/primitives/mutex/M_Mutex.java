@@ -313,11 +313,6 @@ public final class M_Mutex implements PipelinePrim {
   }
 
   @Override
-  public boolean od_mutex() {
-    return crit.get();
-  }
-
-  @Override
   public GvhVariable<Boolean> crit() {
     return crit.variable();
   }
@@ -330,11 +325,6 @@ public final class M_Mutex implements PipelinePrim {
   @Override
   public GvhVariable<MutexFailure> failure() {
     return failure.variable();
-  }
-
-  @Override
-  public void release(String... sections) {
-    release(Arrays.asList(sections));
   }
 
   @Override

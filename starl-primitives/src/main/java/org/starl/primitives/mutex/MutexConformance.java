@@ -50,8 +50,8 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
     super(
         MutexAutomaton.MUTEX_DECLS,
         "every mutex",
-        MutexFact::isMutex,
-        source -> new Replay<>(new MutexAutomaton(), source, steps));
+        source -> new Replay<>(new MutexAutomaton(), source, steps),
+        MutexFact.PRIMITIVE);
   }
 
   @Override

@@ -257,9 +257,4 @@ public sealed interface MutexFact {
   static Instance source(String xid) {
     return Instance.of(PRIMITIVE, xid);
   }
-
-  /** Whether {@code source} is a mutex. */
-  static boolean isMutex(Instance source) {
-    return source.kind().equals(PRIMITIVE);
-  }
 }

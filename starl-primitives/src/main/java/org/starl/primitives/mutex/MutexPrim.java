@@ -1,5 +1,6 @@
 package org.starl.primitives.mutex;
 
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.SortedSet;
@@ -107,7 +108,9 @@ public interface MutexPrim extends StarLPrimitive {
   }
 
   /** Whether access was granted and a section is still held; {@code crit().get()}. */
-  boolean od_mutex();
+  default boolean od_mutex() {
+    return crit().get();
+  }
 
   /** Whether this robot has access to all requested sections that it has not released. */
   GvhVariable<Boolean> crit();
@@ -126,7 +129,9 @@ public interface MutexPrim extends StarLPrimitive {
   void release(Collection<String> sections);
 
   /** Releases {@code sections}. */
-  void release(String... sections);
+  default void release(String... sections) {
+    release(Arrays.asList(sections));
+  }
 
   /** Cancels a waiting request: {@link #failed} becomes true. No effect without one. */
   void withdraw();

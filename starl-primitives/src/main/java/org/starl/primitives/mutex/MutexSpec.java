@@ -99,7 +99,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
    * @param calm those of a calm world, in which none is lost; may be null
    */
   public MutexSpec(@Nullable MutexBounds bounds, @Nullable MutexBounds calm) {
-    super(MutexFact::isMutex);
+    super(MutexFact.PRIMITIVE);
     this.bounds = bounds;
     this.calm = calm;
     lemma(EXCLUSIVE, "No two robots hold a section in common, unless in one mode.");

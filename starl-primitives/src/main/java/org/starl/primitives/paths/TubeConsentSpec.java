@@ -45,7 +45,7 @@ final class TubeConsentSpec extends InstanceMonitor<TubeConsentSpec.Claims> {
   private boolean isRealTime;
 
   TubeConsentSpec() {
-    super(TubeFact::isTubes);
+    super(TubeFact.PRIMITIVE);
     lemma(CONSENTS, "A robot consents to no two tubes of different robots that meet.");
     lemma(CLAIMED, "A new tube is held after the consent of a majority.");
   }

@@ -6,7 +6,6 @@ import static org.starl.shape.Shapes.part;
 import org.starl.primitives.Phases;
 import org.starl.shape.Shapes;
 import org.starl.shape.SumShape;
-import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.Var;
 import org.starl.trace.Vocabulary;
@@ -59,10 +58,5 @@ public sealed interface TubeFact {
   private static String phase(String before, TraceEvent event) {
     TubeFlag flag = event instanceof TraceEvent.Variable variable ? variable.of(FLAG) : null;
     return flag == null ? before : flag.name();
-  }
-
-  /** Whether {@code source} is an instance of {@link DistributedPathPlanning}. */
-  static boolean isTubes(Instance source) {
-    return source.isOf(PRIMITIVE);
   }
 }

@@ -81,7 +81,7 @@ public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tub
    * @param boundNs the settings' deadline plus the longest drive
    */
   public TubesSpec(long boundNs) {
-    super(TubeFact::isTubes);
+    super(TubeFact.PRIMITIVE);
     lemma(TUBES, "No two robots hold tubes that meet.");
     lemma(INSIDE, "A robot's body lies wholly within a tube that it holds.");
     lemma(

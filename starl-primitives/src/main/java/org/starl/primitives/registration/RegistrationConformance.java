@@ -51,8 +51,8 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
     super(
         RegistrationAutomaton.REGISTRATION_DECLS,
         "every registration",
-        RegistrationFact::isRegistration,
-        source -> new RegistrationRun(new Replay<>(new RegistrationAutomaton(), source, steps)));
+        source -> new RegistrationRun(new Replay<>(new RegistrationAutomaton(), source, steps)),
+        RegistrationFact.PRIMITIVE);
   }
 
   @Override

@@ -12,7 +12,6 @@ import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.shape.RecordShape;
 import org.starl.shape.Shapes;
 import org.starl.shape.SumShape;
-import org.starl.trace.Instance;
 import org.starl.trace.Var;
 import org.starl.trace.Vocabulary;
 
@@ -67,9 +66,4 @@ public final class RegistrationFact {
       Phases.of(PRIMITIVE, SynodMessage.class, ShownPhase::new, (Object[]) Phase.values());
 
   private RegistrationFact() {}
-
-  /** Whether {@code source} is a registration, as in {@code registration/crossing}. */
-  static boolean isRegistration(Instance source) {
-    return source.kind().equals(PRIMITIVE);
-  }
 }

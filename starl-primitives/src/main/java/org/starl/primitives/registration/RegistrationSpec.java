@@ -95,7 +95,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
    *     this, but not for an id that is given up
    */
   public RegistrationSpec(long registeredWithinNs) {
-    super(RegistrationFact::isRegistration);
+    super(RegistrationFact.PRIMITIVE);
     lemma(AGREEMENT, "Lists with the same number are equal on all robots.");
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
     lemma(

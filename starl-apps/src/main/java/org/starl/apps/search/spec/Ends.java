@@ -32,7 +32,7 @@ final class Ends extends InstanceSpec<Ends.Search> {
   private final Deadlines assigned;
 
   Ends(long endedWithinNs, long assignedWithinNs) {
-    super(Instance.APP::equals);
+    super(Instance.APP.kind());
     lemma(AGREED, "All robots that end have one answer.");
     ends =
         progress(

@@ -34,7 +34,7 @@ final class Findings extends InstanceMonitor<Findings> {
    * @param staysDown whether a robot may crash for good
    */
   Findings(House house, List<ItemPosition> things, boolean staysDown) {
-    super(Instance.APP::equals);
+    super(Instance.APP.kind());
     this.house = house;
     this.things = List.copyOf(things);
     view = new TrueView(house);
