@@ -204,9 +204,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     }
   }
 
-  /** In Markdown, for the docs. */
   private void showCrossingRules() {
-    PrintWriter out = out();
     if (!CrossingRules.hasSumo()) {
       err()
           .println(
@@ -217,41 +215,21 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
         CrossingRules.take(
             ARRIVALS, Seeds.of(seed), runs(2), done -> progress.show(done, CrossingRules.rows()));
     progress.end();
-    if (json.isOn()) {
-      rows.forEach(row -> out.println(Json.line(row)));
-      return;
-    }
-    out.println(
+    print(
+        rows,
         "| arrivals/min | faults | rule | arrived | crossed in time/min | mean delay"
-            + " | turned away | contacts |");
-    out.println("|---|---|---|---|---|---|---|---|");
-    for (Map<String, Object> row : rows) {
-      out.println(
-          String.format(
-              Locale.ROOT,
-              "| %d | %s | %s | %d | %.1f | %.1f s | %d | %d |",
-              row.values().toArray()));
-    }
+            + " | turned away | contacts |",
+        "| %d | %s | %s | %d | %.1f | %.1f s | %d | %d |");
   }
 
-  /** In Markdown, for the docs. */
   private void showFleetRates() {
-    PrintWriter out = out();
     int most = robots(8, 2, 256);
     ProgressLine progress = progress("rows");
     List<Map<String, Object>> rows =
         FleetRates.take(
             most, Seeds.of(seed), runs(1), done -> progress.show(done, FleetRates.rows(most)));
     progress.end();
-    if (json.isOn()) {
-      rows.forEach(row -> out.println(Json.line(row)));
-      return;
-    }
-    out.println("| robots | dispatch | faults | deliveries/h |");
-    out.println("|---|---|---|---|");
-    for (Map<String, Object> row : rows) {
-      out.println(String.format(Locale.ROOT, "| %d | %s | %s | %.0f |", row.values().toArray()));
-    }
+    print(rows, "| robots | dispatch | faults | deliveries/h |", "| %d | %s | %s | %.0f |");
   }
 
   private void showCheckSpeed() {
@@ -275,29 +253,31 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     json.print(out(), speed.asMap(), List.of(line));
   }
 
-  /** In Markdown, for the docs. */
   private void showMutexCost() {
-    PrintWriter out = out();
     int most = robots(64, 2, 256);
     int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
     ProgressLine progress = progress("sizes");
     List<Map<String, Object>> rows =
         MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
     progress.end();
+    print(
+        rows,
+        "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
+            + " | busy: ms to enter, median | most (bound) | busy: messages an entry |",
+        "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |");
+  }
+
+  /** A table in Markdown, for the docs; or a line of JSON for each row. */
+  private void print(List<Map<String, Object>> rows, String head, String format) {
+    PrintWriter out = out();
     if (json.isOn()) {
       rows.forEach(row -> out.println(Json.line(row)));
       return;
     }
-    out.println(
-        "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
-            + " | busy: ms to enter, median | most (bound) | busy: messages an entry |");
-    out.println("|---|---|---|---|---|---|");
+    out.println(head);
+    out.println(head.replaceAll("[^|]+", "---"));
     for (Map<String, Object> row : rows) {
-      out.println(
-          String.format(
-              Locale.ROOT,
-              "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |",
-              row.values().toArray()));
+      out.println(String.format(Locale.ROOT, format, row.values().toArray()));
     }
   }
 

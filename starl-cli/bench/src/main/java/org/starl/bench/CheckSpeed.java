@@ -1,6 +1,5 @@
 package org.starl.bench;
 
-import java.lang.management.ManagementFactory;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
@@ -95,7 +94,7 @@ public final class CheckSpeed {
     int bad = 0;
     double simulatedS = 0;
     long events = 0;
-    long startNs = cpuNs();
+    long startNs = Measurement.cpuNs();
     for (int i = 0; i < runs; i++) {
       SimResult result = simulation(firstSeed + i).build().runOnThisThread();
       simulatedS += Time.seconds(result.endNs());
@@ -103,7 +102,7 @@ public final class CheckSpeed {
       bad += result.spec().violations().isEmpty() ? 0 : 1;
       afterRun.accept(++done);
     }
-    double cpuS = Time.seconds(cpuNs() - startNs);
+    double cpuS = Time.seconds(Measurement.cpuNs() - startNs);
     long steps = 0;
     for (int i = 0; i < runs; i++) {
       steps += steps(firstSeed + i);
@@ -125,9 +124,5 @@ public final class CheckSpeed {
     SimSettings settings =
         demo.defaultSettings(request).set(Setting.CHAOS, demo.envelope()).build();
     return demo.plan(request, settings).simulation().name(demo.name()).seed(seed);
-  }
-
-  private static long cpuNs() {
-    return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
   }
 }

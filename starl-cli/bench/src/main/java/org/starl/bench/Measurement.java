@@ -107,7 +107,7 @@ public record Measurement(
     return memory.getHeapMemoryUsage().getUsed();
   }
 
-  private static long cpuNs() {
+  static long cpuNs() {
     return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
   }
 
