@@ -17,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.export.CsvTable;
 
 /**
  * The result of a sweep: for each point the number of runs of each verdict, and of each measure of
@@ -262,11 +263,6 @@ public final class SweepTable {
   }
 
   private static String line(List<String> cells) {
-    return String.join(",", cells.stream().map(SweepTable::quoted).toList()) + "\r\n";
-  }
-
-  private static String quoted(String cell) {
-    boolean isPlain = !cell.matches("(?s).*[\",\r\n].*");
-    return isPlain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+    return String.join(",", cells.stream().map(CsvTable::quoted).toList()) + "\r\n";
   }
 }

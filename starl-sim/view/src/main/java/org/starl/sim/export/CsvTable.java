@@ -124,7 +124,8 @@ public final class CsvTable implements SimObserver, Closeable {
     }
   }
 
-  private static String quoted(String value) {
+  /** A value as a cell. */
+  public static String quoted(String value) {
     boolean isPlain = value.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
     return isPlain ? value : '"' + value.replace("\"", "\"\"") + '"';
   }
