@@ -1,10 +1,7 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.Reader;
-import java.nio.charset.StandardCharsets;
+import java.io.StringReader;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
+import org.starl.input.TextFile;
 
 /**
  * The files of a user's own project, from resources beside this class. In a template {@code @word@}
@@ -173,12 +171,9 @@ final class ProjectTemplate {
 
   private void addWords(String resource) {
     Properties properties = new Properties();
-    try (InputStream in = ProjectTemplate.class.getResourceAsStream(FOLDER + resource)) {
-      if (in == null) {
-        throw new IllegalStateException("no resource " + resource);
-      }
-      Reader reader = new InputStreamReader(in, StandardCharsets.UTF_8);
-      properties.load(reader);
+    try {
+      properties.load(
+          new StringReader(TextFile.resource(ProjectTemplate.class, FOLDER + resource)));
     } catch (IOException e) {
       throw new IllegalStateException(resource, e);
     }
@@ -190,10 +185,8 @@ final class ProjectTemplate {
   }
 
   private static @Nullable String resource(String path) {
-    try (InputStream in = ProjectTemplate.class.getResourceAsStream(path)) {
-      return in == null ? null : new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new IllegalStateException(path, e);
-    }
+    return ProjectTemplate.class.getResource(path) == null
+        ? null
+        : TextFile.resource(ProjectTemplate.class, path);
   }
 }

@@ -13,7 +13,6 @@ import io.javalin.http.SameSite;
 import io.javalin.util.JavalinException;
 import io.javalin.websocket.WsConfig;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
@@ -27,6 +26,7 @@ import org.starl.cli.PageServer;
 import org.starl.cli.Site;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
+import org.starl.input.TextFile;
 import org.starl.robot.realtime.RealClock;
 import org.starl.sim.export.FoxgloveLayout;
 import org.starl.sim.view.page.LivePage;
@@ -280,19 +280,14 @@ public final class WebServer implements PageServer {
       context.result(mapper.writeValueAsString(value)).contentType("application/json");
     }
 
-    private static void file(Context context, String name, String type) throws IOException {
+    private static void file(Context context, String name, String type) {
       if (type.equals("text/html")) {
         context.header(
             "Content-Security-Policy",
             "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self';"
                 + " frame-src 'self'; frame-ancestors 'self'");
       }
-      try (InputStream in = WebServer.class.getResourceAsStream(name)) {
-        if (in == null) {
-          throw new IllegalStateException("no resource " + name);
-        }
-        context.contentType(type + ";charset=utf-8").result(in.readAllBytes());
-      }
+      context.contentType(type + ";charset=utf-8").result(TextFile.resource(WebServer.class, name));
     }
   }
 }

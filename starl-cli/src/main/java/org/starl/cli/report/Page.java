@@ -3,9 +3,6 @@ package org.starl.cli.report;
 import static org.starl.cli.report.NumberFormats.count;
 import static org.starl.cli.report.NumberFormats.measured;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -15,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToLongFunction;
 import org.starl.Version;
+import org.starl.input.TextFile;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.view.page.RunPage;
 import org.starl.time.Time;
@@ -74,14 +72,14 @@ public final class Page {
     html.open("footer");
     html.element("p", "Made by StarL " + Version.STARL + ". All times are simulated. " + how);
     html.close();
-    html.code("script", resource("report.js"));
+    html.code("script", TextFile.resource(Page.class, "report.js"));
     html.close().close();
   }
 
   /** The policy lets the browser use only the page's own styles, scripts and images. */
   static void head(Html html, String title) {
-    String style = resource("report.css");
-    String script = resource("report.js");
+    String style = TextFile.resource(Page.class, "report.css");
+    String script = TextFile.resource(Page.class, "report.js");
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
         "meta",
@@ -239,17 +237,6 @@ public final class Page {
       return "sha256-" + Base64.getEncoder().encodeToString(digest);
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException(e);
-    }
-  }
-
-  private static String resource(String name) {
-    try (InputStream in = Page.class.getResourceAsStream(name)) {
-      if (in == null) {
-        throw new IllegalStateException("missing resource " + name);
-      }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.starl.input;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -59,18 +60,40 @@ public final class TextFile {
    */
   public static byte[] bytes(Path file, String expected) {
     try (InputStream in = open(file, expected)) {
-      ByteArrayOutputStream all = new ByteArrayOutputStream();
-      byte[] chunk = new byte[CHUNK_BYTES];
-      for (int read = in.read(chunk); read >= 0; read = in.read(chunk)) {
-        all.write(chunk, 0, read);
-        if (all.size() > MAX_BYTES) {
-          throw new BadInput(file + ": is longer than " + MAX_BYTES + " bytes; " + expected);
-        }
+      ByteArrayOutputStream all = all(in);
+      if (all.size() > MAX_BYTES) {
+        throw new BadInput(file + ": is longer than " + MAX_BYTES + " bytes; " + expected);
       }
       return all.toByteArray();
     } catch (IOException e) {
       throw new BadInput(file + ": cannot be read (" + FailureText.of(e) + "); " + expected);
     }
+  }
+
+  /**
+   * The text of one of the program's own files, which stands beside a class.
+   *
+   * @throws IllegalStateException if there is none
+   */
+  public static String resource(Class<?> type, String name) {
+    try (InputStream in = type.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("no resource " + name + " beside " + type.getName());
+      }
+      return new String(all(in).toByteArray(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The bytes up to the end, or some more than {@link #MAX_BYTES}. */
+  private static ByteArrayOutputStream all(InputStream in) throws IOException {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    byte[] chunk = new byte[CHUNK_BYTES];
+    for (int read = in.read(chunk); read >= 0 && all.size() <= MAX_BYTES; read = in.read(chunk)) {
+      all.write(chunk, 0, read);
+    }
+    return all;
   }
 
   /**

@@ -1,8 +1,7 @@
 package org.starl.sim.export;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import org.starl.input.TextFile;
 
 /** A layout of Foxglove for the topics of {@link FoxgloveRecorder}: floor, log, plot, messages. */
 public final class FoxgloveLayout {
@@ -11,13 +10,6 @@ public final class FoxgloveLayout {
 
   /** The file that Foxglove imports, in UTF-8. */
   public static byte[] json() {
-    try (InputStream in = FoxgloveLayout.class.getResourceAsStream("layout.json")) {
-      if (in == null) {
-        throw new IllegalStateException("no resource layout.json");
-      }
-      return in.readAllBytes();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return TextFile.resource(FoxgloveLayout.class, "layout.json").getBytes(StandardCharsets.UTF_8);
   }
 }

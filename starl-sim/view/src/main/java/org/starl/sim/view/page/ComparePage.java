@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.TextFile;
 import org.starl.sim.Failure;
 import org.starl.sim.replay.Recording;
 import org.starl.time.Time;
@@ -93,8 +94,8 @@ public final class ComparePage {
             ? "The runs do not differ"
             : "The runs first differ at " + Time.text(known.atNs, 3);
     String page =
-        RunPage.resource("compare.html")
-            .replace("{{script}}", RunPage.resource("compare.js"))
+        TextFile.resource(RunPage.class, "compare.html")
+            .replace("{{script}}", TextFile.resource(RunPage.class, "compare.js"))
             .replace("{{title}}", RunPage.escaped(RunPage.title(first.recording)))
             .replace("{{differs}}", differs)
             .replace("{{atMs}}", "" + RunPage.millis(known == null ? 0 : known.atNs))

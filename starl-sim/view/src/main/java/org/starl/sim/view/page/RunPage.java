@@ -3,9 +3,7 @@ package org.starl.sim.view.page;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -16,6 +14,7 @@ import java.util.Map;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 import org.starl.sim.Failure;
 import org.starl.sim.record.BoundingBox;
 import org.starl.sim.record.Flight;
@@ -115,7 +114,7 @@ public final class RunPage {
   }
 
   private static String page(String title, String source, String run) {
-    return resource("player.html")
+    return TextFile.resource(RunPage.class, "player.html")
         .replace("{{style}}", style())
         .replace("{{script}}", script())
         .replace("{{connect}}", source.isEmpty() ? "" : "; connect-src 'self'")
@@ -263,22 +262,11 @@ public final class RunPage {
 
   /** The style of every page; a page that embeds one allows it by its hash. */
   public static String style() {
-    return resource("player.css");
+    return TextFile.resource(RunPage.class, "player.css");
   }
 
   /** The script of every page. */
   public static String script() {
-    return resource("player.js");
-  }
-
-  static String resource(String name) {
-    try (InputStream in = RunPage.class.getResourceAsStream(name)) {
-      if (in == null) {
-        throw new IllegalStateException("no resource " + name);
-      }
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return TextFile.resource(RunPage.class, "player.js");
   }
 }
