@@ -63,7 +63,8 @@ public interface RegPrim extends StarLPrimitive {
   /**
    * Asks to be removed. A request that waits in the mutex over this registration fails. {@link #rList}
    * is null at once. If the call is given up, {@link #failed} becomes true: call it again, or {@link
-   * #do_register}, which drops the old id. A robot that was taken for crashed may call it too.
+   * #do_register}, which drops the old id. A robot that was taken for crashed may call it too, and one that
+   * has unregistered: a call that was given up may end after all.
    *
    * @throws IllegalStateException if this robot is not registered, or holds a section
    */

@@ -124,6 +124,9 @@ class RegistrationProtocol extends SynodProtocol {
   void unregister(long now) {
     nowNs = now;
     requireMayUnregister();
+    if (unregistered) {
+      return; // it was given up, and ended after all
+    }
     if (phase != Phase.LEFT_HALFWAY) {
       port.acted(new RegistrationAction.unregister(me));
     }
@@ -138,8 +141,8 @@ class RegistrationProtocol extends SynodProtocol {
   }
 
   void requireMayUnregister() {
-    boolean isUnregistered = phase == Phase.OUT && !evicted;
-    if (isUnregistered || phase == Phase.JOINING || phase == Phase.LEAVING) {
+    boolean isOut = phase == Phase.OUT && !evicted && !unregistered;
+    if (isOut || phase == Phase.JOINING || phase == Phase.LEAVING) {
       throw new IllegalStateException("unregister while " + phase + ": register first");
     }
   }

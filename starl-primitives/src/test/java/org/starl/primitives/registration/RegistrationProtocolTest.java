@@ -336,6 +336,19 @@ class RegistrationProtocolTest {
     assertThatThrownBy(() -> town.robot(0).do_register()).isInstanceOf(IllegalStateException.class);
   }
 
+  @Test
+  void unregisterThatWasGivenUpMayBeCalledAgainAfterItHasEnded() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    assertThat(town.runUntil(() -> isIn(town, 0), 20_000)).isTrue();
+    town.robot(0).unregister();
+    assertThat(town.runUntil(() -> town.robot(0).protocol().isUnregistered(), 20_000)).isTrue();
+    // What a program does that has seen the deadline pass, and not yet the end.
+    town.robot(0).unregister();
+    assertThat(town.robot(0).protocol().isUnregistered()).isTrue();
+    assertThat(town.finish().holds()).isTrue();
+  }
+
   private static Town fourUp() {
     Town town = new Town(1, 4, 4, new RegistrationSpec());
     town.weather = TEN_MS;

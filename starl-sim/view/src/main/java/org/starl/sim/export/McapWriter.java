@@ -17,7 +17,7 @@ import java.util.zip.CRC32;
 
 /**
  * Writes messages of many channels into one MCAP file (mcap.dev/spec, version 0), which tools can
- * search by time: uncompressed chunks, an index of each chunk, and statistics at the end. Written
+ * search by time: chunks in LZ4, an index of each chunk, and statistics at the end. Written
  * by hand: no Java library writes MCAP. Times are in ns and do not decrease.
  */
 final class McapWriter implements MessageSink, RosBag.Encoded, Closeable {
