@@ -36,7 +36,7 @@ record Selection(SortedMap<String, byte[]> classes, SortedSet<String> own, Set<S
           "org/starl/([^/]+"
               + "|(body|comms|geometry|gvh|id|input|motion|platform|random|session|shape|spec|time|trace)/.+"
               + "|robot/(?!serial/).+|android/app/.+"
-              + "|primitives/(?!exhaustive/|.+/(\\w+States|Synod(Model|Robot)|Mutex(Node|Oracle))[$.]).+"
+              + "|primitives/(?!exhaustive/|.+/(\\w+(States|Model)|SynodRobot|Mutex(Node|Oracle))[$.]).+"
               + "|apps/((AppFactory|Parameter|Request|RobotProgram)|(.+/)?(logic|robot|spec)/.+))\\.class");
 
   private static final String STARL = "org/starl/";
