@@ -204,6 +204,15 @@ class SynodSpecTest {
   }
 
   @Test
+  void inRealTimeAProgramWithNewStorageMayAskWhatThatBeforeItKnew() {
+    monitors.observe(Fault.realTime(0));
+    sends(A, B, new Decided(1, X));
+    // Killed, its storage deleted, started again: the trace has no event of it.
+    sends(A, B, new Prepare(1, HIGH, Value.EMPTY));
+    assertThat(monitors.report().violations(SynodSpec.ANSWERS)).isZero();
+  }
+
+  @Test
   void theEndOfATraceInRealTimeMayBeMissing() {
     monitors.observe(Fault.realTime(0));
     sends(A, A, new Accept(1, LOW, X));
