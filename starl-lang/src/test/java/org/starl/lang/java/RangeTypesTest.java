@@ -2,8 +2,9 @@ package org.starl.lang.java;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.starl.lang.java.Sources.proved;
+import static org.starl.lang.java.Sources.read;
 
-import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,11 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.lang.check.Search;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Sizes;
-import org.starl.lang.prove.Prover;
 import org.starl.lang.pvs.PvsTheory;
 import org.starl.lang.read.SourceErrors;
-import org.starl.lang.read.SourceReader;
-import org.starl.lang.tree.Automaton;
 import org.starl.lang.verdict.Verdict;
 import org.starl.spec.automaton.Undefined;
 
@@ -60,17 +58,9 @@ class RangeTypesTest {
       action get pre n > 0 eff buf(c) := none, c := next(c), n := n - 1
       """;
 
-  private static Automaton read(String text) throws SourceErrors {
-    return new SourceReader().read("x.starl", text).getFirst();
-  }
-
   private static Search.Result checked(String text) throws SourceErrors {
     Sizes sizes = new Sizes(Map.of("V", 2), 1, 1);
     return new Search(new Machine(read(text), sizes), sizes, Map.of(), true, 10_000).run();
-  }
-
-  private static List<String> proved(String text) throws SourceErrors {
-    return new Prover(read(text), 10_000_000, (title, script) -> {}).prove().lines("x.starl");
   }
 
   @ParameterizedTest

@@ -2,6 +2,7 @@ package org.starl.lang.java;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.starl.lang.java.Sources.read;
 
 import java.util.List;
 import java.util.Map;
@@ -14,8 +15,6 @@ import org.starl.lang.eval.Sizes;
 import org.starl.lang.prove.Prover;
 import org.starl.lang.pvs.PvsTheory;
 import org.starl.lang.read.SourceErrors;
-import org.starl.lang.read.SourceReader;
-import org.starl.lang.tree.Automaton;
 import org.starl.lang.verdict.Verdict;
 
 /** {@code a..b}, the set of the whole numbers from a to b, in each tool. */
@@ -45,10 +44,6 @@ class RangesOfNumbersTest {
     Sizes sizes = new Sizes(Map.of(), nat, 1);
     Machine machine = new Machine(read(SHELF + "invariant I: " + invariant), sizes);
     return new Search(machine, sizes, Map.of(), true, 10_000).run().verdict();
-  }
-
-  private static Automaton read(String text) throws SourceErrors {
-    return new SourceReader().read("x.starl", text).getFirst();
   }
 
   @ParameterizedTest

@@ -2,6 +2,8 @@ package org.starl.lang.java;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.starl.lang.java.Sources.proved;
+import static org.starl.lang.java.Sources.read;
 
 import java.util.List;
 import java.util.Map;
@@ -12,11 +14,8 @@ import org.starl.lang.check.Search;
 import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Sizes;
-import org.starl.lang.prove.Prover;
 import org.starl.lang.pvs.PvsTheory;
 import org.starl.lang.read.SourceErrors;
-import org.starl.lang.read.SourceReader;
-import org.starl.lang.tree.Automaton;
 import org.starl.lang.verdict.Verdict;
 import org.starl.spec.automaton.Undefined;
 
@@ -78,18 +77,10 @@ class RangesOfParametersTest {
       action get pre n > 0 eff buf(c) := none, c := (c + 1) mod N, n := n - 1
       """;
 
-  private static Automaton read(String text) throws SourceErrors {
-    return new SourceReader().read("x.starl", text).getFirst();
-  }
-
   private static Search.Result checked(String text, Map<String, Integer> numbers)
       throws SourceErrors {
     Sizes sizes = new Sizes(Map.of("V", 2), 1, 1, numbers);
     return new Search(new Machine(read(text), sizes), sizes, Map.of(), false, 100_000).run();
-  }
-
-  private static List<String> proved(String text) throws SourceErrors {
-    return new Prover(read(text), 10_000_000, (title, script) -> {}).prove().lines("x.starl");
   }
 
   @ParameterizedTest

@@ -87,9 +87,11 @@ public class TubeStates extends RobotModel<TubeStates.Node> {
       this.net = net;
       name = SynodRobot.robot(me);
       body = start(me);
-      for (int i = 0; i < size() && placed; i++) {
-        stable.put(TubeClaims.note(SynodRobot.robot(i)), note(i));
+      if (placed) {
         stable.put(TubeClaims.OWN, note(me));
+        for (int i = 0; i < size(); i++) {
+          stable.put(TubeClaims.note(SynodRobot.robot(i)), note(i));
+        }
       }
       claims = start();
     }
