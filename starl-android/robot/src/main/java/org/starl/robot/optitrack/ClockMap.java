@@ -10,8 +10,9 @@ import static org.starl.time.Time.NS_PER_MS;
  * estimate is the intersection of these intervals; between datagrams it grows by the largest drift of
  * two clocks.
  *
- * <p>Without answers the lower end is an assumption: the fastest datagram so far took at most {@code
- * maxDelayNs}. Then a sender's clock that has jumped counts as a new clock, which is used after it has
+ * <p>Without answers the lower end is an assumption: the fastest datagram in each {@link #WINDOW_NS} took
+ * at most {@code maxDelayNs}. The fastest one so far is not enough: after some drift a slower one seems
+ * to be as fast. Then a sender's clock that has jumped counts as a new clock, which is used after it has
  * run for {@link #SETTLE_NS} and the old one has not: single false times change nothing.
  *
  * <p>An answer that contradicts the estimate is ignored, unless {@link #CONTRADICTIONS} come in a row: then
@@ -26,6 +27,9 @@ final class ClockMap {
   static final long DRIFT_NS_PER_MS = 200;
 
   static final long SETTLE_NS = 500 * NS_PER_MS;
+
+  /** Longer than cameras send slow datagrams alone; in this time clocks drift by 1 ms at most. */
+  static final long WINDOW_NS = 5000 * NS_PER_MS;
 
   /** Datagrams overtake each other by less than this time. */
   static final long JUMP_NS = 1000 * NS_PER_MS;
@@ -43,6 +47,13 @@ final class ClockMap {
   private long atNs;
   private long sinceNs;
   private long newestSenderNs;
+
+  // Without answers: what the fastest datagram since windowNs, and the one of the window before,
+  // show
+  // of the offset at least, plus its delay.
+  private long windowNs;
+  private long fastestNs;
+  private long fastestBeforeNs;
 
   // Another clock, without answers: since when it runs, and its largest possible offset.
   private boolean hasRival;
@@ -80,7 +91,15 @@ final class ClockMap {
     hasRival = false;
     newestSenderNs = Math.max(newestSenderNs, senderNs);
     mostNs = Math.min(mostNs, mostOffNs);
-    leastNs = hasAnswer ? leastNs : mostNs - maxDelayNs;
+    if (!hasAnswer) {
+      if (receivedNs - windowNs >= WINDOW_NS) {
+        windowNs = receivedNs;
+        fastestBeforeNs = fastestNs;
+        fastestNs = mostOffNs;
+      }
+      fastestNs = Math.min(fastestNs, mostOffNs);
+      leastNs = Math.min(mostNs, Math.min(fastestNs, fastestBeforeNs)) - maxDelayNs;
+    }
   }
 
   private void rival(long senderNs, long mostOffNs, long receivedNs) {
@@ -157,6 +176,9 @@ final class ClockMap {
     mostNs = newMostNs;
     atNs = nowNs;
     sinceNs = nowNs;
+    windowNs = nowNs;
+    fastestNs = newMostNs;
+    fastestBeforeNs = newMostNs;
   }
 
   private void advanceTo(long nowNs) {
@@ -164,6 +186,8 @@ final class ClockMap {
     if (driftNs > 0) {
       leastNs -= driftNs;
       mostNs += driftNs;
+      fastestNs -= driftNs;
+      fastestBeforeNs -= driftNs;
       atNs = nowNs;
     }
   }

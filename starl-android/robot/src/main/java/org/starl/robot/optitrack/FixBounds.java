@@ -17,7 +17,7 @@ import org.starl.time.Time;
  *     body by at most their bound divided by this
  * @param maxSpeedMmPerS no robot drives faster
  * @param maxTurnRadPerS no robot turns faster
- * @param maxDelayMs largest delay of the fastest datagram; used if the server answers no questions
+ * @param maxDelayMs largest delay of the fastest datagram in each 5 s; used if the server answers no questions
  *     about its clock
  * @param maxLatencyMs largest time from exposure until the frame is sent; used if the server does not
  *     send the time of exposure

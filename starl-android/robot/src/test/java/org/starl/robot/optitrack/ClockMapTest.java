@@ -78,6 +78,29 @@ class ClockMapTest {
   }
 
   @Test
+  void aSlowerDatagramDoesNotRaiseTheLowerEnd() {
+    Other same = new Other(0, 0);
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    map.received(0, MAX_DELAY_NS);
+    // The upper end has drifted beyond this one's time by then.
+    long sentNs = 2000 * MS;
+    long nowNs = sentNs + MAX_DELAY_NS + MS / 4;
+    map.received(sentNs, nowNs);
+    assertHolds(map, same, sentNs, nowNs);
+  }
+
+  @Test
+  void driftDoesNotWidenTheIntervalForEver() {
+    Other slow = new Other(0, -190);
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    for (long sentNs = 0; sentNs < 1_000_000 * MS; sentNs += 500 * MS) {
+      map.received(slow.at(sentNs), sentNs + MS);
+      TimeSpan span = map.span(slow.at(sentNs), slow.at(sentNs), sentNs + MS);
+      assertThat(span.boundNs()).isLessThan(MAX_DELAY_NS / 2 + 2 * MS);
+    }
+  }
+
+  @Test
   void aQuickAnswerNarrowsTheInterval() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);
