@@ -109,10 +109,10 @@ public final class Prover {
   // --- obligations -------------------------------------------------------------------------------
 
   private Answer ask(String name, int size, Question question, Asked then) {
-    String text = question.text();
+    Script script = question.script();
     String file = name.replaceAll("[^A-Za-z0-9_.-]+", "-") + (size == 0 ? "" : "-of-" + size);
-    keep.accept(file, Solver.options(limit) + text + "(check-sat)\n");
-    try (Solver solver = new Solver(text, limit)) {
+    keep.accept(file, Solver.options(limit) + script + "(check-sat)\n");
+    try (Solver solver = new Solver(script, limit)) {
       Answer answer = solver.check();
       boolean isOfPoints = size == 0 && Sorts.isRecursive(automaton);
       if (answer == Answer.SAT && (isOfPoints || question.isApproximate())) {

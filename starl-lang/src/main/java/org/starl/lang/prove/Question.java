@@ -316,10 +316,10 @@ final class Question {
     return translator.isApproximate();
   }
 
-  /** The text for Z3. */
-  String text() {
+  /** What Z3 is asked. */
+  Script script() {
     translator.unfold(fields, values);
-    return script.toString();
+    return script;
   }
 
   /** The states that Z3 has found, line by line. */

@@ -9,6 +9,7 @@ final class Script {
   private static final int WIDTH = 100;
 
   private final List<String> lines = new ArrayList<>();
+  private final List<String> conditions = new ArrayList<>();
 
   void comment(String text) {
     lines.add("");
@@ -27,7 +28,13 @@ final class Script {
   void require(String condition) {
     if (!condition.equals(Smt.TRUE)) {
       line(Smt.call("assert", condition));
+      conditions.add(condition);
     }
+  }
+
+  /** All that {@link #require} said. */
+  List<String> conditions() {
+    return conditions;
   }
 
   /** A long expression in several lines. */

@@ -25,7 +25,7 @@ final class Solver implements AutoCloseable {
   private static final long STEPS_PER_MS = 100;
 
   private final long limit;
-  private final String script;
+  private final Script script;
   private final List<String> preferred = new ArrayList<>();
   private Context context;
   private boolean isSpent;
@@ -35,7 +35,7 @@ final class Solver implements AutoCloseable {
    * @param limit steps of Z3 for each check
    * @throws NoSolver if Z3 cannot be loaded
    */
-  Solver(String script, long limit) {
+  Solver(Script script, long limit) {
     this.script = script;
     this.limit = limit;
     context = open();
@@ -44,7 +44,7 @@ final class Solver implements AutoCloseable {
 
   private void begin() {
     eval(options(limit));
-    eval(script);
+    eval(script.toString());
   }
 
   /** The lines before a script. The time is for what Z3 does not count: a usual machine needs a tenth of it. */
@@ -74,10 +74,15 @@ final class Solver implements AutoCloseable {
 
   Answer check() {
     return switch (eval("(check-sat)")) {
-      case "sat" -> Answer.SAT;
+      case "sat" -> isModel() ? Answer.SAT : Answer.UNKNOWN;
       case "unsat" -> Answer.UNSAT;
       default -> Answer.UNKNOWN;
     };
+  }
+
+  /** Z3 also answers "sat" with values that do not satisfy the script: Z3 4.14 has errors in arrays. */
+  private boolean isModel() {
+    return script.conditions().stream().noneMatch(each -> value(each).word().equals("false"));
   }
 
   /** Keeps {@code condition} if the rest can be satisfied with it; after that there is a model. */

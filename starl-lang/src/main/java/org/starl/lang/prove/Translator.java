@@ -175,13 +175,15 @@ final class Translator {
     List<String> all =
         of.arguments().size() == 1 ? sorts.elements(of.arguments().getFirst()) : List.of();
     if (!all.isEmpty()) {
-      String array =
-          "((as const "
-              + sorts.sort(of)
-              + ") "
-              + term(map.at().apply(List.of(all.getFirst())), of.result())
-              + ")";
-      for (String element : all.subList(1, all.size())) {
+      // A value for the elements beyond all: one that is not a term, since Z3 has an error there.
+      List<String> results = sorts.elements(of.result());
+      boolean hasValue = !results.isEmpty();
+      String rest =
+          hasValue
+              ? results.getFirst()
+              : term(map.at().apply(List.of(all.getFirst())), of.result());
+      String array = "((as const " + sorts.sort(of) + ") " + rest + ")";
+      for (String element : all.subList(hasValue ? 0 : 1, all.size())) {
         array =
             Smt.call("store", array, element, term(map.at().apply(List.of(element)), of.result()));
       }
