@@ -34,6 +34,9 @@ final class PvsLibrary {
       Pattern.compile("\\bactions\\s*:\\s*DATATYPE\\s+BEGIN(.*?)\\bEND\\s+actions", Pattern.DOTALL);
   private static final Pattern CONSTRUCTOR =
       Pattern.compile("(\\w+)\\s*(?:\\([^)]*\\))?\\s*:\\s*\\w+\\?");
+  private static final Pattern LINK =
+      Pattern.compile(
+          "\\b(refinement|composition)\\s*\\[\\s*(?:(\\w+)\\.)?states\\b[^\\]]*?,\\s*(\\w+)\\.states\\b[^\\]]*]");
   private static final Pattern IMPORTING =
       Pattern.compile("IMPORTING\\s+([\\w\\s,]+?)\\s*END", Pattern.DOTALL);
 
@@ -95,6 +98,23 @@ final class PvsLibrary {
   Set<String> actions(String theory) {
     Matcher datatype = DATATYPE.matcher(bare.getOrDefault(theory, ""));
     return datatype.find() ? names(CONSTRUCTOR, datatype.group(1)) : Set.of();
+  }
+
+  /** One automaton is proved to be another one: {@code | `A` | refines `B` | `THEORY` |}. */
+  SortedSet<String> links() {
+    SortedSet<String> links = new TreeSet<>();
+    bare.forEach((theory, text) ->
+        LINK.matcher(text)
+            .results()
+            .forEach(link ->
+                links.add(
+                    "| `%s` | %s `%s` | `%s` |"
+                        .formatted(
+                            link.group(2) == null ? theory : link.group(2),
+                            link.group(1).equals("refinement") ? "refines" : "has as a component",
+                            link.group(3),
+                            theory))));
+    return links;
   }
 
   /** The comment that {@code theory} begins with. */

@@ -24,6 +24,8 @@ class PvsLibraryTest {
   private static final Pattern ROW_OF_SPECIFICATIONS =
       Pattern.compile("\\| `\\w+` \\| `(?:\\w+\\.)?(\\w+)` \\| `(\\w+)` \\|");
   private static final Pattern ROW_OF_PROOFS = Pattern.compile("(?m)^\\| `(\\w+)\\.(\\w+)` \\|");
+  private static final Pattern ROW_OF_THE_CHAIN =
+      Pattern.compile("(?m)^(\\| `\\w+` \\| (?:refines|has as a component) `\\w+` \\| `\\w+` \\|)");
   private static final Pattern AUTOMATON =
       Pattern.compile("class \\w+\\s+implements Automaton<(\\w+)\\.States, (\\w+)>");
   private static final Pattern THEORY = Pattern.compile("= \"(\\w+)\";");
@@ -137,6 +139,17 @@ class PvsLibraryTest {
             .toList();
     assertThat(told).as("rows of docs/proofs.md").doesNotHaveDuplicates().containsAll(stated);
     assertThat(known).as("formulas in pvs/").containsAll(told);
+  }
+
+  @Test
+  void theChainIsThatOfTheTheories() {
+    assertThat(
+            ROW_OF_THE_CHAIN
+                .matcher(repository.text("docs/proofs.md"))
+                .results()
+                .map(row -> row.group(1)))
+        .as("the chain of docs/proofs.md")
+        .containsExactlyInAnyOrderElementsOf(library.links());
   }
 
   @Test

@@ -3,9 +3,12 @@ package org.starl.lang.prove;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.prove.Claim.Verdict;
@@ -48,6 +51,46 @@ class PrimitivesProofTest {
     assertThat(report.claim("Peers").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
   }
 
+  /** What {@code pvs/MutexProtocol_safety} says for any number of processes, Z3 says for few. */
+  private static final String PROTOCOL_IS_A_MUTEX =
+      """
+
+      refines group: Mutex_group_decls[PIDS, Zones] by
+        mux.crit_set := [i: PIDS -> if phase(i) = critical then want(i) else {}],
+        mux.req_set := [i: PIDS -> if phase(i) = trying then want(i) else {}],
+        mux.rest_set := [i: PIDS -> {}],
+        plist := plist,
+        request(i, RS, P) is do_mutex(i, RS, P),
+        known(i, P) is known(i, P),
+        enter(i) is od_mutex(i, want(i)),
+        release(i, RS) is release(i, RS),
+        withdraw(i) is withdraw(i)
+      """;
+
+  @Test
+  void protocolOfTheMutexIsTheMutexWithLists(@TempDir Path folder)
+      throws IOException, SourceErrors {
+    for (String name : List.of("Mutex_decls", "Mutex_group_decls", "MutexProtocol_decls")) {
+      Files.copy(source(name), folder.resolve(name + ".starl"));
+    }
+    Path protocol = folder.resolve("MutexProtocol_decls.starl");
+    Files.writeString(protocol, Files.readString(protocol) + PROTOCOL_IS_A_MUTEX);
+    Report report = prove(new SourceReader().read(protocol).getLast());
+    assertThat(report.isProved()).isTrue();
+    assertThat(report.claim("Inv_heard").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
+    assertThat(report.claim("refinement group")).isPresent();
+  }
+
+  /** Z3 finds such states, and spends its limit when it is asked for small ones. */
+  @Test
+  void statesThatCannotBeMadeSmallAreToldAll() throws IOException, SourceErrors {
+    String wrong =
+        Files.readString(source("MutexProtocol_decls"))
+            .replace("pre phase(i) = trying,\n      forall j", "pre forall j");
+    Report report = prove(new SourceReader().read("wrong.starl", wrong).getLast());
+    assertThat(report.claim("Exclusive").orElseThrow().isGood()).isFalse();
+  }
+
   /** The program of the intersection's second car. */
   @Test
   void carOfFigure3KeepsItsInvariants() throws IOException, SourceErrors {
@@ -63,7 +106,10 @@ class PrimitivesProofTest {
   }
 
   private static Automaton read(String name) throws IOException, SourceErrors {
-    Path file = Path.of("../pvs/starl").resolve(name + ".starl").toAbsolutePath();
-    return new SourceReader().read(file).getFirst();
+    return new SourceReader().read(source(name)).getFirst();
+  }
+
+  private static Path source(String name) {
+    return Path.of("../pvs/starl").resolve(name + ".starl").toAbsolutePath();
   }
 }

@@ -33,6 +33,7 @@ final class WitnessTheory {
   private static final Map<String, String> GIVEN =
       Map.of(
           "first", "{bot0, bot1}",
+          "before", "[i: PIDS, j: PIDS -> i = bot0 and j = bot1]",
           "near", "[p: Places, q: Places -> true]",
           "way", "[t: Trip -> if t = Trip0 then [] else [A]]",
           "trip", "[i: PIDS -> if i = bot0 then Trip0 else Trip1]");
@@ -42,6 +43,8 @@ final class WitnessTheory {
       Map.of(
           "first",
           "add(bot0, singleton(bot1))",
+          "before",
+          "LAMBDA (i, j: PIDS): i < j",
           "near",
           "constantly[[Places, Places], bool](TRUE)",
           "way",

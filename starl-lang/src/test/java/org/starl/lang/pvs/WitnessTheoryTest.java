@@ -19,6 +19,7 @@ class WitnessTheoryTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
+        "MutexProtocol_decls",
         "Pipeline_decls",
         "Modes_decls",
         "Registration_decls",

@@ -27,7 +27,7 @@ import org.starl.random.Rng;
  * One participant of the mutex: Ricart and Agrawala ("An optimal algorithm for mutual exclusion in
  * computer networks", CACM 1981) on sets of sections, with dynamic membership. Pure and
  * clock-driven: messages, timers and calls give messages and outcomes. The actions of the theory
- * {@code RicartAgrawala_decls} have the names of its methods.
+ * {@code MutexProtocol_decls} have the names of its methods.
  *
  * <p>The main rule concerns membership. A participant requests only after it has learned a view
  * that lists it. It needs the answers of all participants in its latest view, and of all
