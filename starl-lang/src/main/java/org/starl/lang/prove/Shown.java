@@ -52,6 +52,9 @@ final class Shown {
     for (int i = 0; i < fields.size(); i++) {
       small(fields.get(i).type(), variables.get(i));
     }
+    if (!solver.hasModel()) {
+      return; // the names of places are values, too
+    }
     for (Place place : places(state.automaton(), "", state.cells())) {
       small(place.type(), place.value());
     }
@@ -65,6 +68,9 @@ final class Shown {
     }
     for (int n = 0; n <= MOST_NUMBER && n <= numbers.last(); n++) { // those between, too
       numbers.add(n);
+    }
+    if (!solver.hasModel()) {
+      return;
     }
     places(state.automaton(), "", state.cells()).forEach(p -> preferUsual(p.type(), p.value()));
     for (int i = 0; i < fields.size(); i++) {

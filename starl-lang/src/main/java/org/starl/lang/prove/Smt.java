@@ -42,6 +42,10 @@ final class Smt {
     };
   }
 
+  static boolean isQuantified(String condition) {
+    return condition.contains("(forall") || condition.contains("(exists");
+  }
+
   static String not(String a) {
     return a.equals(TRUE) ? FALSE : a.equals(FALSE) ? TRUE : call("not", a);
   }
