@@ -70,6 +70,23 @@ class OdometryTest {
     assertThat(odometry.strayMm()).isEqualTo(200 * 0.12);
   }
 
+  /** Another motion may still be under way, or its commands in effect. */
+  @Test
+  void noPartOfAnAssumptionGetsBetter() {
+    Odometry odometry = new Odometry();
+    odometry.assume(0.1, REACTION_NS);
+    odometry.assume(0.2, REACTION_NS / 2);
+    odometry.commanded(new WheelCommand(200, 0), false, 0);
+    odometry.commanded(WheelCommand.STOP, false, 1_000_000_000);
+    assertThat(odometry.speedError()).isEqualTo(0.2);
+    assertThat(odometry.lingering(1_000_000_000 + REACTION_NS - 1).mostMmPerS()).isEqualTo(200);
+
+    Odometry other = new Odometry();
+    other.assume(0.2, REACTION_NS / 2);
+    other.assume(0.1, REACTION_NS);
+    assertThat(other.speedError()).isEqualTo(0.2);
+  }
+
   private static double[] located(Odometry odometry, long beginNs, long endNs) {
     odometry.locate(beginNs, endNs);
     return new double[] {
