@@ -120,6 +120,21 @@ class BarrierAnswersTest {
     assertThat(sent.take()).hasAtLeastOneElementOfType(Prepare.class);
   }
 
+  /** In the first one it arrives before the last, in the second it is the last. */
+  @Test
+  void inEachGenerationTheSecondInOrderWaitsForItsTurn() {
+    protocol = started(B2);
+    protocol.arrive(0);
+    protocol.received(new Arrival(B1, 1), 0);
+    protocol.received(new Arrival(B3, 1), 0);
+    assertThat(sent.take()).noneMatch(Prepare.class::isInstance);
+    decide(1);
+    protocol.received(new Arrival(B1, 2), 10_000 * MS);
+    protocol.received(new Arrival(B3, 2), 10_000 * MS);
+    protocol.arrive(10_000 * MS);
+    assertThat(sent.take()).noneMatch(Prepare.class::isInstance);
+  }
+
   /** Between generations silence is no sign of a crash. */
   @Test
   void theSilenceOfAMemberCountsFromTheArrival() {

@@ -200,6 +200,27 @@ class GeocastProtocolTest {
   }
 
   @Test
+  void eachGeocastIsRepeatedAtItsOwnTimes() {
+    protocol.do_geocast("one", AREA, 10_000 * MS, 0);
+    protocol.do_geocast("two", AREA, 10_000 * MS, 60 * MS);
+    sent.clear();
+    protocol.timer(100 * MS);
+    protocol.timer(160 * MS);
+    assertThat(sent).extracting(GeocastMessage.Copy::message).containsExactly("one", "two");
+  }
+
+  @Test
+  void anAcknowledgementFromOutsideTheDeploymentStandsForNoRobotOfIt() {
+    GeocastReceipt receipt = protocol.do_geocast("m", AREA, 10_000 * MS, 0);
+    GeocastMessage.Ack<String> ack = new GeocastMessage.Ack<>(receipt.id());
+    protocol.received(ANNA, ack, 1);
+    protocol.received(new RobotId("guest"), ack, 1);
+    assertThat(receipt.isComplete()).isFalse();
+    protocol.received(BERT, ack, 1);
+    assertThat(receipt.isComplete()).isTrue();
+  }
+
+  @Test
   void anIntervalThatOverflowsIsRefused() {
     assertThatThrownBy(() -> protocol.do_geocast("m", new Everywhere(), Long.MAX_VALUE, 1))
         .isInstanceOf(ArithmeticException.class);

@@ -7,9 +7,11 @@ import static org.starl.primitives.ledger.Seen.PA;
 import static org.starl.primitives.ledger.Seen.PB;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.Participants;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Ballot;
 import org.starl.primitives.agreement.SynodMessage.Decided;
@@ -20,6 +22,7 @@ import org.starl.primitives.ledger.LedgerMessage.Here;
 import org.starl.primitives.ledger.LedgerMessage.Part;
 import org.starl.random.Rng;
 import org.starl.shape.WireWriter;
+import org.starl.time.Time;
 
 /** One voter among messages of the others: each effect at once, with no repetition behind it. */
 class LedgerAnswersTest {
@@ -64,6 +67,48 @@ class LedgerAnswersTest {
     protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes)), 0);
     assertThat(protocol.state().number()).isEqualTo(1);
     assertThat(stored).containsExactly(1L);
+  }
+
+  /** Two robots send their states, in parts that arrive in any order. */
+  @Test
+  void aPartOfAnOlderStateIsNoPartOfTheNewest() {
+    byte[] older = state(1);
+    byte[] newer = state(2);
+    int half = newer.length / 2;
+    protocol.received(part(PB, 2, 0, newer, half), 0);
+    protocol.received(part(ProcessId.first(C, 1), 1, 0, older, half), 0);
+    protocol.received(part(PB, 2, 1, newer, half), 0);
+    assertThat(protocol.state().number()).isEqualTo(2);
+  }
+
+  private static byte[] state(long number) {
+    LedgerState state = new LedgerState();
+    for (long decree = 1; decree <= number; decree++) {
+      state.next(decree, Value.EMPTY);
+    }
+    return WireWriter.toBytes(out -> LedgerState.SHAPE.write(state, out));
+  }
+
+  private static Part part(ProcessId from, long number, int index, byte[] state, int half) {
+    byte[] bytes =
+        index == 0 ? Arrays.copyOf(state, half) : Arrays.copyOfRange(state, half, state.length);
+    return new Part(from, number, index, 2, Value.of(bytes));
+  }
+
+  @Test
+  void theSilenceOfARobotThatHoldsNothingDoesNotCount() {
+    TaskId task = new TaskId("t", 1);
+    long silentNs = 10 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS;
+    decree(1, 0, new LedgerEntry.Start(PB), new LedgerEntry.Add(task, Value.EMPTY));
+    decree(2, 0, new LedgerEntry.Claim(task, 1, PB));
+    decree(3, 0, new LedgerEntry.Free(task, 1));
+    decree(4, silentNs, new LedgerEntry.Claim(task, 2, PB));
+    assertThat(protocol.isSilent(B)).isFalse();
+  }
+
+  private void decree(long number, long nowNs, LedgerEntry... entries) {
+    Value value = Value.write(out -> LedgerEntry.LIST.write(List.of(entries), out));
+    protocol.received(B, new Decided(number, value), nowNs);
   }
 
   @Test

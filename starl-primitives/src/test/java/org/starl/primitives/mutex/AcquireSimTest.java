@@ -127,6 +127,18 @@ class AcquireSimTest {
                 .matches("bot[12]: OCCUPIED \\[bot0 in \\[dock\\] since \\d+\\.\\d s\\]"));
   }
 
+  /** bot2 restarts at 20 s, and so the view changes. */
+  @Test
+  void aLaterViewIsNoLaterTime() {
+    Simulation.builder()
+        .seed(3)
+        .faults(FaultPlan.parse("crash(bot0,at=8s);crash(bot2,at=20s,restart=1s)"))
+        .robots(3, gvh -> new Docker(gvh, 40_000, isFirst(gvh) ? 1_000_000 : 100, 1_000))
+        .build()
+        .run();
+    assertThat(told).anyMatch(line -> line.matches("bot1: .*since (9|1\\d)\\.\\d s\\]"));
+  }
+
   private static boolean isFirst(GlobalVarHolder gvh) {
     return gvh.id.name().equals(new RobotId("bot0"));
   }

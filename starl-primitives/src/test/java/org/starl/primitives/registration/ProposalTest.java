@@ -35,6 +35,15 @@ class ProposalTest {
   }
 
   @Test
+  void aFencerIsNotConfinedInTheViewOfItsConfinement() {
+    Confinement back = new Confinement(FENCER, new TreeSet<>(), new TreeSet<>(List.of(OTHER)));
+    Change confineFencer = new Change(null, List.of(), List.of(back));
+    View next = new Proposal(VIEW).add(CONFINE).add(confineFencer).view();
+    assertThat(next.ghost(SILENT)).isNotNull();
+    assertThat(next.contains(FENCER)).isTrue();
+  }
+
+  @Test
   void aConfinementWhoseFencerLeavesFirstDoesNotCount() {
     View next = new Proposal(VIEW).add(LEAVE).add(CONFINE).view();
     assertThat(next.contains(FENCER)).isFalse();

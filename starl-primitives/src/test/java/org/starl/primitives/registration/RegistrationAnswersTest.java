@@ -102,6 +102,23 @@ class RegistrationAnswersTest {
   }
 
   @Test
+  void aRobotIsUnregisteredWhenItsEarlierIdsHaveLeftToo() {
+    Town town = fourUp();
+    RegistrationProtocol leaves = town.robot(0).protocol();
+    town.robot(0).do_register();
+    View first = View.NONE.next().with(leaves.me());
+    leaves.learned(1, ViewFormat.toValue(first));
+    leaves.markIdle(leaves.me(), town.nowNs());
+    town.robot(0).do_register();
+    leaves.learned(2, ViewFormat.toValue(first.next().with(leaves.me())));
+    town.robot(0).unregister();
+    leaves.learned(3, ViewFormat.toValue(first.next().next()));
+    assertThat(leaves.isUnregistered()).as("the first id is listed").isFalse();
+    leaves.learned(4, ViewFormat.toValue(View.NONE.next().next().next().next()));
+    assertThat(leaves.isUnregistered()).isTrue();
+  }
+
+  @Test
   void aRobotThatOthersRemovedIsUnregisteredAtOnce() {
     Town town = fourUp();
     town.robots.values().forEach(TownRobot::do_register);
