@@ -87,6 +87,19 @@ class WheelGuardTest {
     assertThat(untilClosed()).containsExactly(SPEEDS, STOP, PASSIVE, STOP, PASSIVE, STOP, PASSIVE);
   }
 
+  /** A guard that closes waits until the line has taken its last bytes. */
+  @Test
+  void whileItClosesAGuardPassesNothing() throws Exception {
+    Thread closing = new Thread(guard::close);
+    closing.start();
+    byte[] first = next();
+    guard.pass(RealClock.machineNs(), SPEEDS);
+    closing.join();
+
+    assertThat(first).startsWith(STOP);
+    assertThat(untilClosed()).isNotEmpty().doesNotContain(SPEEDS);
+  }
+
   @Test
   void theBytesOfTheCreateReachTheProgramUntilItsLinkIsOver() throws IOException {
     line[1].output().write("bump".getBytes(StandardCharsets.US_ASCII), 0, 4);
