@@ -35,6 +35,7 @@ class FencesTest {
 
   private final List<MutexMessage> sent = new ArrayList<>();
   private final List<MutexFact> events = new ArrayList<>();
+  private long nowNs;
   private final MutexNode node = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
   private final MutexProtocol b = node.protocol;
 
@@ -92,6 +93,23 @@ class FencesTest {
     }
     assertThat(node.proposed).containsExactly(new Confinement(A, Sections.NONE, ids(B)));
     assertThat(sent.stream().filter(FenceQ.class::isInstance)).hasSizeBetween(2, 10);
+  }
+
+  /** Each is at random up to twice as long as its pause. */
+  @Test
+  void thePausesBetweenRoundsDoubleUpToTheirBound() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    b.suspect(A, 0);
+    for (long pauseNs : List.of(S, 2 * S, 4 * S, 8 * S, 16 * S, 16 * S)) {
+      sent.clear();
+      long askedNs = nowNs;
+      while (sent.stream().noneMatch(FenceQ.class::isInstance)) {
+        nowNs += S / 100;
+        b.timer(nowNs);
+      }
+      assertThat(nowNs - askedNs).isBetween(pauseNs, 2 * pauseNs + S / 100);
+    }
   }
 
   @Test
