@@ -3,6 +3,7 @@ package org.starl.lang.check;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.starl.lang.eval.Domain;
 
 /** A set of states in the order in which they were added, each with the one it was reached from. */
 final class States {
@@ -82,24 +83,40 @@ final class States {
   }
 
   private int slot(int[] state) {
-    int mask = slots.length - 1;
-    int hash = Arrays.hashCode(state) * 0x9E3779B9;
-    int slot = (hash ^ hash >>> 15) & mask;
+    int slot = hash(state, 0);
     while (slots[slot] != 0 && !isAt(slots[slot] - 1, state)) {
-      slot = slot + 1 & mask;
+      slot = slot + 1 & slots.length - 1;
     }
     return slot;
   }
 
+  private int hash(int[] block, int from) {
+    long hash = 0;
+    for (int i = 0; i < width; i++) {
+      hash = Domain.mix(hash, block[from + i]);
+    }
+    return (int) hash & slots.length - 1;
+  }
+
   private boolean isAt(int number, int[] state) {
+    int[] block = blocks.get(number / BLOCK);
     int from = at(number);
-    return Arrays.equals(blocks.get(number / BLOCK), from, from + width, state, 0, width);
+    for (int i = 0; i < width; i++) {
+      if (block[from + i] != state[i]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void grow() {
     slots = new int[slots.length * 2];
     for (int number = 0; number < size; number++) {
-      slots[slot(get(number))] = number + 1;
+      int slot = hash(blocks.get(number / BLOCK), at(number));
+      while (slots[slot] != 0) {
+        slot = slot + 1 & slots.length - 1;
+      }
+      slots[slot] = number + 1;
     }
   }
 }
