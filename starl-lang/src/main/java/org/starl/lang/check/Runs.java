@@ -74,7 +74,7 @@ final class Runs {
     for (int state = of.nextSetBit(0); state >= 0; state = of.nextSetBit(state + 1)) {
       int number = state;
       machine.steps(
-          search.symmetry.state(states.get(state)),
+          search.successors.row(states.get(state)),
           side(progress, 0),
           new Machine.Steps() {
             @Override
@@ -102,7 +102,7 @@ final class Runs {
     BitSet where = new BitSet();
     List<Object> arguments = arguments(values);
     for (int state = of.nextSetBit(0); state >= 0; state = of.nextSetBit(state + 1)) {
-      Row row = search.symmetry.state(states.get(state));
+      Row row = search.successors.row(states.get(state));
       try {
         where.set(state, machine.firstFalse(row, side(progress, 1), arguments).isEmpty());
       } catch (Beyond e) {

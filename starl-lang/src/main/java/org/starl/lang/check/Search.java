@@ -18,6 +18,7 @@ import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.eval.Starts;
+import org.starl.lang.eval.Successors;
 import org.starl.lang.eval.Witness;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -121,6 +122,8 @@ public final class Search {
   final Symmetry symmetry;
   final States states;
   final Starts starts;
+  final Successors successors;
+  private final List<Invariant> ofStarts;
   private final int most;
 
   private final long[] taken;
@@ -149,12 +152,14 @@ public final class Search {
     this.most = most;
     automaton = machine.automaton();
     starts = machine.starts(given);
+    ofStarts = automaton.starts();
     unevaluated.putAll(starts.unasked());
     boolean needsGraph = needsGraph(automaton);
     graph = needsGraph ? new Graph(machine) : null;
     Map<String, Integer> alike = new LinkedHashMap<>(sizes.opaque());
     alike.keySet().removeAll(machine.chosen());
     symmetry = new Symmetry(machine, alike, isSymmetric && !needsGraph);
+    successors = new Successors(machine, symmetry);
     states = new States(machine.parts().size());
     taken = new long[automaton.actions().size()];
     falses = new boolean[taken.length][];
@@ -213,7 +218,7 @@ public final class Search {
 
   /** The states visited so far, in order. */
   List<Row> visited() {
-    return IntStream.range(0, states.size()).mapToObj(i -> symmetry.state(states.get(i))).toList();
+    return IntStream.range(0, states.size()).mapToObj(i -> successors.row(states.get(i))).toList();
   }
 
   private Result result(int depth, @Nullable Finding finding) {
@@ -285,18 +290,18 @@ public final class Search {
     int before = states.size();
     int number = states.add(numbers, parent);
     if (number == before) {
-      ask(automaton.invariants(), symmetry.state(numbers), number);
+      ask(automaton.invariants(), numbers, number);
       if (parent < 0) {
-        ask(automaton.starts(), symmetry.state(numbers), number);
+        ask(ofStarts, numbers, number);
       }
     }
     return number;
   }
 
-  private void ask(List<Invariant> invariants, Row state, int number) {
+  private void ask(List<Invariant> invariants, int[] state, int number) {
     for (Invariant invariant : invariants) {
       try {
-        if (!machine.holds(invariant, state)) {
+        if (!successors.holds(invariant, state)) {
           found(invariant, null, number);
         }
       } catch (Beyond e) {
@@ -374,21 +379,20 @@ public final class Search {
   }
 
   private void expand(int number) {
-    int[] numbers = states.get(number);
-    Row state = symmetry.state(numbers);
+    int[] state = states.get(number);
     boolean[] isEnd = {true};
     if (graph != null) {
       graph.beginState();
     }
-    machine.steps(
+    successors.steps(
         state,
-        new Machine.Steps() {
+        new Successors.Steps() {
           @Override
-          public void step(int action, Object[] arguments, Row after) {
+          public void step(int action, Object[] arguments, int[] after) {
             taken[action]++;
             steps += machine.areWithin(action, arguments) ? 1 : 0;
             isEnd[0] = false;
-            int to = visit(symmetry.representative(after, state, numbers), number);
+            int to = visit(symmetry.representative(after), number);
             if (graph != null) {
               graph.add(action, arguments, to);
             }

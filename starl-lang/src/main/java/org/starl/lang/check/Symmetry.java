@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Domain;
 import org.starl.lang.eval.Machine;
 import org.starl.lang.eval.Row;
+import org.starl.lang.eval.Successors;
 
 /**
  * Represents states that differ in the names of elements alone by one of them. The elements of a
@@ -22,7 +23,7 @@ import org.starl.lang.eval.Row;
  * to exchange two of them changes the state, all their orders are tried, and the least state is
  * taken.
  */
-final class Symmetry {
+final class Symmetry implements Successors.Numbers {
 
   /** So many orders are tried for a state, at most. */
   private static final int MOST = 5040;
@@ -121,24 +122,16 @@ final class Symmetry {
 
   /** The numbers that stand for the state, and for all that differ from it in names alone. */
   int[] representative(Row state) {
-    return representative(state, Row.of(List.of()), new int[0]);
+    return representative(
+        IntStream.range(0, pools.size()).map(i -> number(i, state.get(i))).toArray());
   }
 
-  /**
-   * The same, of a state that shares most parts with another one.
-   *
-   * @param numbersBefore of {@code before}
-   */
-  int[] representative(Row state, Row before, int[] numbersBefore) {
-    int width = pools.size();
-    int[] numbers = new int[width];
-    for (int i = 0; i < width; i++) {
-      boolean isSame = i < numbersBefore.length && state.get(i) == before.get(i);
-      numbers[i] = isSame ? numbersBefore[i] : pools.get(i).number(state.get(i));
-    }
+  /** The same, of the state of these numbers. */
+  int[] representative(int[] numbers) {
     if (elements.isEmpty()) {
       return numbers;
     }
+    int width = pools.size();
     int @Nullable [] least = null;
     for (int[] to : new Arrangements(numbers).all()) {
       Order order = order(to);
@@ -264,12 +257,13 @@ final class Symmetry {
     }
   }
 
-  /** The state of these numbers. */
-  Row state(int[] numbers) {
-    List<Object> values = new ArrayList<>();
-    for (int i = 0; i < numbers.length; i++) {
-      values.add(pools.get(i).value(numbers[i]));
-    }
-    return Row.of(values);
+  @Override
+  public int number(int part, Object value) {
+    return pools.get(part).number(value);
+  }
+
+  @Override
+  public Object value(int part, int number) {
+    return pools.get(part).value(number);
   }
 }

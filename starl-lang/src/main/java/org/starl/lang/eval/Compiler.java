@@ -100,6 +100,10 @@ final class Compiler {
   }
 
   int component(String name) {
+    return component(name, automaton);
+  }
+
+  static int component(String name, Automaton automaton) {
     for (int i = 0; i < automaton.state().size(); i++) {
       if (automaton.state().get(i).name().equals(name)) {
         return i;

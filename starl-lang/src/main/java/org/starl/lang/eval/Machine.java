@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Code.Frame;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Fairness;
@@ -252,6 +253,14 @@ public final class Machine {
     return new Compiler(automaton, domains, parameters, false);
   }
 
+  Act act(int action) {
+    return acts.get(action);
+  }
+
+  Reads reads() {
+    return new Reads(automaton, parameters);
+  }
+
   private Frame frame(Row state, Object[] variables) {
     return new Frame(state.items(), state.items(), parameters.size(), variables, 0);
   }
@@ -265,46 +274,83 @@ public final class Machine {
 
   /** The same, of one action, or of a side of a progress: these have the numbers after the actions'. */
   public void steps(Row state, int action, Steps to) {
-    Act act = acts.get(action);
-    steps(action, act, 0, 0, frame(state, act.locals()), to);
+    steps(
+        state,
+        action,
+        to,
+        (choice, arguments) -> {
+          Row after = after(state, action, arguments, to);
+          if (after != null) {
+            to.step(action, arguments, after);
+          }
+        });
   }
 
-  private static void steps(int number, Act act, int level, int first, Frame frame, Steps to) {
+  /** The state after an action, which is enabled; null if there is none: {@code to} is told. */
+  @Nullable Row after(Row state, int action, Object[] arguments, Steps to) {
+    try {
+      return after(state, action, List.of(arguments));
+    } catch (Beyond e) {
+      to.beyond(action, arguments);
+    } catch (EvalError e) {
+      to.error(action, arguments, e);
+    }
+    return null;
+  }
+
+  /** Is told for which arguments an action is enabled, and the number of their choice. */
+  interface Enabled {
+
+    void take(int choice, Object[] arguments);
+  }
+
+  /** Whether the condition of an action has a value for all arguments; else {@code to} is told, too. */
+  boolean steps(Row state, int action, Steps to, Enabled enabled) {
+    Act act = acts.get(action);
+    return steps(action, act, 0, 0, 0, frame(state, act.locals()), to, enabled);
+  }
+
+  private static boolean steps(
+      int number, Act act, int level, int first, int of, Frame frame, Steps to, Enabled enabled) {
     int conjunct = first;
     try {
       while (conjunct < act.levels.length && act.levels[conjunct] == level) {
         if (!act.test(conjunct, frame)) {
           to.conjunctIsFalse(number, conjunct);
-          return;
+          return true;
         }
         conjunct++;
       }
-      if (level == act.parameters.size()) {
-        to.step(number, arguments(act, level, frame), act.after(frame));
-        return;
-      }
     } catch (Beyond e) {
-      to.beyond(number, arguments(act, level, frame));
-      return;
+      to.beyond(number, Arrays.copyOf(frame.locals, level));
+      return false;
     } catch (EvalError e) {
-      to.error(number, arguments(act, level, frame), e);
-      return;
+      to.error(number, Arrays.copyOf(frame.locals, level), e);
+      return false;
     }
-    for (Object value : act.parameters.get(level).instances()) {
-      frame.locals[level] = value;
-      steps(number, act, level + 1, conjunct, frame, to);
+    if (level == act.parameters.size()) {
+      enabled.take(of, Arrays.copyOf(frame.locals, level));
+      return true;
     }
-  }
-
-  private static Object[] arguments(Act act, int level, Frame frame) {
-    return Arrays.copyOf(frame.locals, Math.min(level, act.parameters.size()));
+    boolean isDecided = true;
+    List<Object> values = act.parameters.get(level).instances();
+    for (int i = 0; i < values.size(); i++) {
+      frame.locals[level] = values.get(i);
+      int choice = of * values.size() + i;
+      isDecided &= steps(number, act, level + 1, conjunct, choice, frame, to, enabled);
+    }
+    return isDecided;
   }
 
   /** Whether none of the arguments stands for values beyond the bounds. */
   public boolean areWithin(int action, Object[] arguments) {
     List<Domain> domains = acts.get(action).parameters;
-    return IntStream.range(0, arguments.length)
-        .allMatch(i -> domains.get(i).contains(arguments[i]));
+    for (int i = 0; i < arguments.length; i++) {
+      if (!domains.get(i).contains(arguments[i])) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The parameters of an action of which some values are not tried, nor any that stands for them. */
