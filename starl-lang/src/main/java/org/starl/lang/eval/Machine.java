@@ -100,15 +100,19 @@ public final class Machine {
 
   /**
    * The sizes with each choice of values for the parameters that bounds of ranges have, of those that
-   * meet the assumptions on them; of none if these are given.
+   * may meet the assumptions; of none if these are given.
    *
    * @param given the values of some
    */
   public static List<Sizes> sizes(Automaton of, Sizes sizes, Map<String, Integer> given) {
-    Automaton numbers = of.refined().ofNumbers();
+    Automaton refined = of.refined();
+    List<String> numbers =
+        refined.valueParameters().stream()
+            .map(Field::name)
+            .filter(refined.numbers()::contains)
+            .toList();
     List<Map<String, Integer>> all = new ArrayList<>(List.of(Map.of()));
-    for (Field field : numbers.valueParameters()) {
-      String name = field.name();
+    for (String name : numbers) {
       Integer one = given.get(name);
       all =
           all.stream()
@@ -117,10 +121,11 @@ public final class Machine {
                       .mapToObj(n -> with(values, name, n)))
               .toList();
     }
-    boolean areGiven = given.keySet().containsAll(numbers.numbers());
+    boolean areGiven = given.keySet().containsAll(numbers);
+    Automaton parameters = refined.ofParameters(List.of());
     return all.stream()
         .map(sizes::with)
-        .filter(each -> areGiven || areAssumed(numbers, each))
+        .filter(each -> areGiven || areAssumed(parameters, each))
         .toList();
   }
 
@@ -130,20 +135,14 @@ public final class Machine {
     return more;
   }
 
-  /** Whether the assumptions on the numbers alone hold. */
+  /** Whether some values of the parameters meet the assumptions, or may do so beyond the bounds. */
   private static boolean areAssumed(Automaton of, Sizes sizes) {
-    List<Field> numbers = of.valueParameters();
-    Object[] values =
-        numbers.stream().map(each -> Num.of(sizes.number(each.name()).orElseThrow())).toArray();
-    Compiler compiler = new Compiler(of, new Domains(sizes, opaqueTypes(of)), numbers, false);
-    for (Invariant each : of.assumptions()) {
-      Compiler.Scope scope = new Compiler.Scope();
-      Code code = compiler.code(each.condition(), scope);
-      if (!code.test(new Frame(values, values, 0, new Object[scope.most], 0))) {
-        return false;
-      }
+    try {
+      Starts starts = new Machine(of, sizes).starts(Map.of());
+      return !starts.states().isEmpty() || !starts.bounded().isEmpty();
+    } catch (TooLarge | EvalError e) {
+      return true; // told where the values are tried
     }
-    return true;
   }
 
   private static void collect(Automaton automaton, Set<Field> parameters) {

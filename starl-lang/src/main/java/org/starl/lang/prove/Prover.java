@@ -68,8 +68,8 @@ public final class Prover {
   public Report prove() {
     List<Claim> claims = new ArrayList<>();
     measures(automaton, claims);
-    // Of the numbers alone: a state has no values of a type without any.
-    Automaton numbers = automaton.ofNumbers();
+    // Of parameters alone: a state has no values of a type without any.
+    Automaton numbers = automaton.ofParameters(automaton.ranges());
     claims.addAll(
         undefined(
             "start",
@@ -80,7 +80,7 @@ public final class Prover {
                             numbers.assumptions().stream().map(Invariant::condition),
                             numbers.maybeEmpty().stream().map(Exprs::defined))
                         .toList())));
-    claims.addAll(
+    List<Claim> undefined =
         undefined(
             "start",
             (size, title) -> new Question(automaton, size, title),
@@ -89,7 +89,8 @@ public final class Prover {
                     Stream.concat(
                             automaton.assumptions().stream().map(Invariant::condition),
                             automaton.start().stream())
-                        .toList())));
+                        .toList()));
+    undefined.stream().filter(each -> !claims.contains(each)).forEach(claims::add);
     claims.add(start());
     if (claims.stream().allMatch(Claim::isGood)) {
       claims.addAll(new Induction(automaton.invariants()).claims(Induction.worst(claims)));

@@ -132,17 +132,25 @@ public record Automaton(
     return names;
   }
 
-  /** Its {@link #numbers} alone, with what is assumed of them: it has no state. */
-  public Automaton ofNumbers() {
+  /**
+   * Its parameters, with what is assumed of them, but those of types with ranges, which may have no
+   * value: it has no state.
+   *
+   * @param asked the ranges that it has
+   */
+  public Automaton ofParameters(List<Expr> asked) {
+    List<Field> known =
+        valueParameters.stream().filter(each -> each.type().parameters().isEmpty()).toList();
+    List<String> names = known.stream().map(Field::name).toList();
     return new Automaton(
         name,
         typeParameters,
-        valueParameters.stream().filter(each -> numbers().contains(each.name())).toList(),
+        known,
         assumptions.stream()
-            .filter(each -> numbers().containsAll(Exprs.parameters(each.condition())))
+            .filter(each -> names.containsAll(Exprs.parameters(each.condition())))
             .toList(),
-        ranges,
-        List.of(),
+        asked,
+        types,
         List.of(),
         Map.of(),
         List.of(),

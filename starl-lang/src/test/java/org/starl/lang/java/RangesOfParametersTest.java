@@ -10,6 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.check.Search;
 import org.starl.lang.eval.EvalError;
 import org.starl.lang.eval.Machine;
@@ -238,5 +239,29 @@ class RangesOfParametersTest {
   void parameterStandsBeforeTheRangesThatNeedIt() {
     assertThatThrownBy(() -> read(RING.replace("N: nat, first: 0..N-1", "first: 0..N-1, N: nat")))
         .hasMessageStartingWith("x.starl:1:26: 'N-1' is no bound of a type");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "assume A: W > 0 and K > W",
+        "assume A: W > 0 assume B: W < K",
+        "assume A: forall p: P :: f(p) < K and W > f(p) and K > W",
+      })
+  void assumptionsOnSeveralParametersLeaveNoRangeEmpty(String assumptions) throws SourceErrors {
+    String text =
+        """
+        automaton Several[P, K: nat, W: nat, f: [P -> nat]]
+        %s
+        state x: 0..K - 1
+        start x = 0
+        action last eff x := K - 1
+        invariant Ends: x = 0 or x = K - 1
+        """
+            .formatted(assumptions);
+    assertThat(proved(text)).contains("Several: Ends holds, for any number of P and any K");
+    assertThat(Machine.sizes(read(text), new Sizes(Map.of("P", 2), 2, 1), Map.of()))
+        .extracting(each -> each.numbers().get("K"))
+        .containsExactly(2);
   }
 }
