@@ -2,7 +2,6 @@ package org.starl.spec.automaton;
 
 import java.util.Collections;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
@@ -50,7 +49,7 @@ public final class Finite {
   @SafeVarargs
   public static <T> SortedSet<T> suchThat(
       Predicate<? super T> condition, Iterable<? extends T>... where) {
-    SortedSet<T> those = new TreeSet<>();
+    SortedSet<T> those = Sets.copy(Collections.emptyList());
     for (Iterable<? extends T> values : where) {
       for (T value : values) {
         if (condition.test(value)) {

@@ -3,6 +3,8 @@ package org.starl.spec.automaton;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -10,11 +12,53 @@ import java.util.TreeSet;
 /** Immutable finite sets, and lists, as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
 
+  private static final Comparator<Object> ORDER = Sets::compare;
+
   private Sets() {}
+
+  /**
+   * An order of the values of a type: their own, if they have one; of terms, that of their names and
+   * arguments; of sets, lists and functions, that of what they are made of.
+   */
+  @SuppressWarnings("unchecked") // both are of one type
+  public static int compare(Object a, Object b) {
+    if (a instanceof Term one && b instanceof Term other) {
+      int order = one.name().compareTo(other.name());
+      return order == 0 ? compare(one.args(), other.args()) : order;
+    }
+    if (a instanceof Fun<?, ?> one && b instanceof Fun<?, ?> other) {
+      return compare(parts(one), parts(other));
+    }
+    if (a instanceof Collection<?> one && b instanceof Collection<?> other) {
+      Iterator<?> rest = other.iterator();
+      for (Object each : one) {
+        int order = rest.hasNext() ? compare(each, rest.next()) : 1;
+        if (order != 0) {
+          return order;
+        }
+      }
+      return rest.hasNext() ? -1 : 0;
+    }
+    return ((Comparable<Object>) a).compareTo(b);
+  }
+
+  private static List<Object> parts(Fun<?, ?> of) {
+    List<Object> parts = new ArrayList<>();
+    parts.add(of.defaultValue());
+    of.forEach((argument, value) -> parts.addAll(List.of(argument, value)));
+    return parts;
+  }
+
+  /** A set of its own with these elements. */
+  static <T> TreeSet<T> copy(Collection<? extends T> elements) {
+    TreeSet<T> copy = new TreeSet<>(ORDER);
+    copy.addAll(elements);
+    return copy;
+  }
 
   /** The empty set. */
   public static <T> SortedSet<T> emptyset() {
-    return Collections.unmodifiableSortedSet(new TreeSet<>());
+    return Collections.unmodifiableSortedSet(copy(List.of()));
   }
 
   /** The set of {@code x}. */
@@ -24,14 +68,14 @@ public final class Sets {
 
   /** {@code set} and {@code x}. */
   public static <T> SortedSet<T> add(T x, Collection<? extends T> set) {
-    SortedSet<T> more = new TreeSet<>(set);
+    SortedSet<T> more = copy(set);
     more.add(x);
     return Collections.unmodifiableSortedSet(more);
   }
 
   /** {@code set} without {@code x}. */
   public static <T> SortedSet<T> remove(T x, Collection<? extends T> set) {
-    SortedSet<T> less = new TreeSet<>(set);
+    SortedSet<T> less = copy(set);
     less.remove(x);
     return Collections.unmodifiableSortedSet(less);
   }
@@ -45,7 +89,7 @@ public final class Sets {
 
   /** The set of {@code elements}. */
   public static <T> SortedSet<T> of(Collection<? extends T> elements) {
-    return Collections.unmodifiableSortedSet(new TreeSet<>(elements));
+    return Collections.unmodifiableSortedSet(copy(elements));
   }
 
   /** The elements of one or both. */
@@ -53,21 +97,21 @@ public final class Sets {
     if (a.isEmpty() || b.isEmpty()) {
       return a.isEmpty() ? b : a;
     }
-    SortedSet<T> both = new TreeSet<>(a);
+    SortedSet<T> both = copy(a);
     both.addAll(b);
     return Collections.unmodifiableSortedSet(both);
   }
 
   /** The elements of {@code a} that are not in {@code b}. */
   public static <T> SortedSet<T> difference(SortedSet<T> a, SortedSet<T> b) {
-    SortedSet<T> less = new TreeSet<>(a);
+    SortedSet<T> less = copy(a);
     less.removeAll(b);
     return Collections.unmodifiableSortedSet(less);
   }
 
   /** The elements of both. */
   public static <T> SortedSet<T> intersection(SortedSet<T> a, SortedSet<T> b) {
-    SortedSet<T> both = new TreeSet<>(a);
+    SortedSet<T> both = copy(a);
     both.retainAll(b);
     return Collections.unmodifiableSortedSet(both);
   }

@@ -23,6 +23,20 @@ class SetsTest {
   }
 
   @Test
+  void elementsOfSetsMayBeAnyValues() {
+    Lift<String> none = new Lift.bottom<>();
+    assertThat(Sets.of(List.of(new Lift.up<>("b"), none, new Lift.up<>("a"), none)))
+        .containsExactly(none, new Lift.up<>("a"), new Lift.up<>("b"));
+    SortedSet<List<Long>> lists = Sets.of(List.of(List.of(1L, 2L), List.of(1L), List.of(0L, 5L)));
+    assertThat(lists).containsExactly(List.of(0L, 5L), List.of(1L), List.of(1L, 2L));
+    SortedSet<SortedSet<String>> sets = Sets.singleton(Sets.of(List.of("b", "a")));
+    assertThat(Sets.add(Sets.of(List.of("a", "b")), sets)).hasSize(1);
+    Fun<String, Long> zero = Fun.always(0L);
+    assertThat(Sets.of(List.of(zero.with("a", 1L), zero, zero.with("a", 0L))))
+        .containsExactly(zero, zero.with("a", 1L));
+  }
+
+  @Test
   void twoSetsAreJoinedAndCompared() {
     SortedSet<String> ab = Sets.of(List.of("b", "a"));
     SortedSet<String> bc = Sets.of(List.of("b", "c"));

@@ -34,7 +34,7 @@ final class ActionWriter {
             + " {");
     Map<String, List<Field>> records = new LinkedHashMap<>();
     for (Action action : automaton.actions()) {
-      String name = JavaTypes.name(action.name());
+      String name = types.type(action.name());
       List<String> about = new ArrayList<>(action.comment());
       if (!action.note().isEmpty()) {
         about.add(action.note());

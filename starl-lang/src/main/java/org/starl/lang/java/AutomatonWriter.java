@@ -346,7 +346,7 @@ final class AutomatonWriter {
   private void cases(Function<Action, Code> value) {
     out.line(4, "return switch (action) {");
     for (Action action : automaton.actions()) {
-      out.of(6, names.action() + "." + JavaTypes.name(action.name()) + " a", value.apply(action));
+      out.of(6, names.action() + "." + types.type(action.name()) + " a", value.apply(action));
     }
     out.line(4, "};").line(2, "}");
   }

@@ -27,7 +27,7 @@ final class Choices {
     Code whole = null;
     for (Expr.Case each : cases.reversed()) {
       String type = writer.types().of(sum, at.pos());
-      String constructor = JavaTypes.name(each.constructor().name());
+      String constructor = JavaTypes.form(sum, each.constructor().name());
       boolean isLast = whole == null;
       boolean hasVariable = !isLast && !each.variables().isEmpty();
       Code cast =

@@ -271,7 +271,7 @@ final class ExpressionWriter {
               .findFirst()
               .orElseThrow()
               .name();
-      String form = types.of(sum, at.pos()) + "." + JavaTypes.name(constructor);
+      String form = types.of(sum, at.pos()) + "." + JavaTypes.form(sum, constructor);
       of =
           tells && sum.constructors().size() > 1
               ? told("form", at.pos(), Code.string(at.field()), Code.name(form + ".class"), of)
@@ -282,7 +282,7 @@ final class ExpressionWriter {
 
   Code is(Code of, Type.Sum sum, Type.Constructor constructor, Pos pos) {
     String type = types.of(sum, pos);
-    String name = JavaTypes.name(constructor.name());
+    String name = JavaTypes.form(sum, constructor.name());
     return sum.isEnum()
         ? Code.infix("==", of, Code.name(type).field(name))
         : new Code.InstanceOf(of, type + "." + name);

@@ -102,10 +102,11 @@ final class Finite {
                 curried((Type.MapOf) at.type().base()),
                 at.pos());
     Where where = changes(variable, body);
-    if (where == null && variable.type().base() instanceof Type.Range range) {
+    Code all = writer.types().all(variable.type(), at.pos());
+    if (where == null && all != null) {
       // What it is elsewhere is the same for all maps of the type.
       Code any = writer.types().any(body.type(), at.pos());
-      where = new Where(List.of(writer.types().all(range)), writer.types().always(any));
+      where = new Where(List.of(all), writer.types().always(any));
     } else if (where == null) {
       Code elsewhere = writer.elsewhere(variable, () -> writer.of(body));
       where = new Where(sets(variable, body), writer.types().always(elsewhere));
@@ -161,9 +162,9 @@ final class Finite {
 
   /** Where {@code body} is to be evaluated to find the values of which it is {@code wanted}. */
   private Where where(Field variable, Expr body, boolean wanted) {
-    if (variable.type().base() instanceof Type.Range range) {
-      return new Where(
-          List.of(writer.types().all(range)), wanted ? Code.Text.FALSE : Code.Text.TRUE);
+    Code all = writer.types().all(variable.type(), body.pos());
+    if (all != null) {
+      return new Where(List.of(all), wanted ? Code.Text.FALSE : Code.Text.TRUE);
     }
     List<Code> bounds = bounds(variable.name(), body, wanted);
     if (bounds != null) {
@@ -258,18 +259,15 @@ final class Finite {
   }
 
   private Code only(List<Expr> elements) {
-    return tried(elements, list(elements.stream().map(writer::of).toArray(Code[]::new)));
-  }
-
-  private Code list(Code... elements) {
-    return Code.call(writer.types().use("java.util.List") + ".of", elements);
+    return tried(
+        elements, writer.types().list(elements.stream().map(writer::of).toArray(Code[]::new)));
   }
 
   /** The set of values to try; none where the source does not ask the value of these parts. */
   private Code tried(List<Expr> parts, Code set) {
     return guards.isEmpty() || parts.stream().noneMatch(writer::isPartial)
         ? set
-        : Code.choice(guards.stream().reduce(Code::and).orElseThrow(), set, list());
+        : Code.choice(guards.stream().reduce(Code::and).orElseThrow(), set, writer.types().list());
   }
 
   /** Evaluates {@code code} for what the source evaluates only if the left side does not decide. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.JavaType;
 import org.starl.lang.tree.Bound;
@@ -29,7 +30,10 @@ final class JavaTypes {
                   + " static strictfp super switch synchronized this throw throws transient try void"
                   + " volatile while true false null _ yield record sealed permits var"
                   + " args name text hashCode equals toString getClass notify"
-                  + " notifyAll wait clone finalize")
+                  + " notifyAll wait clone finalize"
+                  + " Action Automaton BiFunction BiPredicate Boolean Double Enabled Finite Fun"
+                  + " Function Lift List Location Long Object Objects Override Predicate Sets"
+                  + " SortedSet States String SuppressWarnings Term Undefined")
               .split(" "));
 
   /** Names that a module declaration reads as keywords: Error Prone warns of them. */
@@ -108,6 +112,17 @@ final class JavaTypes {
     return TAKEN.contains(plain) ? plain + "_" : plain;
   }
 
+  /** {@code name} as the name of a class in those of the automaton. */
+  String type(String name) {
+    boolean isTheirs = name.equals(names.automaton()) || name.equals(names.action());
+    return isTheirs ? name + "_" : name(name);
+  }
+
+  /** {@code name} as the name of a form. */
+  static String form(Type.Sum sum, String name) {
+    return !sum.isEnum() && name.equals(sum.name()) ? name + "_" : name(name);
+  }
+
   /** {@code name} as the name of a variable. */
   static String variable(String name) {
     return LOCAL.contains(name) ? name + "_" : name(name);
@@ -180,7 +195,8 @@ final class JavaTypes {
     };
   }
 
-  private String declared(String type) {
+  private String declared(String name) {
+    String type = type(name);
     return isOutside ? use(names.packageName() + "." + names.automaton() + "." + type) : type;
   }
 
@@ -204,7 +220,7 @@ final class JavaTypes {
               : bound(range.high().isAtMost(Bound.of(-1)) ? range.high() : range.low());
       case Type.SetOf set when form(set) == Sets.FUN -> always(Code.Text.FALSE);
       case Type.SetOf set when form(set) == Sets.FINITE -> emptyset();
-      case Type.ListOf list -> Code.call(use("java.util.List") + ".of");
+      case Type.ListOf list -> list();
       case Type.OptionOf option -> bottom();
       case Type.MapOf map -> {
         Code value = any(map.result(), pos);
@@ -214,7 +230,7 @@ final class JavaTypes {
         yield value;
       }
       case Type.Rec rec ->
-          new Code.New(rec.name(), rec.fields().stream().map(f -> any(f.type(), pos)).toList());
+          new Code.New(of(rec, pos), rec.fields().stream().map(f -> any(f.type(), pos)).toList());
       case Type.Sum sum when sum.constructors().getFirst().fields().isEmpty() ->
           make(sum, sum.constructors().getFirst().name(), List.of(), pos);
       case Type.Opaque opaque when own.isEmpty() -> Code.string("");
@@ -241,28 +257,48 @@ final class JavaTypes {
     return Code.call(use(FUN) + ".always", value);
   }
 
-  /** The map that is {@code value} everywhere. Outside of a range it is what all maps are there. */
+  /**
+   * The map that is {@code value} everywhere. What it is apart from the {@link #all} values of a type is
+   * the same for all maps.
+   */
   Code constant(Type.MapOf map, Code value, Pos pos) {
     Code code = value;
     Type result = map.result();
     for (Type argument : map.arguments().reversed()) {
-      boolean isUsual = !(argument.base() instanceof Type.Range) || code.equals(any(result, pos));
+      Code all = all(argument, pos);
       code =
-          isUsual
+          all == null || code.equals(any(result, pos))
               ? always(code)
               : Code.call(
                   use("org.starl.spec.automaton.Finite") + ".map",
                   always(any(result, pos)),
                   new Code.Lambda("each", code),
-                  all((Type.Range) argument.base()));
+                  all);
       result = new Type.MapOf(List.of(argument), result);
     }
     return code;
   }
 
-  Code all(Type.Range range) {
-    return Code.call(
-        use("org.starl.spec.automaton.Finite") + ".range", bound(range.low()), bound(range.high()));
+  /** All values of a range, of {@code bool}, or of a type of forms without fields; null of others. */
+  @Nullable Code all(Type type, Pos pos) {
+    return switch (type.base()) {
+      case Type.Range range ->
+          Code.call(
+              use("org.starl.spec.automaton.Finite") + ".range",
+              bound(range.low()),
+              bound(range.high()));
+      case Type.Bool bool -> list(Code.Text.FALSE, Code.Text.TRUE);
+      case Type.Sum sum when sum.isEnum() ->
+          list(
+              sum.constructors().stream()
+                  .map(form -> make(sum, form.name(), List.of(), pos))
+                  .toArray(Code[]::new));
+      default -> null;
+    };
+  }
+
+  Code list(Code... elements) {
+    return Code.call(use("java.util.List") + ".of", elements);
   }
 
   /** A bound of a range, as an argument. */
@@ -278,8 +314,8 @@ final class JavaTypes {
   Code make(Type.Sum sum, String constructor, List<Code> arguments, Pos pos) {
     String type = of(sum, pos);
     return sum.isEnum()
-        ? Code.name(type).field(name(constructor))
-        : new Code.New(type + "." + name(constructor), arguments);
+        ? Code.name(type).field(form(sum, constructor))
+        : new Code.New(type + "." + form(sum, constructor), arguments);
   }
 
   /** How values of a type are written in a trace. */

@@ -38,11 +38,15 @@ final class TypesWriter {
     switch (declared.type()) {
       case Type.Rec rec -> {
         out.blank().doc(2, declared.comment(), List.of());
-        out.head(2, "public record " + rec.name(), fields(rec.fields()), List.of(" {}"));
+        String name = types.type(rec.name());
+        String comparable = "implements Comparable<" + name + ">";
+        out.head(2, "public record " + name, fields(rec.fields()), List.of(comparable, " {"));
+        ordered(4, "public", name, list("this", rec.fields()), list("that", rec.fields()));
+        out.line(2, "}");
       }
       case Type.Sum sum when sum.isEnum() -> {
         out.blank().doc(2, declared.comment(), List.of());
-        out.line(2, "public enum " + sum.name() + " {");
+        out.line(2, "public enum " + types.type(sum.name()) + " {");
         for (int i = 0; i < sum.constructors().size(); i++) {
           boolean isLast = i == sum.constructors().size() - 1;
           out.line(4, JavaTypes.name(sum.constructors().get(i).name()) + (isLast ? "" : ","));
@@ -61,22 +65,39 @@ final class TypesWriter {
 
   private void sum(Type.Sum sum) {
     String term = types.use("org.starl.spec.automaton.Term");
-    out.line(2, "public sealed interface " + sum.name() + " extends " + term + " {");
+    String type = types.type(sum.name());
+    String above = term + ", Comparable<" + type + ">";
+    out.line(2, "public sealed interface " + type + " extends " + above + " {");
     Map<String, List<Field>> constructors = new LinkedHashMap<>();
     for (Type.Constructor each : sum.constructors()) {
-      String name = JavaTypes.name(each.name());
+      String name = JavaTypes.form(sum, each.name());
       constructors.put(name, each.fields());
       out.blank();
       if (JavaTypes.isContextual(name)) {
         out.line(4, "// The theory's name; in module declarations it is a keyword.");
         out.line(4, "@SuppressWarnings(\"NamedLikeContextualKeyword\")");
       }
-      out.head(
-          4, "record " + name, fields(each.fields()), List.of("implements " + sum.name(), " {"));
+      out.head(4, "record " + name, fields(each.fields()), List.of("implements " + type, " {"));
       out.line(6, "@Override").line(6, "public String toString() {");
       out.line(8, "return text();").line(6, "}").line(4, "}");
     }
     ActionWriter.args(4, constructors, types, out);
+    ordered(4, "default", type, Code.name("this"), Code.name("that"));
     out.line(2, "}");
+  }
+
+  /** {@code compareTo}: values are elements of sets, and arguments of maps. */
+  private void ordered(int indent, String word, String type, Code one, Code other) {
+    String sets = types.use("org.starl.spec.automaton.Sets");
+    out.blank().line(indent, "@Override");
+    out.line(indent, word + " int compareTo(" + type + " that) {");
+    out.returned(indent + 2, Code.call(sets + ".compare", one, other)).line(indent, "}");
+  }
+
+  private Code list(String of, List<Field> fields) {
+    return types.list(
+        fields.stream()
+            .map(f -> Code.name(of).field(JavaTypes.name(f.name())))
+            .toArray(Code[]::new));
   }
 }

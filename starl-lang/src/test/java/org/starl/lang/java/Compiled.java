@@ -131,6 +131,11 @@ final class Compiled {
     return state;
   }
 
+  /** The values of an enumeration. */
+  Object[] enumerated(String type) throws ReflectiveOperationException {
+    return loader.loadClass("x.XAutomaton$" + type).getEnumConstants();
+  }
+
   ClassLoader loader() {
     return loader;
   }

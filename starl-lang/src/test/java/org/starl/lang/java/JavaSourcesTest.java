@@ -11,6 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.read.SourceErrors;
 import org.starl.spec.automaton.Undefined;
 
@@ -200,7 +201,6 @@ class JavaSourcesTest {
               b: Both
             start n = 0
             action places(t: T, u: T, k: nat) eff m(t) := 1, m(u) := k
-            action part(k: nat) eff b.left := k, b := Both(left := 1, right := 1)
             action fields(k: nat) eff b.left := k, b.right := 1
             action off(t: T, u: T) pre n > 0 eff m(t) := 2, m(u) := 1
             """);
@@ -208,14 +208,9 @@ class JavaSourcesTest {
     assertThat(twice.after("places", "t", "t", 1L).toString()).contains("m=(t: 1)");
     assertThat(twice.after("fields", 2L).toString()).contains("b=Both[left=2, right=1]");
     assertThat(twice.after("off", "t", "t").toString()).contains("m=(t: 1)");
-    assertTwice(twice, "9:50: 'places'", "places", "t", "t", 2L);
-    assertTwice(twice, "10:38: 'part'", "part", 1L);
-  }
-
-  private static void assertTwice(Compiled twice, String where, String action, Object... given) {
-    assertThatThrownBy(() -> twice.after(action, given))
+    assertThatThrownBy(() -> twice.after("places", "t", "t", 2L))
         .isInstanceOf(Undefined.class)
-        .hasMessage("x.starl:" + where + " changes one place twice; expected one effect on it");
+        .hasMessage("x.starl:9:50: 'places' changes one place twice; expected one effect on it");
   }
 
   private Object form(String constructor, Object... arguments) throws ReflectiveOperationException {
@@ -254,5 +249,89 @@ class JavaSourcesTest {
     assertThatThrownBy(() -> Compiled.files(changed))
         .isInstanceOf(SourceErrors.class)
         .hasMessage("x.starl:" + error);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "class",
+        "var",
+        "record",
+        "States",
+        "Action",
+        "Term",
+        "Fun",
+        "Lift",
+        "List",
+        "Override",
+        "String",
+        "Object",
+        "Undefined",
+        "Finite",
+        "Sets",
+        "SortedSet",
+        "Long",
+        "XAutomaton",
+        "XAction"
+      })
+  void aTypeMayHaveAnyName(String name) throws SourceErrors {
+    String body =
+        """
+        automaton Named[T]
+        java "x.XAutomaton"
+        type NAME = FORMS
+        state
+          x: NAME
+          m: [T -> NAME]
+          l: list[NAME]
+          o: option[NAME]
+          q: nat
+        start q = 0, l = [], o = none
+        action put(t: T, v: NAME)
+          pre q < 3, m(t) = x
+          eff m(t) := v, x := v, l := l ++ [v], o := some(v), q := q + 1
+        action get
+          pre l != []
+          eff x := head(l), l := tail(l), q := 3 - q
+        invariant Known: elements(l) subset elements(l)
+        """
+            .replace("NAME", name);
+    for (String forms : List.of("aa | bb", "aa | bb(n: nat)", "record(n: nat, k: set[nat])")) {
+      assertThat(new Compiled(body.replace("FORMS", forms)).state()).contains("q=0");
+    }
+  }
+
+  @Test
+  void anyValuesAreElementsOfSetsAndFormsAreArgumentsOfMaps()
+      throws SourceErrors, ReflectiveOperationException {
+    Compiled compiled =
+        new Compiled(
+            """
+            automaton Keys[T]
+            java "x.XAutomaton"
+            type Pair = record(that: nat, who: T)
+            type Form = Form(n: nat) | empty
+            state
+              pairs: set[Pair]
+              forms: set[Form]
+              options: set[option[Form]]
+              sets: set[set[Pair]]
+              of: [Pair -> nat]
+              by: [Form -> nat]
+            start pairs = {}, forms = {}, options = {}, sets = {}, forall p: Pair, f: Form :: of(p) = 0 and by(f) = 0
+            action put(n: nat, t: T)
+              eff pairs := pairs union {Pair(n, t)}, forms := forms union {Form(n), empty},
+                options := options union {some(Form(n)), none}, sets := sets union {pairs},
+                of(Pair(n, t)) := n, by(Form(n)) := n
+            action seen(n: nat, t: T)
+              pre Pair(n, t) in pairs, Form(n) in forms, none in options, {} in sets, of(Pair(n, t)) = n,
+                by(Form(n)) = n
+            """
+                .replace("Pair(n, t)", "Pair(that := n, who := t)"));
+    compiled.step("put", 2L, "p");
+    compiled.step("put", 1L, "q");
+    assertThat(compiled.enabled("seen", 2L, "p").isTrue()).isTrue();
+    assertThat(compiled.enabled("seen", 1L, "q").isTrue()).isTrue();
+    assertThat(compiled.enabled("seen", 1L, "p").isTrue()).isFalse();
   }
 }

@@ -52,6 +52,40 @@ class QuantifiersTest {
     assertThat(compiled.enabled("yours", "q").isTrue()).isFalse();
   }
 
+  @Test
+  void allValuesOfAFiniteTypeAreTried() throws SourceErrors, ReflectiveOperationException {
+    Compiled compiled =
+        new Compiled(
+            """
+            automaton Random_decls[T]
+            java "x.XAutomaton"
+            type Color = red | green
+            type Pair = record(so: bool, of: Color)
+            state
+              those: set[Pair]
+              ways: [Color, bool -> nat]
+            start those = {}, forall c: Color, b: bool :: ways(c, b) = 0
+            action count(c: Color, b: bool) eff ways(c, b) := 1
+            action even pre ways = [c: Color, b: bool -> 1]
+            action put(b: bool) eff those := those union {Pair(so := b, of := green)}
+            action any pre exists b: bool, c: Color :: Pair(so := b, of := c) in those
+            action all pre forall b: bool :: Pair(so := b, of := green) in those
+            """);
+    Object[] colors = compiled.enumerated("Color");
+    for (Object color : colors) {
+      compiled.step("count", color, true);
+      assertThat(compiled.enabled("even").isTrue()).isFalse();
+      compiled.step("count", color, false);
+    }
+    assertThat(compiled.enabled("even").isTrue()).isTrue();
+    assertThat(compiled.enabled("any").isTrue()).isFalse();
+    compiled.step("put", true);
+    assertThat(compiled.enabled("any").isTrue()).isTrue();
+    assertThat(compiled.enabled("all").isTrue()).isFalse();
+    compiled.step("put", false);
+    assertThat(compiled.enabled("all").isTrue()).isTrue();
+  }
+
   @Property(tries = 6)
   @Tag("long")
   void generatedConditionsAreTrueWhereTheyAreInAFiniteUniverse(@ForAll long seed)

@@ -44,7 +44,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
     return first;
   }
 
-  public sealed interface Outcome extends Term {
+  public sealed interface Outcome extends Term, Comparable<Outcome> {
 
     // The theory's name; in module declarations it is a keyword.
     @SuppressWarnings("NamedLikeContextualKeyword")
@@ -77,9 +77,20 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
         case failed a -> List.of(a.missing);
       };
     }
+
+    @Override
+    default int compareTo(Outcome that) {
+      return Sets.compare(this, that);
+    }
   }
 
-  public record Told(long gen, Outcome out) {}
+  public record Told(long gen, Outcome out) implements Comparable<Told> {
+
+    @Override
+    public int compareTo(Told that) {
+      return Sets.compare(List.of(this.gen, this.out), List.of(that.gen, that.out));
+    }
+  }
 
   /** The states. */
   public record States(

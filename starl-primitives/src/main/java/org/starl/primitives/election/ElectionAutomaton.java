@@ -1,6 +1,7 @@
 // Generated from Election_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.election;
 
+import java.util.List;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
@@ -30,7 +31,13 @@ public final class ElectionAutomaton
   public static final String ELECTION_DECLS = "Election_decls";
 
   /** who = none: null or fail */
-  public record Known(long term, Lift<ProcessId> who) {}
+  public record Known(long term, Lift<ProcessId> who) implements Comparable<Known> {
+
+    @Override
+    public int compareTo(Known that) {
+      return Sets.compare(List.of(this.term, this.who), List.of(that.term, that.who));
+    }
+  }
 
   /**
    * The states.

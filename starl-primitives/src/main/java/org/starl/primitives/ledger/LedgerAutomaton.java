@@ -9,6 +9,7 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Lift;
+import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Term;
 
 /**
@@ -32,7 +33,7 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
   /** The theory's name. */
   public static final String LEDGER_DECLS = "Ledger_decls";
 
-  public sealed interface Stage extends Term {
+  public sealed interface Stage extends Term, Comparable<Stage> {
 
     record absent() implements Stage {
       @Override
@@ -80,6 +81,11 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
         case begun a -> List.of(a.who);
         case finished a -> List.of();
       };
+    }
+
+    @Override
+    default int compareTo(Stage that) {
+      return Sets.compare(this, that);
     }
   }
 
