@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Action;
@@ -108,13 +107,19 @@ final class AutomatonReader extends PartsReader {
     each(
         StarlParser.RefinesPartContext.class,
         at -> refinements.add(refines.read(at, instance(at, at.of, at.argument()))));
-    Stream<Invariant> conditions = Stream.concat(ends.stream(), invariants.stream().distinct());
-    requireUnique(
-        Stream.concat(
-                progress.stream().map(Progress::name), conditions.map(Invariant::name).distinct())
-            .toList(),
-        "progress");
-    requireUnique(actions.stream().map(Action::name).toList(), "action");
+    requireUnique("assumption", StarlParser.AssumePartContext.class, at -> at.name);
+    requireUnique("action", StarlParser.ActionPartContext.class, at -> at.name);
+    requireUnique("progress", StarlParser.ProgressPartContext.class, at -> at.name);
+    List<String> asked = invariants.stream().map(Invariant::name).toList();
+    each(
+        StarlParser.ProgressPartContext.class,
+        at -> {
+          if (asked.contains(at.name.getText())) {
+            problems.add(
+                at.name,
+                "'" + at.name.getText() + "' is an invariant already; expected a new name");
+          }
+        });
     if (start.isEmpty() && problems.isEmpty()) {
       problems.add(
           unit,
@@ -256,15 +261,20 @@ final class AutomatonReader extends PartsReader {
     Set<String> places = new TreeSet<>();
     for (int i = 0; i < eff.size(); i++) {
       if (eff.get(i) instanceof Effect.Assign
-          && at.eff().effect(i) instanceof StarlParser.AssignmentContext assignment
-          && !places.add(SourceText.of(assignment.place()))) {
-        problems.add(
-            assignment,
-            "'"
-                + SourceText.of(assignment.place())
-                + "' is changed twice; expected one effect on each place");
+          && at.eff().effect(i) instanceof StarlParser.AssignmentContext assignment) {
+        String place = SourceText.of(assignment.place());
+        if (places.stream().anyMatch(each -> isWithin(place, each) || isWithin(each, place))) {
+          problems.add(
+              assignment, "'" + place + "' is changed twice; expected one effect on each place");
+        }
+        places.add(place);
       }
     }
+  }
+
+  /** Whether a place is the other one, or a part of it: {@code x(i).a} of {@code x(i)}. */
+  private static boolean isWithin(String place, String whole) {
+    return place.equals(whole) || place.startsWith(whole + "(") || place.startsWith(whole + ".");
   }
 
   private Fairness fairness(

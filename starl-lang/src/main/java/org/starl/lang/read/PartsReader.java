@@ -65,6 +65,7 @@ class PartsReader {
   }
 
   final void readTypes() {
+    each(StarlParser.TypePartContext.class, at -> scope.later.add(at.name.getText()));
     each(
         StarlParser.TypePartContext.class,
         at -> declared.add(new Declared(types.declare(at), source.before(at))));
@@ -93,7 +94,7 @@ class PartsReader {
   final List<Function> functions() {
     List<Function> functions = new ArrayList<>();
     List<StarlParser.FunPartContext> parts = signatures();
-    parts.forEach(at -> orTold(() -> functions.add(function(at))));
+    each(parts, StarlParser.FunPartContext.class, at -> functions.add(function(at)));
     requireNoCircles(parts);
     return List.copyOf(functions);
   }
@@ -103,7 +104,7 @@ class PartsReader {
     each(
         StarlParser.InvariantPartContext.class,
         at -> invariants.add(condition(at, at.name, at.expression())));
-    requireUnique(invariants.stream().map(Invariant::name).toList(), "invariant");
+    requireUnique("invariant", StarlParser.InvariantPartContext.class, at -> at.name);
     return List.copyOf(invariants);
   }
 
@@ -139,10 +140,14 @@ class PartsReader {
       List<? extends ParserRuleContext> parts, Class<P> kind, Consumer<P> read) {
     for (ParserRuleContext part : parts) {
       if (kind.isInstance(part)) {
-        orTold(() -> {
-          read.accept(kind.cast(part));
-          return true;
-        });
+        try {
+          orTold(() -> {
+            read.accept(kind.cast(part));
+            return true;
+          });
+        } catch (StackOverflowError e) {
+          problems.add(part, SourceReader.TOO_DEEP);
+        }
       }
     }
   }
@@ -169,13 +174,19 @@ class PartsReader {
     return name;
   }
 
-  final void requireUnique(List<String> names, String kind) {
+  /** Tells the names that are there twice. */
+  final <P extends PartContext> void requireUnique(
+      String what, Class<P> kind, java.util.function.Function<P, StarlParser.IdContext> of) {
     Set<String> seen = new TreeSet<>();
-    for (String name : names) {
-      if (!seen.add(name)) {
-        problems.add(whole, kind + " '" + name + "' is here twice; expected different names");
-      }
-    }
+    each(
+        kind,
+        at -> {
+          String name = of.apply(at).getText();
+          if (!seen.add(name)) {
+            problems.add(
+                of.apply(at), what + " '" + name + "' is here twice; expected different names");
+          }
+        });
   }
 
   static String unquoted(Token string) {
@@ -185,8 +196,18 @@ class PartsReader {
   /** Makes the functions known, so that they may call each other. */
   private List<StarlParser.FunPartContext> signatures() {
     List<StarlParser.FunPartContext> parts = new ArrayList<>();
-    each(StarlParser.FunPartContext.class, parts::add);
     Set<String> reading = new TreeSet<>(scope.state.keySet());
+    each(
+        StarlParser.FunPartContext.class,
+        at -> {
+          String name = at.name.getText();
+          scope.wrong.add(name);
+          if (mentions(at.expression(), reading)) {
+            reading.add(name);
+          }
+          scope.wrong.remove(name);
+          parts.add(at);
+        });
     boolean grows = true;
     while (grows) {
       grows = false;

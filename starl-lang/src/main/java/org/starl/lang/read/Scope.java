@@ -38,6 +38,9 @@ final class Scope {
   /** See {@link Automaton#ranges}. */
   final List<Expr> ranges = new ArrayList<>();
 
+  /** The types that are declared further down. */
+  final Set<String> later = new TreeSet<>();
+
   /** Names whose declaration is wrong: what uses them need not be told. */
   final Set<String> wrong = new TreeSet<>();
 

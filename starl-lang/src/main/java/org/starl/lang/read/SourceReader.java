@@ -8,7 +8,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
 import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
@@ -30,6 +33,25 @@ import org.starl.lang.tree.Type.Field;
 
 /** Reads sources. */
 public final class SourceReader {
+
+  static final String TOO_DEEP = "an expression nests too deeply; expected shorter expressions";
+
+  /** It ends a line, too. */
+  private static final Pattern LONE_RETURN = Pattern.compile("\r(?!\n)");
+
+  private static final Set<Integer> BEGINNINGS =
+      Set.of(
+          StarlLexer.PRE,
+          StarlLexer.EFF,
+          StarlLexer.START,
+          StarlLexer.STATE,
+          StarlLexer.TYPE,
+          StarlLexer.FUN,
+          StarlLexer.INVARIANT,
+          StarlLexer.ASSUME,
+          StarlLexer.PROGRESS,
+          StarlLexer.WHEN,
+          StarlLexer.DO);
 
   private final Map<Path, Source> read = new LinkedHashMap<>();
   private final Library library;
@@ -91,8 +113,7 @@ public final class SourceReader {
     try {
       units.addAll(text);
     } catch (StackOverflowError e) {
-      units.problems.add(
-          new Pos(1, 1), "an expression nests too deeply; expected shorter expressions");
+      units.problems.add(units.place(), TOO_DEEP);
     }
     return units.source();
   }
@@ -113,6 +134,7 @@ public final class SourceReader {
     private final List<Automaton> automata = new ArrayList<>();
     private final List<Program> programs = new ArrayList<>();
     private final List<Primitive> primitives = new ArrayList<>();
+    private @Nullable CommonTokenStream parsed;
 
     private Units(String name, @Nullable Path path) {
       problems = new Problems(name);
@@ -121,6 +143,7 @@ public final class SourceReader {
 
     private void addAll(String text) {
       CommonTokenStream tokens = tokens(problems.file(), text, problems);
+      parsed = tokens;
       StarlParser.FileContext file = parser(tokens, problems).file();
       if (!problems.isEmpty()) {
         return;
@@ -132,6 +155,16 @@ public final class SourceReader {
       if (automata.isEmpty() && primitives.isEmpty() && problems.isEmpty()) {
         problems.add(new Pos(1, 1), "no automaton or program here; expected one");
       }
+    }
+
+    /** Where the condition, effect or declaration begins that the parser is in. */
+    private Pos place() {
+      CommonTokenStream tokens = Objects.requireNonNull(parsed);
+      int i = tokens.LA(1) == Token.EOF ? 0 : tokens.index(); // all of it is parsed
+      while (i > 0 && !BEGINNINGS.contains(tokens.get(i).getType())) {
+        i--;
+      }
+      return Problems.pos(tokens.get(i));
     }
 
     private void add(ParseTree unit, SourceText source) {
@@ -211,7 +244,8 @@ public final class SourceReader {
   }
 
   private static CommonTokenStream tokens(String name, String text, Problems problems) {
-    StarlLexer lexer = new StarlLexer(CharStreams.fromString(text, name));
+    StarlLexer lexer =
+        new StarlLexer(CharStreams.fromString(LONE_RETURN.matcher(text).replaceAll("\n"), name));
     lexer.removeErrorListeners();
     lexer.addErrorListener(listener(problems));
     return new CommonTokenStream(lexer);

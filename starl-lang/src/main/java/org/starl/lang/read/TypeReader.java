@@ -130,7 +130,11 @@ final class TypeReader {
     Type known = scope.types.get(at.getText());
     if (known == null) {
       String expected = Problems.oneOf(at.getText(), scope.types.keySet());
-      problems.add(at, "'" + at.getText() + "' is no type; " + expected);
+      problems.add(
+          at,
+          scope.later.contains(at.getText())
+              ? "'" + at.getText() + "' is declared below; expected it above"
+              : "'" + at.getText() + "' is no type; " + expected);
       throw new Wrong();
     }
     Pos place = scope.places.get(at.getText());
@@ -192,6 +196,7 @@ final class TypeReader {
   /** Declares a type. */
   Type declare(StarlParser.TypePartContext at) {
     String name = at.name.getText();
+    scope.later.remove(name);
     scope
         .taken(name)
         .ifPresent(what ->

@@ -120,7 +120,7 @@ class SourceReaderTest {
           pre by = some(i) | pre let x = 1 in {1} | 15:3: found 'eff'; expected '::'
           pre by = some(i) | pre [i](0, 1) = i | 14:7: '[i]' has 2 arguments here; expected 1: int
           action change(i: PIDS) | action change(i, the: PIDS) | 13:18: 'the' is a function of the language already; expected a new name
-          action change(i | action take(i | 2:1: action 'take' is here twice; expected different names
+          action change(i | action take(i | 13:8: action 'take' is here twice; expected different names
           then green else red | then green | 16:1: found the end of the file; expected 'else'
           by = none, shows | {} = {}, shows | 7:12: nothing here says of what type the elements of '{}' are; expected a set or list of a known type beside it
           """)
@@ -161,8 +161,14 @@ class SourceReaderTest {
   @Test
   void expressionThatNestsTooDeeplyIsTold() {
     String deep = "not (".repeat(50_000) + "free?" + ")".repeat(50_000);
+    String told = ": an expression nests too deeply; expected shorter expressions";
     assertThat(errors(LAMP.replace("pre free?", "pre " + deep)).getMessage())
-        .isEqualTo("lamp.starl:1:1: an expression nests too deeply; expected shorter expressions");
+        .isEqualTo("lamp.starl:11:3" + told);
+    String wide = "free?" + " and free?".repeat(50_000);
+    assertThat(errors(LAMP.replace("pre free?", "pre " + wide)).getMessage())
+        .isEqualTo("lamp.starl:10:1" + told);
+    assertThat(errors(LAMP.replace("by = none\n", "by = none and " + wide + "\n")).getMessage())
+        .isEqualTo("lamp.starl:8:1" + told);
   }
 
   @Test
@@ -186,5 +192,35 @@ class SourceReaderTest {
     assertThat(told).as("the source is accepted").isNotNull();
     assertThat(told.errors()).isEqualTo(List.copyOf(told.errors()));
     return told;
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '~',
+      textBlock =
+          """
+          action change(i ~ action take(i ~ 13:8: action 'take' is here twice; expected different names
+          // Takes ~ invariant A: true invariant A: true // Takes ~ 9:29: invariant 'A' is here twice; expected different names
+          // Takes ~ assume A: true assume A: true // Takes ~ 9:23: assumption 'A' is here twice; expected different names
+          // Takes ~ progress A: eventually true progress A: no deadlock // Takes ~ 9:38: progress 'A' is here twice; expected different names
+          eff by := some(i) ~ eff m := [j: PIDS -> c], m(i) := c ~ 14:28: 'm(i)' is changed twice; expected one effect on each place
+          eff by := some(i) ~ eff m(i).a := 0, m(i) := c ~ 14:20: 'm(i)' is changed twice; expected one effect on each place
+          eff by := some(i) ~ eff c := C(a := 0), c.a := 0 ~ 14:23: 'c.a' is changed twice; expected one effect on each place
+          type Color = red ~ type Early = option[Color] type Color = red ~ 3:21: 'Color' is declared below; expected it above
+          """)
+  void namesThatAreThereTwiceOrTooLateAreTold(String part, String wrong, String message) {
+    String lamp =
+        part.startsWith("eff")
+            ? LAMP.replace("state\n", "type C = record(a: nat)\nstate m: [PIDS -> C]\n  c: C\n")
+            : LAMP;
+    assertThat(errors(lamp.replace(part, wrong)).errors())
+        .hasToString("[lamp.starl:" + message + "]");
+  }
+
+  @Test
+  void carriageReturnsEndLines() {
+    String wrong = LAMP.replace("shows = red\n", "shows = blue\n");
+    assertThat(errors(wrong.replace("\n", "\r")).errors()).isEqualTo(errors(wrong).errors());
+    assertThat(errors(wrong.replace("\n", "\r\n")).errors()).isEqualTo(errors(wrong).errors());
   }
 }
