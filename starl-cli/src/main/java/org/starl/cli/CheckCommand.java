@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -189,7 +190,9 @@ final class CheckCommand extends SourceCommand {
             "--size: "
                 + BadInput.quote(type)
                 + " is no opaque type here; expected "
-                + (isValue ? "--value " + size : "one of " + String.join(", ", opaque.keySet())));
+                + (isValue
+                    ? "--value " + size
+                    : oneOf(opaque.keySet(), String.join(", ", opaque.keySet()))));
       }
       int number = OptionValues.whole("--size", size.substring(type.length() + 1), 1, LARGEST);
       opaque.computeIfPresent(type, (key, usual) -> number);
@@ -198,6 +201,10 @@ final class CheckCommand extends SourceCommand {
         opaque,
         OptionValues.whole("--nat", nat, 0, LARGEST_NUMBER),
         OptionValues.whole("--time", time, 0, LARGEST_NUMBER));
+  }
+
+  private static String oneOf(Collection<String> names, String those) {
+    return names.isEmpty() ? "no such option, as there is none" : "one of " + those;
   }
 
   private static String left(String option, String text, String form) {
@@ -233,6 +240,7 @@ final class CheckCommand extends SourceCommand {
       if (isOfAnother || of.numbers().containsKey(parameter)) {
         continue;
       }
+      List<String> names = machine.parameters().stream().map(Field::name).toList();
       Field field =
           machine.parameters().stream()
               .filter(p -> p.name().equals(parameter))
@@ -243,8 +251,8 @@ final class CheckCommand extends SourceCommand {
                           + BadInput.quote(parameter)
                           + " is no value parameter of "
                           + machine.automaton().name()
-                          + "; expected one of "
-                          + machine.parameters().stream().map(Field::name).toList()));
+                          + "; expected "
+                          + oneOf(names, names.toString())));
       String text = each.substring(each.indexOf('=') + 1);
       try {
         Expr expr =

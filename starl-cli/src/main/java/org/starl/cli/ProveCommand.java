@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import org.starl.lang.prove.Claim;
 import org.starl.lang.prove.NoSolver;
 import org.starl.lang.prove.Prover;
@@ -51,7 +52,7 @@ final class ProveCommand extends SourceCommand {
   private long questions;
 
   @Override
-  int run(Source source) throws IOException {
+  int run(Source source) {
     List<Automaton> automata = source.automata();
     long steps = OptionValues.whole("--limit", limit, 1, MOST_MILLIONS) * MILLION;
     Verdict verdict = Verdict.HOLDS;
@@ -94,7 +95,7 @@ final class ProveCommand extends SourceCommand {
                 .formatted(asked, automaton));
   }
 
-  private Report prove(Automaton automaton, long steps) throws IOException {
+  private Report prove(Automaton automaton, long steps) {
     try {
       Path of = folder == null ? null : Files.createDirectories(Path.of(folder, automaton.name()));
       return new Prover(
@@ -110,8 +111,10 @@ final class ProveCommand extends SourceCommand {
       throw new MissingDependencyException(String.valueOf(e.getMessage()));
     } catch (Unprovable e) {
       throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
-    } catch (UncheckedIOException e) {
-      throw e.getCause();
+    } catch (IOException | UncheckedIOException e) {
+      throw new BadInput(
+          "--keep: %s: cannot be written (%s); expected a folder"
+              .formatted(BadInput.quote(String.valueOf(folder)), FailureText.of(e)));
     }
   }
 

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
@@ -38,7 +39,14 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
       return ExitStatus.BAD_INPUT;
     }
     programs = source.programs();
-    return run(source);
+    try {
+      return run(source);
+    } catch (StackOverflowError e) {
+      throw new BadInput(
+          file()
+              + ": an expression nests too deeply, or an automaton is too long; expected shorter ones,"
+              + " or a larger stack: STARL_JAVA_OPTS=-Xss64m");
+    }
   }
 
   /** Where the branches of a program are whose actions have these names. */

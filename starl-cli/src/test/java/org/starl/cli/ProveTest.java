@@ -47,6 +47,27 @@ class ProveTest {
   }
 
   @Test
+  void whatIsTooDeepIsToldByTheReaderOrTheProver() throws IOException {
+    for (int conjuncts = 500; conjuncts <= 4_000; conjuncts *= 2) {
+      Cli cli = Cli.run("prove", file(LAMP.strip() + " and by = by".repeat(conjuncts) + "\n"));
+      if (conjuncts == 4_000 || cli.status() != ExitStatus.VIOLATED) {
+        assertThat(cli.status()).as("%s", cli).isEqualTo(ExitStatus.BAD_INPUT);
+        assertThat(cli.err().getFirst()).contains("lamp.starl").contains("nests too deeply");
+      }
+    }
+  }
+
+  @Test
+  void questionsAreKeptInAFolderAlone() throws IOException {
+    String file = file(LAMP);
+    Cli cli = Cli.run("prove", file, "--keep", file);
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err().getFirst())
+        .startsWith("starl: --keep: '" + file + "': cannot be written (")
+        .endsWith("; expected a folder");
+  }
+
+  @Test
   void branchesOfAProgramAreToldWithTheirPlaces() throws IOException {
     String file = file(CheckTest.TWICE);
     Cli cli = Cli.run("prove", file);
