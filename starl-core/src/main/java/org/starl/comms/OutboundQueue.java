@@ -129,7 +129,9 @@ final class OutboundQueue<P> {
   private void transmitHeldBack(Lane<P> lane, long nowNs) {
     Outgoing<P> next = lane.pollTransmittable();
     while (next != null) {
-      transmit(next, nowNs);
+      if (!next.isExhausted(nowNs)) { // else it is given up: it is due
+        transmit(next, nowNs);
+      }
       next = lane.pollTransmittable();
     }
   }
