@@ -610,10 +610,10 @@ final class Compiler {
         Code equal = equal(binary, left, right);
         yield frame -> !equal.test(frame);
       }
-      case LESS -> frame -> compared(binary, left, right, frame) < 0;
-      case AT_MOST -> frame -> compared(binary, left, right, frame) <= 0;
-      case GREATER -> frame -> compared(binary, left, right, frame) > 0;
-      case AT_LEAST -> frame -> compared(binary, left, right, frame) >= 0;
+      case LESS -> frame -> compared(left, right, frame) < 0;
+      case AT_MOST -> frame -> compared(left, right, frame) <= 0;
+      case GREATER -> frame -> compared(left, right, frame) > 0;
+      case AT_LEAST -> frame -> compared(left, right, frame) >= 0;
       case IN -> {
         Domain element = ((Domain.Sets) domains.of(binary.right().type())).element;
         yield frame -> {
@@ -633,8 +633,8 @@ final class Compiler {
             return Row.of(both);
           };
       case NTH -> nth(binary.pos(), left, right);
-      case PLUS -> arithmetic(binary, left, right, Num::plus);
-      case TIMES -> arithmetic(binary, left, right, Num::times);
+      case PLUS -> arithmetic(left, right, Num::plus);
+      case TIMES -> arithmetic(left, right, Num::times);
       case LESS_BY -> lessBy(binary, left, right);
       case DIVIDED_BY -> dividedBy(binary, left, right);
       case MOD -> {
@@ -683,26 +683,22 @@ final class Compiler {
     return (BigInteger) code.of(frame);
   }
 
-  private int compared(Expr.Binary at, Code left, Code right, Frame frame) {
+  private static int compared(Code left, Code right, Frame frame) {
     try {
       return ((Num) left.of(frame)).compareTo((Num) right.of(frame));
     } catch (ArithmeticException e) {
-      throw tooLong(at);
+      throw new Beyond(); // more than 18 digits
     }
   }
 
-  private Code arithmetic(Expr.Binary at, Code left, Code right, BinaryOperator<Num> operator) {
+  private static Code arithmetic(Code left, Code right, BinaryOperator<Num> operator) {
     return frame -> {
       try {
         return operator.apply((Num) left.of(frame), (Num) right.of(frame));
       } catch (ArithmeticException e) {
-        throw tooLong(at);
+        throw new Beyond(); // more than 18 digits
       }
     };
-  }
-
-  private EvalError tooLong(Expr at) {
-    return error(at.pos(), "numbers become too long here; expected at most 18 digits");
   }
 
   private Code nth(Pos pos, Code of, Code number) {
@@ -718,7 +714,7 @@ final class Compiler {
   }
 
   private Code lessBy(Expr.Binary at, Code left, Code right) {
-    Code real = arithmetic(at, left, right, (a, b) -> a.plus(b.negative()));
+    Code real = arithmetic(left, right, (a, b) -> a.plus(b.negative()));
     if (Type.isNumber(at.type(), Type.Num::hasNegative)) {
       return real;
     }
@@ -736,7 +732,7 @@ final class Compiler {
   }
 
   private Code dividedBy(Expr.Binary at, Code left, Code right) {
-    Code quotient = arithmetic(at, left, right, Num::dividedBy);
+    Code quotient = arithmetic(left, right, Num::dividedBy);
     partial = true;
     return frame -> {
       if (right.of(frame).equals(Num.of(0))) {

@@ -34,7 +34,7 @@ final class PvsNames {
   private static final Set<String> LIBRARY =
       Set.of(
           """
-          add append bottom car card cdr difference down emptyset intersection length lift list
+          I add append bottom car card cdr difference down emptyset intersection length lift list
           list2set nonneg_real nth null reachable remove set singleton subrange union up
           """
               .split("\\s+"));

@@ -283,6 +283,21 @@ class SearchTest {
   }
 
   @Test
+  void conditionOnNumbersOfMoreThan18DigitsIsNotDecided() throws SourceErrors {
+    String source =
+        """
+        automaton Large
+        state n: nat
+        start n = 1
+        action up
+          pre n < 2
+          eff n := n + 1
+        invariant Some: n * 1000000000000 * 1000000000000 > 0
+        """;
+    assertThat(lines(source, 2).getFirst()).contains("not decided: conditions are not evaluated");
+  }
+
+  @Test
   void valuesThatBreakAnAssumptionAreNotTried() throws SourceErrors {
     String ride =
         """

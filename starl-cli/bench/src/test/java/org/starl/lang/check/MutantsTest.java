@@ -217,17 +217,24 @@ class MutantsTest {
     }
   }
 
-  /** The steps of one action. */
+  /** The steps with arguments within the bounds. */
   private static final class Collector implements Machine.Steps {
 
+    private final Machine machine;
     final Map<Integer, Set<List<Object>>> steps = new LinkedHashMap<>();
     boolean isBroken;
 
+    Collector(Machine machine) {
+      this.machine = machine;
+    }
+
     @Override
     public void step(int action, Object[] arguments, Row after) {
-      steps
-          .computeIfAbsent(action, any -> new HashSet<>())
-          .add(List.of(Arrays.asList(arguments), after));
+      if (machine.areWithin(action, arguments)) {
+        steps
+            .computeIfAbsent(action, any -> new HashSet<>())
+            .add(List.of(Arrays.asList(arguments), after));
+      }
     }
 
     @Override
@@ -252,14 +259,14 @@ class MutantsTest {
     }
     List<String> actions = automaton.actions().stream().map(a -> a.name()).toList();
     for (Row state : search.visited()) {
-      Collector right = new Collector();
+      Collector right = new Collector(machine);
       machine.steps(state, right);
       for (int i = 0; i < mutants.size(); i++) {
         String name = mutants.get(i).toString();
         if (loses.contains(name) && adds.contains(name)) {
           continue;
         }
-        Collector wrong = new Collector();
+        Collector wrong = new Collector(changed.get(i));
         changed.get(i).steps(state, wrong);
         int action = actions.indexOf(mutants.get(i).action().name());
         Set<List<Object>> before = right.steps.getOrDefault(action, Set.of());
