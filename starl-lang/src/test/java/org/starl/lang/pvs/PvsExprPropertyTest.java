@@ -28,7 +28,7 @@ class PvsExprPropertyTest {
       state n: nat p: bool q: bool
       start true
       action go
-      invariant I: \
+      invariant Asked: \
       """;
 
   @Property(tries = 400)
@@ -93,7 +93,7 @@ class PvsExprPropertyTest {
   private static String print(String condition) throws SourceErrors {
     String theory = PvsTheory.of(automaton(condition), "x.starl");
     return theory.substring(
-        theory.indexOf("I(s): bool =") + "I(s): bool =".length(), theory.lastIndexOf("END A"));
+        theory.indexOf("Asked(s): bool =") + "Asked(s): bool =".length(), theory.lastIndexOf("END A"));
   }
 
   private static String source(String pvs) {
