@@ -93,7 +93,8 @@ class PvsExprPropertyTest {
   private static String print(String condition) throws SourceErrors {
     String theory = PvsTheory.of(automaton(condition), "x.starl");
     return theory.substring(
-        theory.indexOf("Asked(s): bool =") + "Asked(s): bool =".length(), theory.lastIndexOf("END A"));
+        theory.indexOf("Asked(s): bool =") + "Asked(s): bool =".length(),
+        theory.lastIndexOf("END A"));
   }
 
   private static String source(String pvs) {
