@@ -31,6 +31,8 @@ final class ExpressionWriter {
   private final String file;
   private final Function<Expr, @Nullable Code> own;
   private final Map<String, Code> variables = new LinkedHashMap<>();
+  // Those of lambdas, whose numbers are objects; those of parameters are not.
+  private final Set<String> boxed = new TreeSet<>();
   // Variables that have none of the values that the condition distinguishes.
   private final Set<String> elsewhere = new TreeSet<>();
   private final Finite finite;
@@ -98,9 +100,13 @@ final class ExpressionWriter {
   /** Evaluates {@code code} with {@code variable} bound to a variable of Java of its name. */
   <T> T under(Field variable, Supplier<T> code) {
     Code before = variables.put(variable.name(), Code.name(JavaTypes.variable(variable.name())));
+    boolean isNew = boxed.add(variable.name());
     try {
       return code.get();
     } finally {
+      if (isNew) {
+        boxed.remove(variable.name());
+      }
       if (before == null) {
         variables.remove(variable.name());
       } else {
@@ -470,6 +476,7 @@ final class ExpressionWriter {
     return own.apply(at) != null
         || !(at instanceof Expr.Numeral
             || (at instanceof Expr.Binary of && of.operator() != Operator.NTH)
+            || (at instanceof Expr.Variable of && !boxed.contains(of.name()))
             || at instanceof Expr.Component
             || at instanceof Expr.Call
             || at instanceof Expr.Get);

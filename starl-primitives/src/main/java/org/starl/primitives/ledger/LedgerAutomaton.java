@@ -2,7 +2,6 @@
 package org.starl.primitives.ledger;
 
 import java.util.List;
-import java.util.Objects;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
@@ -145,7 +144,7 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
                   () -> "stage(" + a.t() + ") = " + s.stage.at(a.t()))
               .and(
                   "n = claims(t)",
-                  Objects.equals(a.n(), s.claims.at(a.t())),
+                  a.n() == s.claims.at(a.t()),
                   () -> "claims(" + a.t() + ") = " + s.claims.at(a.t()));
       case LedgerAction.finish a ->
           Enabled.when(
@@ -154,7 +153,7 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
                   () -> "stage(" + a.t() + ") = " + s.stage.at(a.t()))
               .and(
                   "n = claims(t)",
-                  Objects.equals(a.n(), s.claims.at(a.t())),
+                  a.n() == s.claims.at(a.t()),
                   () -> "claims(" + a.t() + ") = " + s.claims.at(a.t()));
       case LedgerAction.free a ->
           Enabled.when(
@@ -163,7 +162,7 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
                   () -> "stage(" + a.t() + ") = " + s.stage.at(a.t()))
               .and(
                   "n = claims(t)",
-                  Objects.equals(a.n(), s.claims.at(a.t())),
+                  a.n() == s.claims.at(a.t()),
                   () -> "claims(" + a.t() + ") = " + s.claims.at(a.t()));
       case LedgerAction.reopen a ->
           Enabled.when(
@@ -172,7 +171,7 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
                   () -> "stage(" + a.t() + ") = " + s.stage.at(a.t()))
               .and(
                   "n = claims(t)",
-                  Objects.equals(a.n(), s.claims.at(a.t())),
+                  a.n() == s.claims.at(a.t()),
                   () -> "claims(" + a.t() + ") = " + s.claims.at(a.t()));
       case LedgerAction.tell a ->
           Enabled.when(

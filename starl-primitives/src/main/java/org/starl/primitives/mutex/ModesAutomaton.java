@@ -92,8 +92,7 @@ public final class ModesAutomaton implements Automaton<ModesAutomaton.States, Mo
             j ->
                 i.equals(j)
                     || (Finite.forAll(y -> !s.held(j).contains(y) || !isApart(y, z), s.held(j))
-                        && (!(s.held(j).contains(z) && isLimited(z))
-                            || !s.place.at(j).at(z).equals(n))),
+                        && (!(s.held(j).contains(z) && isLimited(z)) || s.place.at(j).at(z) != n)),
             List.of(i),
             s.crit_set.arguments(),
             s.rest_set.arguments(),
@@ -105,7 +104,7 @@ public final class ModesAutomaton implements Automaton<ModesAutomaton.States, Mo
             Sets.union(s.crit_set.defaultValue(), s.rest_set.defaultValue()))
         && (!(Sets.union(s.crit_set.defaultValue(), s.rest_set.defaultValue()).contains(z)
                 && isLimited(z))
-            || !s.place.defaultValue().at(z).equals(n));
+            || s.place.defaultValue().at(z) != n);
   }
 
   @Override
@@ -137,7 +136,7 @@ public final class ModesAutomaton implements Automaton<ModesAutomaton.States, Mo
                                           y -> !s.held(j).contains(y) || !isApart(y, a.z()),
                                           s.held(j))
                                       && (!(s.held(j).contains(a.z()) && isLimited(a.z()))
-                                          || !s.place.at(j).at(a.z()).equals(a.n())))),
+                                          || s.place.at(j).at(a.z()) != a.n()))),
                           j ->
                               "j = "
                                   + j

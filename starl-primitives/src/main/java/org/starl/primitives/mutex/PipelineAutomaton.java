@@ -2,7 +2,6 @@
 package org.starl.primitives.mutex;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
@@ -162,14 +161,13 @@ public final class PipelineAutomaton
               .and(
                   "forall j: PIDS :: waits?(j) => not t = ticket(j)",
                   Finite.forAll(
-                          j -> !s.isWaits(j) || !Objects.equals(a.t(), s.ticket.at(j)),
+                          j -> !s.isWaits(j) || a.t() != s.ticket.at(j),
                           s.req.arguments(),
                           s.ticket.arguments())
-                      && (s.req.defaultValue().isEmpty()
-                          || !Objects.equals(a.t(), s.ticket.defaultValue())),
+                      && (s.req.defaultValue().isEmpty() || a.t() != s.ticket.defaultValue()),
                   () ->
                       Finite.first(
-                          j -> !(!s.isWaits(j) || !Objects.equals(a.t(), s.ticket.at(j))),
+                          j -> !(!s.isWaits(j) || a.t() != s.ticket.at(j)),
                           j ->
                               "req("
                                   + j
