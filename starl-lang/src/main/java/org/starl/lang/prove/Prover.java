@@ -631,6 +631,13 @@ public final class Prover {
       Finding found =
           exists(
               title, size -> new Question(automaton, size, title).assuming(kept).enabled(action));
+      if (found.verdict() == Verdict.UNDECIDED) {
+        // A start state keeps them all, and is easier to find than a state in which they hold.
+        String first = title + " at the start";
+        Finding atStart =
+            exists(first, size -> new Question(automaton, size, first).atStart().enabled(action));
+        found = atStart.verdict() == Verdict.PROVED ? atStart : found;
+      }
       String text =
           switch (found.verdict()) {
             case PROVED -> "can happen" + seen();
