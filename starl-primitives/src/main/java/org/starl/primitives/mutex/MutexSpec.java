@@ -2,6 +2,7 @@ package org.starl.primitives.mutex;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -78,7 +79,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
   private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
   private String capacity = EXCLUSIVE;
-  private Supplier<Monitor> conformance = MutexConformance::new;
+  private Supplier<List<Monitor>> conformance =
+      () -> List.of(new MutexConformance(), new ProtocolConformance());
   private long confinedNs = Deadlines.NO_BOUND;
   private boolean isAnswering;
 
@@ -141,13 +143,13 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   /** Of mutexes with sequences, which are replayed on the theory of these. */
   public MutexSpec withSequences() {
-    conformance = PipelineConformance::new;
+    conformance = () -> List.of(new PipelineConformance());
     return this;
   }
 
   /** Of mutexes with modes, which are replayed on the theory of these, sequences or not. */
   public MutexSpec withModes() {
-    conformance = ModesConformance::new;
+    conformance = () -> List.of(new ModesConformance());
     capacity = CAPACITY;
     lemma(CAPACITY, "Not more robots hold a section in one mode than it has places.");
     return this;
@@ -172,7 +174,9 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
             ? Deadlines.NO_BOUND
             : bounds.d3Ns() + 2 * MutexTimes.DEFAULT.occupiedMs() * NS_PER_MS;
     ConsentSpec consents = new ConsentSpec(ghostNs, confinedNs);
-    return List.of(conformance.get(), isAnswering ? consents.answering() : consents);
+    List<Monitor> companions = new ArrayList<>(conformance.get());
+    companions.add(isAnswering ? consents.answering() : consents);
+    return companions;
   }
 
   @Override

@@ -4,7 +4,8 @@
  * {@link org.starl.primitives.mutex.M_Mutex} the implementation on a robot, {@code MutexProtocol}
  * the pure algorithm, {@link org.starl.primitives.mutex.MutexSpec} this contract as monitors over
  * the trace. {@link org.starl.primitives.mutex.MutexConformance} replays each run on the automaton
- * of the theory {@code Mutex_decls}, whose safety is proved.
+ * of the theory {@code Mutex_decls}, whose safety is proved, and {@link
+ * org.starl.primitives.mutex.ProtocolConformance} on that of its protocol, {@code MutexProtocol_decls}.
  *
  * <p><b>Contract.</b> Let delta be the time within which a repeated message arrives, and N the
  * number of participants whose consent a participant needs, itself included.

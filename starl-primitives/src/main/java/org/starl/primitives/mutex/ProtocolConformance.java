@@ -1,0 +1,258 @@
+package org.starl.primitives.mutex;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.id.ProcessId;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.ProtocolAutomaton.Phase;
+import org.starl.primitives.mutex.ProtocolAutomaton.Request;
+import org.starl.primitives.mutex.ProtocolAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
+import org.starl.spec.automaton.Conformance;
+import org.starl.spec.automaton.Finite;
+import org.starl.spec.automaton.Replay;
+import org.starl.spec.automaton.Sets;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+
+/**
+ * Every run of every mutex is a run of the protocol {@code MutexProtocol_decls}: processes that ask those on
+ * their lists by messages. A process of the theory is a participant, so a robot has one for each registration.
+ *
+ * <pre>
+ * fact          actions, where i is the participant
+ * do_mutex      witness(i, the time before its own), since i hears times in all messages of its robot;
+ *               request(i, want, known and all that are removed)
+ * known         known(i, known and all that are removed), if i waits
+ * grant         grant(i, to, its time, its sections), if that request is open; else none: it has no effect
+ * od_mutex      release(j, what i enters) for earlier participants j of i's robot, whose body it is;
+ *               vouch(f, j, i, ...) for each j that is removed and whose grant i needs; enter(i)
+ * release       release(i, given)
+ * withdraw      withdraw(i), if i waits
+ * stands_in     withdraw(j), or release(j, all but the sections), for i's earlier starts j
+ * view          fence(f, j) for each j that this view has removed: by listed participants f that have fenced
+ *               it, and by those of later starts of its robot; forget(i, j) for each j that has left
+ * fence         none before the view that removes the suspect
+ * </pre>
+ *
+ * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the next.
+ * A mutex with sequences or modes is not replayed from its first request for some on.
+ */
+public final class ProtocolConformance extends Conformance<ProtocolConformance.Run> {
+
+  public ProtocolConformance() {
+    this(AutomatonListener.none());
+  }
+
+  /**
+   * @param steps receives every step of every instance
+   */
+  public ProtocolConformance(AutomatonListener<States, ProtocolAction> steps) {
+    super(
+        ProtocolAutomaton.MUTEX_PROTOCOL_DECLS,
+        "the messages of every mutex",
+        source -> new Run(source, steps),
+        MutexFact.PRIMITIVE);
+  }
+
+  /** One mutex. */
+  static final class Run {
+    private final Replay<States, ProtocolAction> replay;
+    // The number and the message of each participant's newest request.
+    private final Map<ProcessId, Long> numbers = new TreeMap<>();
+    private final Map<ProcessId, Request> requests = new TreeMap<>();
+    // Those of which there was a fact.
+    private final Set<ProcessId> seen = new TreeSet<>();
+    // The view that admitted each, and who has fenced it.
+    private final Map<ProcessId, Long> admitted = new TreeMap<>();
+    private final Map<ProcessId, Set<ProcessId>> fencedBy = new TreeMap<>();
+    private boolean isOver;
+
+    private Run(Instance source, AutomatonListener<States, ProtocolAction> steps) {
+      replay = new Replay<>(new ProtocolAutomaton((i, j) -> i.compareTo(j) < 0), source, steps);
+    }
+
+    private States state() {
+      return replay.state();
+    }
+
+    private boolean isTrying(ProcessId i) {
+      return state().phase().at(i) == Phase.trying;
+    }
+
+    private boolean isRemoved(ProcessId i) {
+      return !state().fencers().at(i).isEmpty();
+    }
+
+    /** These, and all that are removed: their lists may be of before. */
+    private SortedSet<ProcessId> withRemoved(SortedSet<ProcessId> known) {
+      return Sets.union(known, Sets.of(state().fencers().arguments()));
+    }
+
+    /** Without the messages of {@code i}'s earlier requests. */
+    private States withoutMessages(States s, ProcessId i) {
+      return new States(
+          s.clock(),
+          s.phase(),
+          s.ts(),
+          s.want(),
+          s.plist(),
+          s.heard(),
+          Finite.suchThat(each -> !each.asker().equals(i), s.reqs()),
+          Finite.suchThat(each -> !each.asker().equals(i), s.oks()),
+          s.fencers(),
+          Finite.suchThat(each -> !each.asker().equals(i), s.vouched()));
+    }
+
+    /** Whether {@code view}, or one before, has removed {@code i}, or {@code i} has left. */
+    private boolean isGone(ProcessId i, View view) {
+      return !view.contains(i) && admitted.getOrDefault(i, Long.MAX_VALUE) <= view.number();
+    }
+  }
+
+  @Override
+  protected void acted(TraceEvent.Action action, Report report) {
+    if (action.fact() instanceof MutexFact fact) {
+      Run run = instance(action.source());
+      run.isOver |=
+          fact instanceof MutexFact.DoMutex request
+              && (!request.sequence().isEmpty()
+                  || request.resumes()
+                  || Sections.haveMode(request.want()));
+      if (!run.isOver) {
+        new Step(run, action, report).take(fact);
+      }
+    }
+  }
+
+  /** The actions of one fact. */
+  private record Step(Run run, TraceEvent.Action event, Report report) {
+
+    private void take(ProtocolAction action) {
+      run.replay.step(event, action, report);
+    }
+
+    void take(MutexFact fact) {
+      ProcessId i = fact.who();
+      run.seen.add(i);
+      switch (fact) {
+        case MutexFact.DoMutex request -> request(i, request);
+        case MutexFact.Known later -> {
+          if (run.isTrying(i)) {
+            take(new ProtocolAction.known(i, run.withRemoved(later.known())));
+          }
+        }
+        case MutexFact.Grant grant -> grant(i, grant);
+        case MutexFact.OdMutex access -> enter(i, access.held());
+        case MutexFact.Release release -> release(i, release.given());
+        case MutexFact.Withdraw end -> {
+          if (end.num() == run.numbers.getOrDefault(i, 0L)) {
+            withdraw(i);
+          }
+        }
+        case MutexFact.StandsIn place -> standsIn(i, place.sections());
+        case MutexFact.Learned learned -> learned(i, learned.view());
+        case MutexFact.Fence fence ->
+            run.fencedBy.computeIfAbsent(fence.suspect(), each -> new TreeSet<>()).add(i);
+      }
+    }
+
+    private void request(ProcessId i, MutexFact.DoMutex request) {
+      run.replay.reduce(s -> run.withoutMessages(s, i));
+      run.numbers.put(i, request.num());
+      run.requests.put(i, new Request(i, request.ts(), request.want()));
+      if (run.state().clock().at(i) < request.ts() - 1) {
+        take(new ProtocolAction.witness(i, request.ts() - 1));
+      }
+      take(new ProtocolAction.request(i, request.want(), run.withRemoved(request.known())));
+      run.replay.result(event, "ts", i, request.ts(), run.state().ts().at(i), report);
+    }
+
+    private void grant(ProcessId i, MutexFact.Grant grant) {
+      Request request = run.requests.get(grant.to());
+      if (request != null
+          && run.numbers.getOrDefault(grant.to(), 0L) == grant.num()
+          && run.state().isActive(grant.to())) {
+        take(new ProtocolAction.grant(i, grant.to(), request.at(), request.zones()));
+      }
+    }
+
+    private void enter(ProcessId i, SortedSet<String> sections) {
+      for (ProcessId earlier : List.copyOf(run.requests.keySet())) {
+        if (earlier.robot().equals(i.robot()) && !earlier.equals(i)) {
+          release(earlier, sections);
+        }
+      }
+      long ts = run.state().ts().at(i);
+      for (ProcessId j : Sets.union(run.state().plist().at(i), run.state().heard().at(i))) {
+        if (run.isRemoved(j) && !run.state().isGranted(j, i, ts)) {
+          take(new ProtocolAction.vouch(fencer(j, sections), j, i, ts, sections));
+        }
+      }
+      take(new ProtocolAction.enter(i));
+      run.replay.result(event, "want", i, sections, run.state().want().at(i), report);
+    }
+
+    /** One that knows that {@code j} holds none of these sections, if there is one. */
+    private ProcessId fencer(ProcessId j, SortedSet<String> sections) {
+      SortedSet<ProcessId> all = run.state().fencers().at(j);
+      return all.stream()
+          .filter(f -> Sets.disjoint(sections, run.state().at_most(j, f)))
+          .findFirst()
+          .orElseGet(() -> all.iterator().next());
+    }
+
+    /** Gives back these, as far as {@code i} holds them. */
+    private void release(ProcessId i, SortedSet<String> sections) {
+      SortedSet<String> given = Sections.common(sections, run.state().want().at(i));
+      if (!given.isEmpty() && !run.isTrying(i)) {
+        take(new ProtocolAction.release(i, given));
+      }
+    }
+
+    private void withdraw(ProcessId i) {
+      if (run.isTrying(i)) {
+        take(new ProtocolAction.withdraw(i));
+      }
+    }
+
+    private void standsIn(ProcessId i, SortedSet<String> sections) {
+      for (ProcessId earlier : List.copyOf(run.requests.keySet())) {
+        if (earlier.robot().equals(i.robot()) && earlier.boot() < i.boot()) {
+          withdraw(earlier);
+          release(earlier, Sections.without(run.state().want().at(earlier), sections));
+        }
+      }
+    }
+
+    private void learned(ProcessId i, View view) {
+      run.admitted.putAll(view.admitted());
+      for (ProcessId j : run.requests.keySet()) {
+        if (run.isGone(j, view)) {
+          fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
+        }
+      }
+      for (ProcessId j : run.state().heard().at(i)) {
+        if (run.isGone(j, view) && !run.isRemoved(j)) {
+          take(new ProtocolAction.forget(i, j));
+        }
+      }
+    }
+
+    /** Those that grant {@code j} nothing any more, and have not been told yet. */
+    private List<ProcessId> fencers(ProcessId j, View view) {
+      Set<ProcessId> fencers = new TreeSet<>(run.fencedBy.getOrDefault(j, Set.of()));
+      fencers.removeIf(f -> !view.contains(f));
+      run.seen.stream()
+          .filter(f -> f.robot().equals(j.robot()) && f.boot() > j.boot())
+          .forEach(fencers::add);
+      fencers.removeAll(run.state().fencers().at(j));
+      return List.copyOf(fencers);
+    }
+  }
+}

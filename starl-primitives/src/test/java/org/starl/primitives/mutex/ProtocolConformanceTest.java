@@ -1,0 +1,210 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.conformance.ShownRun;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.Short;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.ProtocolAutomaton.States;
+import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.TraceEvent;
+
+/** The map from facts to the protocol's actions, and traces that are no runs of it. */
+class ProtocolConformanceTest {
+
+  private static final ProcessId I = ProcessId.first(new RobotId("i"), 1);
+  private static final ProcessId J = ProcessId.first(new RobotId("j"), 1);
+  private static final ProcessId J_AGAIN = ProcessId.first(new RobotId("j"), 2);
+
+  private final ShownRun<States, ProtocolAction> run = new ShownRun<>(ProtocolConformance::new);
+
+  private void event(MutexFact event) {
+    run.has(
+        TraceEvent.Action.of(
+            0, event.who().robot(), MutexFact.source("x"), MutexFact.SHAPE, event));
+  }
+
+  private void learn(ProcessId who, View view) {
+    event(new MutexFact.Learned(who, view));
+  }
+
+  private static View view(long number, ProcessId... listed) {
+    Map<ProcessId, Long> admitted = new TreeMap<>();
+    for (ProcessId each : listed) {
+      admitted.put(each, 1L);
+    }
+    return new View(number, new TreeMap<>(admitted));
+  }
+
+  private static SortedSet<ProcessId> those(ProcessId... ids) {
+    return new TreeSet<>(Set.of(ids));
+  }
+
+  private void asks(ProcessId who, long num, long ts, String want, ProcessId... known) {
+    event(new MutexFact.DoMutex(who, num, ts, Short.sections(want), those(known)));
+  }
+
+  private void grants(ProcessId who, ProcessId to, long num) {
+    event(new MutexFact.Grant(who, to, num));
+  }
+
+  private void enters(ProcessId who, long num, String held) {
+    event(new MutexFact.OdMutex(who, num, Short.sections(held)));
+  }
+
+  private void fences(ProcessId who, ProcessId suspect) {
+    event(new MutexFact.Fence(who, suspect, Sections.NONE));
+  }
+
+  private void isGood() {
+    assertThat(run.report().violations()).isEmpty();
+  }
+
+  private void isBad(String detail) {
+    assertThat(run.report().violations())
+        .extracting(Violation::lemma)
+        .containsOnly("MutexProtocol_decls");
+    assertThat(run.report().violations().getFirst().detail()).contains(detail);
+  }
+
+  /** Both are listed, and {@code j} holds A. */
+  private void holds() {
+    learn(I, view(1, I, J));
+    learn(J, view(1, I, J));
+    asks(J, 1, 1, "A", I);
+    grants(I, J, 1);
+    enters(J, 1, "A");
+  }
+
+  @Test
+  void aRequestIsGrantedByAllThatAreKnown() {
+    holds();
+    asks(I, 1, 2, "A B", J);
+    event(new MutexFact.Release(J, 1, Short.sections("A"), Sections.NONE));
+    grants(J, I, 1);
+    enters(I, 1, "A B");
+    assertThat(run.steps())
+        .containsSubsequence(
+            "request(j, [A], [i])",
+            "grant(i, j, 1, [A])",
+            "enter(j)",
+            "request(i, [A, B], [j])",
+            "release(j, [A])",
+            "grant(j, i, 2, [A, B])",
+            "enter(i)");
+    isGood();
+  }
+
+  @Test
+  void whoEntersWithoutAGrantIsFound() {
+    learn(I, view(1, I, J));
+    asks(I, 1, 1, "B", J);
+    enters(I, 1, "B");
+    isBad("granted?(j, i, ts(i))");
+  }
+
+  @Test
+  void aHolderThatGrantsWhatItHoldsIsFound() {
+    holds();
+    asks(I, 1, 2, "A", J);
+    grants(J, I, 1);
+    isBad("keeps_back?");
+  }
+
+  @Test
+  void whoseNextTimeIsNotLaterThanWhatItGrantedIsFound() {
+    learn(I, view(1, I, J));
+    asks(J, 1, 5, "A", I);
+    grants(I, J, 1);
+    asks(I, 1, 3, "B", J);
+    isBad("ts(i) is 6, but the trace has 3");
+  }
+
+  @Test
+  void whoLeavesAHolderOutOfItsListIsFound() {
+    holds();
+    learn(I, view(2, I));
+    isBad("not active?(j)");
+  }
+
+  @Test
+  void whoHasFencedAHolderMayEnterWhatThatDoesNotHold() {
+    holds();
+    fences(I, J);
+    learn(I, view(1, I, J).next().confined(J, Short.sections("A")));
+    asks(I, 1, 2, "B");
+    enters(I, 1, "B");
+    assertThat(run.steps()).contains("fence(i, j)", "vouch(i, j, i, 2, [B])");
+    isGood();
+  }
+
+  @Test
+  void whoEntersAGhostsSectionIsFound() {
+    holds();
+    fences(I, J);
+    learn(I, view(1, I, J).next().confined(J, Short.sections("A")));
+    asks(I, 1, 2, "A");
+    enters(I, 1, "A");
+    isBad("at_most(j, i) = [A]");
+  }
+
+  @Test
+  void aFencedProcessThatEntersLaterIsFound() {
+    learn(I, view(1, I, J));
+    learn(J, view(1, I, J));
+    asks(J, 1, 1, "A", I);
+    fences(I, J);
+    learn(I, view(2, I));
+    asks(I, 1, 2, "A");
+    enters(I, 1, "A"); // i never granted it to j
+    isGood();
+    event(new MutexFact.Known(J, 1, those())); // and forgets whom it has to ask
+    enters(J, 1, "A");
+    isBad("f in fencers(i) => granted?(f, i, ts(i))");
+  }
+
+  @Test
+  void aFencedProcessIsGrantedNothing() {
+    holds();
+    fences(I, J);
+    learn(I, view(2, I));
+    asks(J, 2, 3, "B", I);
+    event(new MutexFact.Release(J, 1, Short.sections("A"), Sections.NONE));
+    isBad("phase(i) = idle");
+  }
+
+  @Test
+  void aLaterStartHoldsWhereItsBodyIsAndVouchesForTheRest() {
+    holds();
+    event(new MutexFact.StandsIn(J_AGAIN, Short.sections("A")));
+    learn(I, view(1, I, J).next().confined(J, Short.sections("A")));
+    asks(I, 1, 2, "B");
+    enters(I, 1, "B");
+    event(new MutexFact.StandsIn(J_AGAIN, Sections.NONE));
+    event(new MutexFact.Release(I, 1, Short.sections("B"), Sections.NONE));
+    asks(I, 2, 3, "A");
+    enters(I, 2, "A");
+    assertThat(run.steps())
+        .contains("fence(j.2, j)", "vouch(j.2, j, i, 2, [B])", "release(j, [A])");
+    isGood();
+  }
+
+  @Test
+  void aMutexWithSequencesIsLeftOut() {
+    event(
+        new MutexFact.DoMutex(I, 1, 1, Short.sections("A B"), List.of("A", "B"), false, those(J)));
+    enters(I, 1, "A");
+    assertThat(run.steps()).isEmpty();
+    isGood();
+  }
+}
