@@ -5,35 +5,55 @@ import java.util.Iterator;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A total function in a state of a theory, {@code [PIDS -> Zoneset]}: a default value, and finitely
- * many exceptions. Immutable. A change takes time and memory for the logarithm of the exceptions.
+ * A total function in a state of a theory, {@code [PIDS -> Zoneset]}: a default value, or a function
+ * of the argument, and finitely many exceptions. Immutable. A change takes time and memory for the
+ * logarithm of the exceptions.
  *
  * @param <K> arguments, in their natural order
  * @param <V> compared by {@code equals}
  */
 public final class Fun<K extends Comparable<? super K>, V> {
 
-  private final V defaultValue;
+  // A constant, or a function that is equal to itself alone.
+  private final Default<K, V> otherwise;
   // No value equals the default.
   private final @Nullable Tree<K, V> exceptions;
 
-  private Fun(V defaultValue, @Nullable Tree<K, V> exceptions) {
-    this.defaultValue = defaultValue;
+  private interface Default<K, V> {
+    V at(K argument);
+  }
+
+  private record Constant<K, V>(V value) implements Default<K, V> {
+    @Override
+    public V at(K argument) {
+      return value;
+    }
+  }
+
+  private Fun(Default<K, V> otherwise, @Nullable Tree<K, V> exceptions) {
+    this.otherwise = otherwise;
     this.exceptions = exceptions;
   }
 
   /** {@code LAMBDA x: value}. */
   public static <K extends Comparable<? super K>, V> Fun<K, V> always(V value) {
-    return new Fun<>(value, null);
+    return new Fun<K, V>(new Constant<>(value), null);
+  }
+
+  /** {@code LAMBDA x: f(x)}; it has no {@link #defaultValue}. */
+  public static <K extends Comparable<? super K>, V> Fun<K, V> of(
+      Function<? super K, ? extends V> f) {
+    return new Fun<K, V>(f::apply, null);
   }
 
   /** Its value at {@code argument}. */
   public V at(K argument) {
     V exception = Tree.get(exceptions, argument);
-    return exception == null ? defaultValue : exception;
+    return exception == null ? otherwise.at(argument) : exception;
   }
 
   /** {@code f WITH [(argument) := value]}; this object if that changes nothing. */
@@ -42,15 +62,18 @@ public final class Fun<K extends Comparable<? super K>, V> {
       return this;
     }
     return new Fun<>(
-        defaultValue,
-        value.equals(defaultValue)
+        otherwise,
+        value.equals(otherwise.at(argument))
             ? Tree.remove(exceptions, argument)
             : Tree.put(exceptions, argument, value));
   }
 
-  /** The default value. */
+  /** The value at all arguments that are no exceptions. */
   public V defaultValue() {
-    return defaultValue;
+    if (otherwise instanceof Constant<K, V> constant) {
+      return constant.value;
+    }
+    throw new IllegalStateException("each argument has a value of its own");
   }
 
   /** The exceptions' arguments, in order. */
@@ -125,7 +148,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
   public boolean equals(@Nullable Object other) {
     return this == other
         || (other instanceof Fun<?, ?> that
-            && defaultValue.equals(that.defaultValue)
+            && otherwise.equals(that.otherwise)
             && hasEqual(exceptions, that.exceptions));
   }
 

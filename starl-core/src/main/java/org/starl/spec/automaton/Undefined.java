@@ -109,6 +109,17 @@ public final class Undefined extends IllegalStateException {
     return Math.floorMod(a, b);
   }
 
+  /** The state of a used automaton after its step. */
+  public static <S, A extends Action> S step(
+      String place, String used, Automaton<S, A> automaton, A action, S state) {
+    Enabled enabled = automaton.enabled(action, state);
+    if (!enabled.isTrue()) {
+      String step = used + "." + action.text();
+      throw new Undefined(place, step + " is not enabled: " + enabled.falseConjunct());
+    }
+    return automaton.trans(action, state);
+  }
+
   /** {@code after}, the state after an action that must not change one place to two values. */
   public static <S> S once(String place, boolean isTwice, String action, S after) {
     if (isTwice) {

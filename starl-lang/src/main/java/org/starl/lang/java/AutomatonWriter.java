@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
@@ -57,6 +59,7 @@ final class AutomatonWriter {
     out.blank().line(2, "/** The theory's name. */");
     String constant = names.constant();
     out.line(2, "public static final String " + constant + " = \"" + automaton.name() + "\";");
+    used();
     parameters();
     new TypesWriter(automaton, types, out).write();
     states();
@@ -71,6 +74,39 @@ final class AutomatonWriter {
     enabled();
     trans();
     return out.line(0, "}").toString();
+  }
+
+  /** A field for each automaton that it uses. */
+  private void used() {
+    if (!automaton.uses().isEmpty()) {
+      out.blank();
+    }
+    automaton
+        .uses()
+        .forEach((component, used) -> {
+          String type = types.automaton(used);
+          String field = "private final " + type + " " + ExpressionWriter.machine(component);
+          boolean isGiven = used.valueParameters().isEmpty();
+          out.line(2, field + (isGiven ? " = new " + type + "();" : ";"));
+        });
+  }
+
+  /** They have the parameters of the same names. */
+  private void makeUsed() {
+    automaton
+        .uses()
+        .forEach((component, used) -> {
+          List<Code> given =
+              used.valueParameters().stream()
+                  .map(each -> Code.name(JavaTypes.name(each.name())))
+                  .toList();
+          if (!given.isEmpty()) {
+            out.statement(
+                4,
+                "this." + ExpressionWriter.machine(component) + " = ",
+                new Code.New(types.automaton(used), given));
+          }
+        });
   }
 
   private ExpressionWriter writer(String state) {
@@ -99,6 +135,7 @@ final class AutomatonWriter {
           isSet ? types.use("org.starl.spec.automaton.Sets") + ".of(" + name + ")" : name;
       out.line(4, "this." + name + " = " + value + ";");
     }
+    makeUsed();
     automaton.maybeEmpty().forEach(range -> out.statement(4, "", writer("").of(range)));
     out.line(2, "}");
     for (Field each : automaton.valueParameters()) {
@@ -231,12 +268,10 @@ final class AutomatonWriter {
                 assign.component(),
                 changed(before, type, assign.selectors(), writer.of(assign.value()), writer));
           }
-          case Effect.Step step ->
-              throw new NotExecutable(
-                  step.pos(),
-                  "'"
-                      + step.used()
-                      + "' is a used automaton; such an automaton has no Java form yet");
+          case Effect.Step step -> {
+            Code before = changed.getOrDefault(step.used(), writer.component(step.used()));
+            changed.put(step.used(), step(step, before, writer));
+          }
         }
       }
       if (changed.isEmpty()) {
@@ -248,21 +283,37 @@ final class AutomatonWriter {
           .forEach(c -> parts.add(changed.getOrDefault(c.name(), writer.component(c.name()))));
       Code after = once(action, new Code.New("States", List.copyOf(parts)), writer);
       // As in the theory: an effect that may have no value is one where the action is enabled.
-      return action.eff().stream()
-              .flatMap(effect -> effect.parts().stream())
-              .anyMatch(each -> Functions.isPartial(automaton, each))
+      return action.eff().stream().anyMatch(this::isPartial)
           ? Code.choice(Code.name(IS_ENABLED), after, Code.name("s"))
           : after;
     });
+  }
+
+  private boolean isPartial(Effect effect) {
+    return effect instanceof Effect.Step
+        || effect.parts().stream().anyMatch(each -> Functions.isPartial(automaton, each));
+  }
+
+  /** The state of a used automaton after its step, which must be enabled. */
+  private static Code step(Effect.Step step, Code before, ExpressionWriter writer) {
+    Code after =
+        writer.told(
+            "step",
+            step.pos(),
+            Code.string(step.used()),
+            Code.name(ExpressionWriter.machine(step.used())),
+            writer.step(step.automaton(), step.action(), step.arguments()),
+            before);
+    return step.condition().map(when -> Code.choice(writer.of(when), after, before)).orElse(after);
   }
 
   /** {@code after}, the state after an action that must not change one place to two values. */
   private static Code once(Action action, Code after, ExpressionWriter writer) {
     Code checked = after;
     for (int i = action.eff().size() - 1; i > 0; i--) {
-      Effect.Assign later = (Effect.Assign) action.eff().get(i);
+      Effect later = action.eff().get(i);
       for (Effect earlier : action.eff().subList(0, i)) {
-        Expr differs = differs((Effect.Assign) earlier, later);
+        Expr differs = differs(earlier, later);
         if (!(differs instanceof Expr.Bool never && !never.value())) {
           Code isTwice = Code.and(writer.of(differs), Code.name(IS_ENABLED));
           checked = writer.told("once", later.pos(), isTwice, Code.string(action.name()), checked);
@@ -272,7 +323,20 @@ final class AutomatonWriter {
     return checked;
   }
 
-  /** Whether two effects change one place to two values. */
+  /** Whether two effects change one place to two values; or take two steps of a used automaton. */
+  private static Expr differs(Effect earlier, Effect later) {
+    if (earlier instanceof Effect.Step one
+        && later instanceof Effect.Step other
+        && one.used().equals(other.used())) {
+      return Exprs.all(
+          Stream.of(one.condition(), other.condition()).flatMap(Optional::stream).toList(),
+          other.pos());
+    }
+    return earlier instanceof Effect.Assign one && later instanceof Effect.Assign other
+        ? differs(one, other)
+        : new Expr.Bool(false, later.pos());
+  }
+
   private static Expr differs(Effect.Assign one, Effect.Assign other) {
     Pos pos = other.pos();
     Expr never = new Expr.Bool(false, pos);

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
@@ -83,9 +84,8 @@ final class ExpressionWriter {
 
   /** Whether a called function can be read as its body. */
   boolean canInline(Expr.Call at) {
-    return at.used().isEmpty()
-        && automaton.function(at.function().name()).stream()
-            .noneMatch(f -> f.measure().isPresent());
+    Automaton owner = at.used().isEmpty() ? automaton : Functions.used(automaton, at.used());
+    return owner.function(at.function().name()).stream().noneMatch(f -> f.measure().isPresent());
   }
 
   JavaTypes types() {
@@ -195,14 +195,32 @@ final class ExpressionWriter {
       case Expr.Some e ->
           new Code.New(types.use("org.starl.spec.automaton.Lift") + ".up<>", List.of(of(e.of())));
       case Expr.BuiltIn e -> builtIn(e);
-      case Expr.Enabled e -> throw unlikeJava(e.used(), e.pos());
-      case Expr.Started e -> throw unlikeJava(e.used(), e.pos());
+      case Expr.Enabled e ->
+          mentionsElsewhere(e) ? of(inlining.condition(e)) : enabled(e).then("isTrue");
+      case Expr.Started e ->
+          throw new NotExecutable(e.pos(), "'start?' has a Java form only after 'start'");
     };
   }
 
-  private static NotExecutable unlikeJava(String used, Pos pos) {
-    return new NotExecutable(
-        pos, "'" + used + "' is a used automaton; such an automaton has no Java form yet");
+  /** Whether the used automaton can be asked: it depends on no variable of which nothing is known. */
+  boolean canAsk(Expr.Enabled at) {
+    return !mentionsElsewhere(at);
+  }
+
+  /** Whether, and why not, the step of a used automaton may happen. */
+  Code enabled(Expr.Enabled at) {
+    return Code.name(machine(at.used()))
+        .then("enabled", step(at.automaton(), at.action(), at.arguments()), component(at.used()));
+  }
+
+  /** An action of a used automaton. */
+  Code step(Automaton used, Action action, List<Expr> arguments) {
+    return new Code.New(types.action(used, action.name()), all(arguments));
+  }
+
+  /** The field that has the automaton of this component. */
+  static String machine(String component) {
+    return JavaTypes.name(component) + Names.SUFFIX;
   }
 
   private List<Code> all(List<Expr> parts) {
@@ -243,6 +261,13 @@ final class ExpressionWriter {
       return of(given)
           .then(isCondition ? "test" : "apply", all(at.arguments()).toArray(Code[]::new));
     }
+    if (at.arguments().stream().anyMatch(this::isElsewhere)
+        && StartState.isOwnForEach(automaton, at.map())) {
+      throw new NotExecutable(
+          at.pos(),
+          "each argument has a value of its own at the start; expected a condition on finitely many"
+              + " arguments, such as 'i in S =>'");
+    }
     Code value = of(at.map());
     for (Expr argument : at.arguments()) {
       value = isElsewhere(argument) ? value.then("defaultValue") : value.then("at", of(argument));
@@ -251,8 +276,11 @@ final class ExpressionWriter {
   }
 
   private Code called(Expr.Call at) {
-    if (mentionsElsewhere(at) || !at.used().isEmpty()) {
+    if (mentionsElsewhere(at)) {
       return of(inlining.body(at));
+    }
+    if (!at.used().isEmpty()) {
+      return calledInUsed(at, Functions.used(automaton, at.used()));
     }
     List<Code> arguments = new ArrayList<>(all(at.arguments()));
     String name = JavaTypes.function(at.function().name());
@@ -266,6 +294,24 @@ final class ExpressionWriter {
     return state.isEmpty()
         ? Code.call(name, arguments.toArray(Code[]::new))
         : Code.name(state).then(name, arguments.toArray(Code[]::new));
+  }
+
+  private Code calledInUsed(Expr.Call at, Automaton used) {
+    if (!Functions.isWritten(used, at.function().name())) {
+      return of(inlining.body(at));
+    }
+    List<Code> arguments = new ArrayList<>(all(at.arguments()));
+    String name = JavaTypes.function(at.function().name());
+    Code of = component(at.used());
+    if (Functions.needsParameters(used, at.function().name())) {
+      if (at.function().readsState()) {
+        arguments.add(of);
+      }
+      of = Code.name(machine(at.used()));
+    } else if (!at.function().readsState()) {
+      of = Code.name(types.automaton(used));
+    }
+    return of.then(name, arguments.toArray(Code[]::new));
   }
 
   private Code get(Expr.Get at) {

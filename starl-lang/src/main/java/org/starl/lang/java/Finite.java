@@ -179,6 +179,8 @@ final class Finite {
       case Expr.Not not -> bounds(variable, not.of(), !wanted);
       case Expr.Call call when Exprs.mentions(call, variable) ->
           bounds(variable, writer.inlining().body(call), wanted);
+      case Expr.Enabled step when Exprs.mentions(step, variable) ->
+          bounds(variable, writer.inlining().condition(step), wanted);
       case Expr.Bool constant when constant.value() != wanted -> List.of();
       case Expr.Binary e ->
           switch (e.operator()) {
@@ -315,6 +317,10 @@ final class Finite {
     }
     if (at instanceof Expr.Call call) {
       collect(variable, writer.inlining().body(call), sets);
+      return;
+    }
+    if (at instanceof Expr.Enabled step) {
+      collect(variable, writer.inlining().condition(step), sets);
       return;
     }
     if (at instanceof Expr.At e && !(e.map() instanceof Expr.Parameter)) {

@@ -29,49 +29,67 @@ public final class JavaSources {
     // A program stands for its automaton; an automaton beside it may be for proofs alone.
     automata.removeIf(each ->
         programs.contains(each.name()) || (!programs.isEmpty() && each.javaClass().isEmpty()));
+    automata.removeIf(each -> Uses.unnamed(source.automata()).contains(each.name()));
     Map<String, String> files = new TreeMap<>();
     for (Program program : source.programs()) {
       files.putAll(of(program, file));
     }
+    List<String> here = source.automata().stream().map(Automaton::name).toList();
     for (Automaton automaton : automata) {
-      files.putAll(of(automaton, file));
+      files.putAll(of(automaton, here, file));
     }
     return files;
   }
 
   /**
-   * The files of an automaton.
+   * The files of an automaton that uses none of its source.
    *
    * @param source the name of its source, as above
    * @return texts, by paths that are relative to the folder of Java sources
    * @throws SourceErrors if a part of the automaton has no executable form
    */
   public static Map<String, String> of(Automaton automaton, String source) throws SourceErrors {
+    return of(automaton, List.of(), source);
+  }
+
+  private static Map<String, String> of(Automaton automaton, List<String> here, String source)
+      throws SourceErrors {
     try {
-      Names names = Names.of(automaton);
-      String file = source.substring(source.lastIndexOf('/') + 1);
-      Map<String, String> files = new TreeMap<>();
-      JavaTypes own = new JavaTypes(automaton, names, false);
-      add(
-          names.automaton(),
-          names,
-          own,
-          new AutomatonWriter(automaton, own, names, file).body(),
-          source,
-          files);
-      JavaTypes actions = new JavaTypes(automaton, names, true);
-      add(
-          names.action(),
-          names,
-          actions,
-          new ActionWriter(automaton, actions, names).body(),
-          source,
-          files);
+      Names.of(automaton);
+      Automaton named = Uses.named(automaton);
+      Map<String, String> files = new TreeMap<>(files(named, source));
+      Uses.beside(named)
+          .forEach(used ->
+              files.putAll(
+                  files(used, here.contains(used.name()) ? source : used.name() + ".starl")));
       return files;
     } catch (NotExecutable e) {
       throw new SourceErrors(
           List.of(new SourceError(source, e.pos(), String.valueOf(e.getMessage()))));
     }
+  }
+
+  private static Map<String, String> files(Automaton automaton, String source) {
+    Names names = Names.of(automaton);
+    String file = source.substring(source.lastIndexOf('/') + 1);
+    Map<String, String> files = new TreeMap<>();
+    JavaTypes own = new JavaTypes(automaton, names, false);
+    add(
+        names.automaton(),
+        names,
+        own,
+        new AutomatonWriter(automaton, own, names, file).body(),
+        source,
+        files);
+    JavaTypes actions = new JavaTypes(automaton, names, true);
+    add(
+        names.action(),
+        names,
+        actions,
+        new ActionWriter(automaton, actions, names).body(),
+        source,
+        files);
+    return files;
   }
 
   /**

@@ -46,7 +46,7 @@ final class JavaText {
   /** A head with parameters: {@code public States trans(A a, B b)} and its brace. */
   JavaText head(int indent, String head, List<String> parameters, List<String> after) {
     Layout layout = new Layout().token(head);
-    layout.open(4).token("(");
+    layout.open(4).open(0).token("(");
     if (!parameters.isEmpty()) {
       layout.brk("").open(0);
       for (int i = 0; i < parameters.size(); i++) {
@@ -57,7 +57,7 @@ final class JavaText {
       }
       layout.close();
     }
-    layout.token(")");
+    layout.token(")").close();
     for (int i = 0; i < after.size() - 1; i++) {
       layout.brk(" ").token(after.get(i));
     }

@@ -2,6 +2,7 @@ package org.starl.lang.java;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -59,12 +60,19 @@ final class JavaTypes {
   private final Names names;
   private final boolean isOutside;
 
+  /** Names of the classes of what the automaton uses, by the names of these automata. */
+  private final Map<String, Names> used;
+
   /**
    * @param isOutside whether the file is not that of the automaton, in which its types are declared
    */
   JavaTypes(Automaton automaton, Names names, boolean isOutside) {
     this.names = names;
     this.isOutside = isOutside;
+    used =
+        Uses.all(automaton)
+            .filter(each -> !each.javaClass().isEmpty())
+            .collect(Collectors.toMap(Automaton::name, Names::of, (one, same) -> one));
     given =
         automaton.javaTypes().entrySet().stream()
             .collect(Collectors.toUnmodifiableMap(e -> e.getKey().base(), Map.Entry::getValue));
@@ -114,6 +122,10 @@ final class JavaTypes {
 
   /** {@code name} as the name of a class in those of the automaton. */
   String type(String name) {
+    return type(name, names);
+  }
+
+  private static String type(String name, Names names) {
     boolean isTheirs = name.equals(names.automaton()) || name.equals(names.action());
     return isTheirs ? name + "_" : name(name);
   }
@@ -174,8 +186,8 @@ final class JavaTypes {
                   + " = \"long\", or \"double\"");
       case Type.Range range -> isBoxed ? "Long" : "long";
       case Type.Opaque opaque -> "String";
-      case Type.Rec rec -> declared(rec.name());
-      case Type.Sum sum -> declared(sum.name());
+      case Type.Rec rec -> declared(rec.owner(), rec.name());
+      case Type.Sum sum -> declared(sum.owner(), sum.name());
       case Type.SetOf set when form(set) == Sets.FUN ->
           use(FUN) + "<" + boxed(set.element(), pos) + ", Boolean>";
       case Type.SetOf set -> use("java.util.SortedSet") + "<" + boxed(set.element(), pos) + ">";
@@ -189,13 +201,31 @@ final class JavaTypes {
         }
         yield whole;
       }
-      case Type.StateOf used ->
-          throw new NotExecutable(
-              pos, "an automaton that uses " + used.automaton().name() + " has no Java form yet");
+      case Type.StateOf state -> automaton(state.automaton()) + ".States";
     };
   }
 
-  private String declared(String name) {
+  /** The class of a used automaton. */
+  String automaton(Automaton of) {
+    Names its = names(of);
+    return use(its.packageName() + "." + its.automaton());
+  }
+
+  /** The record of an action of a used automaton. */
+  String action(Automaton of, String name) {
+    Names its = names(of);
+    return use(its.packageName() + "." + its.action()) + "." + type(name, its);
+  }
+
+  private Names names(Automaton of) {
+    return Objects.requireNonNull(used.get(of.name()), of.name());
+  }
+
+  private String declared(String owner, String name) {
+    Names its = used.get(owner);
+    if (its != null) {
+      return use(its.packageName() + "." + its.automaton()) + "." + type(name, its);
+    }
     String type = type(name);
     return isOutside ? use(names.packageName() + "." + names.automaton() + "." + type) : type;
   }
@@ -234,6 +264,10 @@ final class JavaTypes {
       case Type.Sum sum when sum.constructors().getFirst().fields().isEmpty() ->
           make(sum, sum.constructors().getFirst().name(), List.of(), pos);
       case Type.Opaque opaque when own.isEmpty() -> Code.string("");
+      case Type.StateOf state ->
+          new Code.New(
+              of(state, pos),
+              state.automaton().state().stream().map(each -> any(each.type(), pos)).toList());
       default ->
           throw new NotExecutable(
               pos,

@@ -14,7 +14,9 @@ import org.starl.lang.tree.Program;
  */
 record Names(String packageName, String automaton, String action, String constant) {
 
-  private static final String SUFFIX = "Automaton";
+  /** The end of the names of classes of automata. */
+  static final String SUFFIX = "Automaton";
+
   private static final String CLASS = "[a-z]\\w*(\\.[a-z]\\w*)*\\.[A-Z]\\w*";
 
   static Names of(Program program) {

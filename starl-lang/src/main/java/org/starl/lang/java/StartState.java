@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Expr;
+import org.starl.lang.tree.Exprs;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
@@ -45,6 +46,13 @@ final class StartState {
     private Code code(JavaTypes types, Pos pos) {
       if (value != null) {
         return value;
+      }
+      if (type.base() instanceof Type.StateOf used) {
+        return new Code.New(
+            types.of(type, pos),
+            used.automaton().state().stream()
+                .map(c -> field(c.name(), c.type()).code(types, pos))
+                .toList());
       }
       Part all = result;
       if (all != null) {
@@ -95,6 +103,20 @@ final class StartState {
       }
       case Expr.Quantified e when e.forAll() ->
           hold(e.body(), Stream.concat(variables.stream(), e.variables().stream()).toList());
+      case Expr.Started e ->
+          set(part(e.used()), Code.name(ExpressionWriter.machine(e.used())).then("start"), e.pos());
+      case Expr.Binary e when isOwnForEach(e, variables) -> {
+        Expr.At at = (Expr.At) e.left();
+        Field variable = variables.getLast();
+        Code of =
+            new Code.Lambda(
+                JavaTypes.variable(variable.name()),
+                writer.under(variable, () -> writer.of(e.right())));
+        set(
+            place(at.map(), List.of()),
+            Code.call(writer.types().use("org.starl.spec.automaton.Fun") + ".of", of),
+            e.pos());
+      }
       case Expr.Binary e when e.operator() == Expr.Operator.EQUAL ->
           set(place(e.left(), variables), writer.of(e.right()), e.pos());
       case Expr.Is e when e.constructor().fields().isEmpty() ->
@@ -108,6 +130,43 @@ final class StartState {
       case Expr.Not e -> set(place(e.of(), variables), Code.Text.FALSE, e.pos());
       default -> set(place(condition, variables), Code.Text.TRUE, condition.pos());
     }
+  }
+
+  /** Whether it gives each argument of a component a value of its own. */
+  private static boolean isOwnForEach(Expr.Binary at, List<Field> variables) {
+    return at.operator() == Expr.Operator.EQUAL
+        && variables.size() == 1
+        && Exprs.mentions(at.right(), variables.getFirst().name())
+        && at.left() instanceof Expr.At left
+        && left.map() instanceof Expr.Component
+        && areAll(left.arguments(), variables);
+  }
+
+  /** Whether {@code map} is a component whose arguments have values of their own at the start. */
+  static boolean isOwnForEach(Automaton automaton, Expr map) {
+    if (map instanceof Expr.Get get && get.of().type().base() instanceof Type.StateOf used) {
+      Expr own = new Expr.Component(get.field(), get.type(), get.pos());
+      return isOwnForEach(used.automaton(), own);
+    }
+    return map instanceof Expr.Component component
+        && automaton.start().stream()
+            .anyMatch(each -> isOwnForEach(each, component.name(), List.of()));
+  }
+
+  private static boolean isOwnForEach(Expr condition, String component, List<Field> variables) {
+    return switch (condition) {
+      case Expr.Binary e when e.operator() == Expr.Operator.AND ->
+          isOwnForEach(e.left(), component, variables)
+              || isOwnForEach(e.right(), component, variables);
+      case Expr.Quantified e ->
+          isOwnForEach(
+              e.body(),
+              component,
+              Stream.concat(variables.stream(), e.variables().stream()).toList());
+      case Expr.Binary e when isOwnForEach(e, variables) ->
+          ((Expr.At) e.left()).map() instanceof Expr.Component of && of.name().equals(component);
+      default -> false;
+    };
   }
 
   private static void set(Part part, Code value, Pos pos) {

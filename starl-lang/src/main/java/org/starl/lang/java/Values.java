@@ -79,6 +79,8 @@ final class Values {
                   false));
       case Expr.Match e ->
           List.of(new Value(Choices.of(e, writer, each -> inCase(e, each, is)), false));
+      case Expr.Enabled e when !is && writer.canAsk(e) ->
+          List.of(new Value(writer.enabled(e).then("falseConjunct"), false));
       case Expr.Call e when writer.canInline(e) -> why(writer.inlining().body(e), is);
       default -> {
         List<Value> values = new ArrayList<>();
@@ -176,9 +178,11 @@ final class Values {
   private static Code concat(Code a, Code b) {
     List<Code> parts =
         new ArrayList<>(
-            a instanceof Code.Infix i && i.operator().equals("+") && isText(i)
+            a instanceof Code.Infix i
+                    && i.operator().equals("+")
+                    && i.operands().stream().anyMatch(Values::isString)
                 ? i.operands()
-                : List.of(a));
+                : List.of(Code.strong(a, 5)));
     List<Code> more =
         b instanceof Code.Infix i && i.operator().equals("+") && isText(i)
             ? i.operands()

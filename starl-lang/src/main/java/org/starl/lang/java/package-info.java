@@ -6,7 +6,7 @@
  * <p>Opaque types are infinite, so quantifiers, comprehensions and maps are evaluated at the finitely
  * many values that a condition distinguishes, and once for all other values. A condition for which these
  * values cannot be found is an error of the source. Functions that no action needs are left out if
- * they cannot be evaluated; invariants are.
+ * they cannot be evaluated; invariants are. A used automaton has a class of its own.
  *
  * <p>May import: {@code org.starl.lang.read}, {@code org.starl.lang.tree}.
  */

@@ -21,6 +21,7 @@ import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Exprs;
+import org.starl.lang.tree.Lifting;
 import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Primitive;
 import org.starl.lang.tree.Program;

@@ -49,6 +49,9 @@ public record Action(
   /** A change of the state. */
   public sealed interface Effect {
 
+    /** Where its text begins. */
+    Pos pos();
+
     /** The expressions in it. */
     default List<Expr> parts() {
       List<Expr> parts = new ArrayList<>();

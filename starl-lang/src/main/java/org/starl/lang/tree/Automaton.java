@@ -166,6 +166,31 @@ public record Automaton(
         pos);
   }
 
+  /** With another executable form, and other executable forms of what it uses. */
+  public Automaton inJava(
+      String otherClass, Map<Type, JavaType> otherTypes, Map<String, Automaton> otherUses) {
+    return new Automaton(
+        name,
+        typeParameters,
+        valueParameters,
+        assumptions,
+        ranges,
+        types,
+        state,
+        otherUses,
+        functions,
+        start,
+        actions,
+        invariants,
+        ends,
+        progress,
+        refinements,
+        otherClass,
+        otherTypes,
+        comment,
+        pos);
+  }
+
   /** The ranges that may be empty: see {@link #ranges}. */
   public List<Expr> maybeEmpty() {
     return ranges.stream().filter(each -> ((Type.Range) each.type()).mayBeEmpty()).toList();

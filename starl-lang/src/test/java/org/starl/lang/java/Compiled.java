@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.LongStream;
 import javax.tools.ToolProvider;
+import org.starl.lang.read.Source;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.read.SourceReader;
 import org.starl.spec.automaton.Action;
@@ -31,13 +32,21 @@ final class Compiled {
    * @param text of an automaton whose class is {@code x.XAutomaton}
    * @param parameters the values of its parameters, numbers
    */
-  @SuppressWarnings("unchecked") // the class is not known before the test runs
   Compiled(String text, long... parameters) throws SourceErrors {
+    this(files(text), LongStream.of(parameters).boxed().toArray());
+  }
+
+  /**
+   * @param sources with a class {@code x.XAutomaton}
+   * @param parameters the values of its parameters
+   */
+  @SuppressWarnings("unchecked") // the class is not known before the test runs
+  Compiled(Map<String, String> sources, Object[] parameters) {
     try {
       // Classes are loaded from it until the tests end.
       Path folder = Files.createTempDirectory(Files.createDirectories(Path.of("target")), "java");
       List<String> files = new ArrayList<>();
-      for (Map.Entry<String, String> file : files(text).entrySet()) {
+      for (Map.Entry<String, String> file : sources.entrySet()) {
         Path path = folder.resolve(file.getKey());
         Files.createDirectories(path.getParent());
         Files.writeString(path, file.getValue());
@@ -47,10 +56,7 @@ final class Compiled {
       loader = new URLClassLoader(new URL[] {folder.toUri().toURL()});
       automaton =
           (Automaton<Object, Action>)
-              loader
-                  .loadClass("x.XAutomaton")
-                  .getConstructors()[0]
-                  .newInstance(LongStream.of(parameters).boxed().toArray());
+              loader.loadClass("x.XAutomaton").getConstructors()[0].newInstance(parameters);
     } catch (InvocationTargetException e) {
       if (e.getCause() instanceof Undefined undefined) {
         throw undefined;
@@ -63,7 +69,11 @@ final class Compiled {
   }
 
   static Map<String, String> files(String text) throws SourceErrors {
-    return JavaSources.of(new SourceReader().read("x.starl", text).getFirst(), "x.starl");
+    Source source = new SourceReader().look("x.starl", text, null);
+    if (!source.errors().isEmpty()) {
+      throw new SourceErrors(source.errors());
+    }
+    return JavaSources.of(source, "x.starl");
   }
 
   private static void compile(Path folder, List<String> files) throws IOException {

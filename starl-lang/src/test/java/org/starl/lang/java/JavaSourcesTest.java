@@ -85,6 +85,28 @@ class JavaSourcesTest {
   }
 
   @Test
+  void allValuesThatMakeAConditionFalseAreNamed() throws SourceErrors {
+    Compiled asks =
+        new Compiled(
+            """
+            automaton Asks[T]
+            java "x.XAutomaton"
+            state
+              has: set[T]
+              gets: set[T]
+              known: set[T]
+            start has = {}, gets = {}, known = {}
+            action put(t: T) eff has := has union {t}
+            action ask pre forall t: T :: t in has or t in gets => t in known
+            """);
+    asks.step("put", "t");
+    assertThat(asks.enabled("ask").falseConjunct())
+        .isEqualTo(
+            "forall t: T :: t in has or t in gets => t in known is false:"
+                + " t = t, has = [t], known = []");
+  }
+
+  @Test
   void argumentsThatArePrimitiveAreCompared() {
     assertThat(pair.enabled("equal", 300L, 300L).isTrue()).isTrue();
     assertThat(pair.enabled("equal", 300L, 301L).falseConjunct())

@@ -1,20 +1,13 @@
-package org.starl.lang.read;
+package org.starl.lang.tree;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.starl.lang.tree.Automaton;
-import org.starl.lang.tree.Expr;
-import org.starl.lang.tree.Exprs;
-import org.starl.lang.tree.Function;
-import org.starl.lang.tree.Pos;
-import org.starl.lang.tree.Substitution;
-import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** Puts an expression of a used automaton's source into the user's. */
-final class Lifting {
+public final class Lifting {
 
   private final String used;
   private final Automaton automaton;
@@ -26,7 +19,7 @@ final class Lifting {
    * @param used the component of the used automaton
    * @param pos where errors are in the user's source
    */
-  Lifting(String used, Automaton automaton, Pos pos) {
+  public Lifting(String used, Automaton automaton, Pos pos) {
     this(used, automaton, new Expr.Component(used, new Type.StateOf(automaton), pos), pos);
   }
 
@@ -38,7 +31,7 @@ final class Lifting {
   }
 
   /** The same with values, of the user's source, in the place of variables. */
-  Lifting with(List<Field> parameters, List<Expr> arguments) {
+  public Lifting with(List<Field> parameters, List<Expr> arguments) {
     Lifting lifting = new Lifting(used, automaton, state, pos);
     for (int i = 0; i < arguments.size(); i++) {
       lifting.values.put(parameters.get(i).name(), arguments.get(i));
@@ -47,13 +40,14 @@ final class Lifting {
   }
 
   /** For expressions of an automaton that the used one uses. */
-  Lifting inside(String component) {
+  public Lifting inside(String component) {
     Automaton inner = Objects.requireNonNull(automaton.uses().get(component), component);
     Expr cell = new Expr.Get(state, component, new Type.StateOf(inner), pos);
     return new Lifting("", inner, cell, pos);
   }
 
-  Expr lift(Expr expr) {
+  /** {@code expr}, of the user's state. */
+  public Expr lift(Expr expr) {
     return new Substitution().replace(lifted(expr), values);
   }
 
@@ -85,7 +79,7 @@ final class Lifting {
     Function function = to.automaton.function(call.function().name()).orElseThrow();
     if (function.measure().isPresent()) {
       throw new IllegalArgumentException(
-          function.signature().name() + " calls itself: expected no such function in a face");
+          function.signature().name() + " calls itself; expected no such function here");
     }
     return to.with(function.signature().parameters(), arguments).lift(function.body());
   }
