@@ -1,0 +1,660 @@
+// Generated from Traffic_decls.starl by 'starl compile': change that file instead.
+package org.starl.apps.intersection.spec;
+
+import java.util.List;
+import java.util.function.Function;
+import org.starl.id.ProcessId;
+import org.starl.primitives.mutex.MutexGroupAction;
+import org.starl.primitives.mutex.MutexGroupAutomaton;
+import org.starl.primitives.registration.RegistrationAction;
+import org.starl.primitives.registration.RegistrationAutomaton;
+import org.starl.spec.automaton.Automaton;
+import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Finite;
+import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
+import org.starl.spec.automaton.Term;
+import org.starl.spec.automaton.Undefined;
+
+/**
+ * The automaton Traffic_decls, executable.
+ *
+ * <p>The intersection coordination protocol (paper, Figures 3 to 6), run by every process of PIDS,
+ * composed with Registration and with Mutex over the lists that Registration gives. Cars come at
+ * any time, ask to be listed, ask those on their list for the zones of their way, cross them one by
+ * one, give each back once they are past it, and leave the list when they hold nothing any more.
+ *
+ * <p>Parameters: Path, sd : the critical zones of each pair of source and destination, in order,
+ * none twice; the pair of each process B : longest stay in S0, before do_register R : longest time
+ * from do_register until the zones are requested G : if somebody waits and nobody holds a zone,
+ * somebody is granted within G T : longest time to cross one zone and give it back
+ *
+ * <p>Where the figures say nothing, or what cannot be meant: - Positions: safety is of cars, not of
+ * list heads. A zone is given back once the car is past it (`release'). - S1 is entered with the
+ * release of the last zone. - A request asks those on the list of the requester only. That suffices
+ * for safety, because lists leave out only who holds nothing (lemma `connects' of Traffic_safety,
+ * from Keeps of Registration_decls). - `decide' happens only if it lets somebody in or out, `learn'
+ * only of a newer list: so runs without time are short (Traffic_progress).
+ *
+ * <p>No request is withdrawn. A car that crashes acts no more; if it is carried away,
+ * Traffic_bodies says what follows.
+ *
+ * <p>What the primitives do of themselves (decide, learn, od_mutex) is enabled when they say so.
+ * What they are asked to do is enabled when the protocol says so; that the primitives allow it is
+ * proved: mux_step and reg_step of Traffic_safety.
+ *
+ * <p>Java: org.starl.apps.intersection.logic.IntersectionApp; monitors:
+ * org.starl.apps.intersection.spec.
+ */
+public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States, TrafficAction> {
+
+  /** The theory's name. */
+  public static final String TRAFFIC_DECLS = "Traffic_decls";
+
+  private final MutexGroupAutomaton muxAutomaton = new MutexGroupAutomaton();
+  private final RegistrationAutomaton regAutomaton = new RegistrationAutomaton();
+
+  private final Function<String, List<String>> Path;
+  private final Function<ProcessId, String> sd;
+  private final long B;
+  private final long R;
+  private final long G;
+  private final long T;
+
+  /** Of the theory's parameters. */
+  public TrafficAutomaton(
+      Function<String, List<String>> Path,
+      Function<ProcessId, String> sd,
+      long B,
+      long R,
+      long G,
+      long T) {
+    this.Path = Path;
+    this.sd = sd;
+    this.B = B;
+    this.R = R;
+    this.G = G;
+    this.T = T;
+  }
+
+  /** The theory's parameter. */
+  public long B() {
+    return B;
+  }
+
+  /** The theory's parameter. */
+  public long R() {
+    return R;
+  }
+
+  /** The theory's parameter. */
+  public long G() {
+    return G;
+  }
+
+  /** The theory's parameter. */
+  public long T() {
+    return T;
+  }
+
+  public enum Locations {
+    away,
+    S0,
+    register_wait,
+    mutex_wait,
+    move_wait,
+    S1,
+    done
+  }
+
+  /** Where the car is: before, in or past the critical zones. */
+  public sealed interface Position extends Term, Comparable<Position> {
+
+    record arrival() implements Position {
+      @Override
+      public String toString() {
+        return text();
+      }
+    }
+
+    record inside(String zone) implements Position {
+      @Override
+      public String toString() {
+        return text();
+      }
+    }
+
+    record departed() implements Position {
+      @Override
+      public String toString() {
+        return text();
+      }
+    }
+
+    @Override
+    default List<Object> args() {
+      return switch (this) {
+        case arrival a -> List.of();
+        case inside a -> List.of(a.zone);
+        case departed a -> List.of();
+      };
+    }
+
+    @Override
+    default int compareTo(Position that) {
+      return Sets.compare(this, that);
+    }
+  }
+
+  /**
+   * The states.
+   *
+   * @param myseq the zones not given back yet
+   * @param age since i came
+   * @param timer_start in S0
+   * @param timer_reg in register_wait
+   * @param timer_move with the present zone
+   * @param timer_grant of waiting while nobody holds a zone
+   */
+  public record States(
+      Fun<ProcessId, Locations> loc,
+      Fun<ProcessId, List<String>> myseq,
+      Fun<ProcessId, Position> pos,
+      Fun<ProcessId, Long> age,
+      Fun<ProcessId, Long> timer_start,
+      Fun<ProcessId, Long> timer_reg,
+      Fun<ProcessId, Long> timer_move,
+      long timer_grant,
+      MutexGroupAutomaton.States mux,
+      RegistrationAutomaton.States reg) {
+
+    /** Somebody waits, and nobody holds anything. */
+    public boolean isGrantable() {
+      return (Finite.exists(i -> loc.at(i) == Locations.mutex_wait, loc.arguments())
+              || loc.defaultValue() == Locations.mutex_wait)
+          && Finite.forAll(
+              j -> mux.mux().crit_set().at(j).isEmpty(), mux.mux().crit_set().arguments())
+          && mux.mux().crit_set().defaultValue().isEmpty();
+    }
+  }
+
+  @Override
+  public String theory() {
+    return TRAFFIC_DECLS;
+  }
+
+  @Override
+  public States start() {
+    return new States(
+        Fun.always(Locations.away),
+        Fun.of(i -> Path.apply(sd.apply(i))),
+        Fun.always(new Position.arrival()),
+        Fun.always(0L),
+        Fun.always(0L),
+        Fun.always(0L),
+        Fun.always(0L),
+        0L,
+        muxAutomaton.start(),
+        regAutomaton.start());
+  }
+
+  public static List<String> rest(List<String> l) {
+    return l.isEmpty() ? List.of() : Undefined.tail("Traffic_decls.starl:78:58", l);
+  }
+
+  /** The first zone of the way; departed if there is none. */
+  public static Position first_pos(List<String> l) {
+    return l.isEmpty()
+        ? new Position.departed()
+        : new Position.inside(Undefined.head("Traffic_decls.starl:81:76", l));
+  }
+
+  /** The zone after the one that the car is in; departed after the last. */
+  public static Position next_pos(List<String> l) {
+    return l.isEmpty() || Undefined.tail("Traffic_decls.starl:85:16", l).isEmpty()
+        ? new Position.departed()
+        : new Position.inside(
+            Undefined.head(
+                "Traffic_decls.starl:85:55", Undefined.tail("Traffic_decls.starl:85:60", l)));
+  }
+
+  @Override
+  public Enabled enabled(TrafficAction action, States s) {
+    return switch (action) {
+      case TrafficAction.dt a ->
+          Enabled.when(
+                  "grantable? => timer_grant + delta_t <= G",
+                  !s.isGrantable() || s.timer_grant + a.delta_t() <= G,
+                  () -> "timer_grant = " + s.timer_grant + ", G = " + G)
+              .and(
+                  "forall i: PIDS :: (loc(i) = S0 => timer_start(i) + delta_t <= B) and (loc(i) = register_wait => timer_reg(i) + delta_t <= R) and (loc(i) = move_wait => timer_move(i) + delta_t <= T)",
+                  Finite.forAll(
+                          i ->
+                              (s.loc.at(i) != Locations.S0
+                                      || s.timer_start.at(i) + a.delta_t() <= B)
+                                  && (s.loc.at(i) != Locations.register_wait
+                                      || s.timer_reg.at(i) + a.delta_t() <= R)
+                                  && (s.loc.at(i) != Locations.move_wait
+                                      || s.timer_move.at(i) + a.delta_t() <= T),
+                          s.loc.arguments(),
+                          s.timer_start.arguments(),
+                          s.timer_reg.arguments(),
+                          s.timer_move.arguments())
+                      && (s.loc.defaultValue() != Locations.S0
+                          || s.timer_start.defaultValue() + a.delta_t() <= B)
+                      && (s.loc.defaultValue() != Locations.register_wait
+                          || s.timer_reg.defaultValue() + a.delta_t() <= R)
+                      && (s.loc.defaultValue() != Locations.move_wait
+                          || s.timer_move.defaultValue() + a.delta_t() <= T),
+                  () ->
+                      Finite.first(
+                          i ->
+                              !((s.loc.at(i) != Locations.S0
+                                      || s.timer_start.at(i) + a.delta_t() <= B)
+                                  && (s.loc.at(i) != Locations.register_wait
+                                      || s.timer_reg.at(i) + a.delta_t() <= R)
+                                  && (s.loc.at(i) != Locations.move_wait
+                                      || s.timer_move.at(i) + a.delta_t() <= T)),
+                          i ->
+                              "i = "
+                                  + i
+                                  + ", "
+                                  + (!((s.loc.at(i) != Locations.S0
+                                              || s.timer_start.at(i) + a.delta_t() <= B)
+                                          && (s.loc.at(i) != Locations.register_wait
+                                              || s.timer_reg.at(i) + a.delta_t() <= R))
+                                      ? (!(s.loc.at(i) != Locations.S0
+                                              || s.timer_start.at(i) + a.delta_t() <= B)
+                                          ? "loc("
+                                              + i
+                                              + ") = "
+                                              + s.loc.at(i)
+                                              + ", timer_start("
+                                              + i
+                                              + ") = "
+                                              + s.timer_start.at(i)
+                                              + ", B = "
+                                              + B
+                                          : "loc("
+                                              + i
+                                              + ") = "
+                                              + s.loc.at(i)
+                                              + ", timer_reg("
+                                              + i
+                                              + ") = "
+                                              + s.timer_reg.at(i)
+                                              + ", R = "
+                                              + R)
+                                      : "loc("
+                                          + i
+                                          + ") = "
+                                          + s.loc.at(i)
+                                          + ", timer_move("
+                                          + i
+                                          + ") = "
+                                          + s.timer_move.at(i)
+                                          + ", T = "
+                                          + T),
+                          s.loc.arguments(),
+                          s.timer_start.arguments(),
+                          s.timer_reg.arguments(),
+                          s.timer_move.arguments()));
+      case TrafficAction.arrive a ->
+          Enabled.when(
+              "loc(i) = away",
+              s.loc.at(a.i()) == Locations.away,
+              () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+      case TrafficAction.do_register a ->
+          Enabled.when(
+              "loc(i) = S0",
+              s.loc.at(a.i()) == Locations.S0,
+              () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+      case TrafficAction.decide a ->
+          Enabled.when(
+                  "reg.decide(L)",
+                  regAutomaton.enabled(new RegistrationAction.decide(a.L()), s.reg).isTrue(),
+                  () ->
+                      regAutomaton
+                          .enabled(new RegistrationAction.decide(a.L()), s.reg)
+                          .falseConjunct())
+              .and(
+                  "L != reg.list(reg.number)",
+                  !a.L().equals(s.reg.list().at(s.reg.number())),
+                  () -> "reg.list(" + s.reg.number() + ") = " + s.reg.list().at(s.reg.number()));
+      case TrafficAction.learn a ->
+          Enabled.when(
+                  "reg.learn(i, n)",
+                  regAutomaton.enabled(new RegistrationAction.learn(a.i(), a.n()), s.reg).isTrue(),
+                  () ->
+                      regAutomaton
+                          .enabled(new RegistrationAction.learn(a.i(), a.n()), s.reg)
+                          .falseConjunct())
+              .and(
+                  "reg.ts(i) < n",
+                  s.reg.ts().at(a.i()) < a.n(),
+                  () -> "reg.ts(" + a.i() + ") = " + s.reg.ts().at(a.i()));
+      case TrafficAction.do_mutex a ->
+          Enabled.when(
+                  "loc(i) = register_wait",
+                  s.loc.at(a.i()) == Locations.register_wait,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "i in reg.rList(i)",
+                  s.reg.rList(a.i()).contains(a.i()),
+                  () -> "rList(" + a.i() + ") = " + s.reg.rList(a.i()))
+              .and(
+                  "RS = elements(Path(sd(i)))",
+                  a.RS().equals(Sets.of(Path.apply(sd.apply(a.i())))),
+                  () -> "RS = " + a.RS() + ", i = " + a.i());
+      case TrafficAction.od_mutex a ->
+          Enabled.when(
+                  "loc(i) = mutex_wait",
+                  s.loc.at(a.i()) == Locations.mutex_wait,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "mux.od_mutex(i, RS)",
+                  muxAutomaton
+                      .enabled(new MutexGroupAction.od_mutex(a.i(), a.RS()), s.mux)
+                      .isTrue(),
+                  () ->
+                      muxAutomaton
+                          .enabled(new MutexGroupAction.od_mutex(a.i(), a.RS()), s.mux)
+                          .falseConjunct());
+      case TrafficAction.advance a ->
+          Enabled.when(
+                  "loc(i) = move_wait",
+                  s.loc.at(a.i()) == Locations.move_wait,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "myseq(i) != []",
+                  !s.myseq.at(a.i()).isEmpty(),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "pos(i) = arrival or pos(i) = inside(head(myseq(i)))",
+                  !(s.loc.at(a.i()) == Locations.move_wait && !s.myseq.at(a.i()).isEmpty())
+                      || s.pos.at(a.i()).equals(new Position.arrival())
+                      || s.pos
+                          .at(a.i())
+                          .equals(
+                              new Position.inside(
+                                  Undefined.head("Traffic_decls.starl:126:79", s.myseq.at(a.i())))),
+                  () ->
+                      "pos("
+                          + a.i()
+                          + ") = "
+                          + s.pos.at(a.i())
+                          + ", myseq("
+                          + a.i()
+                          + ") = "
+                          + s.myseq.at(a.i()));
+      case TrafficAction.release a ->
+          Enabled.when(
+                  "loc(i) = move_wait",
+                  s.loc.at(a.i()) == Locations.move_wait,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "myseq(i) != []",
+                  !s.myseq.at(a.i()).isEmpty(),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "RS = {head(myseq(i))}",
+                  !(s.loc.at(a.i()) == Locations.move_wait && !s.myseq.at(a.i()).isEmpty())
+                      || a.RS()
+                          .equals(
+                              Sets.singleton(
+                                  Undefined.head("Traffic_decls.starl:130:49", s.myseq.at(a.i())))),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "pos(i) = next_pos(myseq(i))",
+                  !(s.loc.at(a.i()) == Locations.move_wait
+                          && !s.myseq.at(a.i()).isEmpty()
+                          && a.RS()
+                              .equals(
+                                  Sets.singleton(
+                                      Undefined.head(
+                                          "Traffic_decls.starl:130:49", s.myseq.at(a.i())))))
+                      || s.pos.at(a.i()).equals(next_pos(s.myseq.at(a.i()))),
+                  () ->
+                      "pos("
+                          + a.i()
+                          + ") = "
+                          + s.pos.at(a.i())
+                          + ", next_pos("
+                          + s.myseq.at(a.i())
+                          + ") = "
+                          + next_pos(s.myseq.at(a.i())));
+      case TrafficAction.unregister a ->
+          Enabled.when(
+              "loc(i) = S1",
+              s.loc.at(a.i()) == Locations.S1,
+              () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+    };
+  }
+
+  @Override
+  public States trans(TrafficAction action, States s) {
+    return switch (action) {
+      case TrafficAction.dt a ->
+          new States(
+              s.loc,
+              s.myseq,
+              s.pos,
+              Finite.map(
+                  Fun.always(
+                      s.loc.defaultValue() == Locations.away
+                          ? s.age.defaultValue()
+                          : s.age.defaultValue() + a.delta_t()),
+                  i -> s.loc.at(i) == Locations.away ? s.age.at(i) : s.age.at(i) + a.delta_t(),
+                  s.loc.arguments(),
+                  s.age.arguments()),
+              Finite.map(
+                  Fun.always(
+                      s.loc.defaultValue() == Locations.S0
+                          ? s.timer_start.defaultValue() + a.delta_t()
+                          : s.timer_start.defaultValue()),
+                  i ->
+                      s.loc.at(i) == Locations.S0
+                          ? s.timer_start.at(i) + a.delta_t()
+                          : s.timer_start.at(i),
+                  s.loc.arguments(),
+                  s.timer_start.arguments()),
+              Finite.map(
+                  Fun.always(
+                      s.loc.defaultValue() == Locations.register_wait
+                          ? s.timer_reg.defaultValue() + a.delta_t()
+                          : s.timer_reg.defaultValue()),
+                  i ->
+                      s.loc.at(i) == Locations.register_wait
+                          ? s.timer_reg.at(i) + a.delta_t()
+                          : s.timer_reg.at(i),
+                  s.loc.arguments(),
+                  s.timer_reg.arguments()),
+              Finite.map(
+                  Fun.always(
+                      s.loc.defaultValue() == Locations.move_wait
+                          ? s.timer_move.defaultValue() + a.delta_t()
+                          : s.timer_move.defaultValue()),
+                  i ->
+                      s.loc.at(i) == Locations.move_wait
+                          ? s.timer_move.at(i) + a.delta_t()
+                          : s.timer_move.at(i),
+                  s.loc.arguments(),
+                  s.timer_move.arguments()),
+              s.isGrantable() ? s.timer_grant + a.delta_t() : s.timer_grant,
+              s.mux,
+              s.reg);
+      case TrafficAction.arrive a ->
+          new States(
+              s.loc.with(a.i(), Locations.S0),
+              s.myseq,
+              s.pos,
+              s.age,
+              s.timer_start,
+              s.timer_reg,
+              s.timer_move,
+              s.timer_grant,
+              s.mux,
+              s.reg);
+      case TrafficAction.do_register a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc.with(a.i(), Locations.register_wait),
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  s.mux,
+                  Undefined.step(
+                      "Traffic_decls.starl:107:32",
+                      "reg",
+                      regAutomaton,
+                      new RegistrationAction.do_register(a.i()),
+                      s.reg))
+              : s;
+      case TrafficAction.decide a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc,
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  s.mux,
+                  Undefined.step(
+                      "Traffic_decls.starl:111:7",
+                      "reg",
+                      regAutomaton,
+                      new RegistrationAction.decide(a.L()),
+                      s.reg))
+              : s;
+      case TrafficAction.learn a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc,
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  s.loc.at(a.i()) == Locations.mutex_wait
+                      ? Undefined.step(
+                          "Traffic_decls.starl:115:24",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.known(a.i(), s.reg.list().at(a.n())),
+                          s.mux)
+                      : s.mux,
+                  Undefined.step(
+                      "Traffic_decls.starl:115:7",
+                      "reg",
+                      regAutomaton,
+                      new RegistrationAction.learn(a.i(), a.n()),
+                      s.reg))
+              : s;
+      case TrafficAction.do_mutex a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc.with(a.i(), Locations.mutex_wait),
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  Undefined.step(
+                      "Traffic_decls.starl:119:29",
+                      "mux",
+                      muxAutomaton,
+                      new MutexGroupAction.do_mutex(a.i(), a.RS(), s.reg.rList(a.i())),
+                      s.mux),
+                  s.reg)
+              : s;
+      case TrafficAction.od_mutex a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc.with(a.i(), Locations.move_wait),
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move.with(a.i(), 0L),
+                  0L,
+                  Undefined.step(
+                      "Traffic_decls.starl:123:66",
+                      "mux",
+                      muxAutomaton,
+                      new MutexGroupAction.od_mutex(a.i(), a.RS()),
+                      s.mux),
+                  s.reg)
+              : s;
+      case TrafficAction.advance a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc,
+                  s.myseq,
+                  s.pos.with(
+                      a.i(),
+                      s.pos.at(a.i()).equals(new Position.arrival())
+                          ? first_pos(s.myseq.at(a.i()))
+                          : next_pos(s.myseq.at(a.i()))),
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  s.mux,
+                  s.reg)
+              : s;
+      case TrafficAction.release a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc.with(
+                      a.i(),
+                      rest(s.myseq.at(a.i())).isEmpty() ? Locations.S1 : Locations.move_wait),
+                  s.myseq.with(a.i(), rest(s.myseq.at(a.i()))),
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move.with(a.i(), 0L),
+                  s.timer_grant,
+                  Undefined.step(
+                      "Traffic_decls.starl:133:7",
+                      "mux",
+                      muxAutomaton,
+                      new MutexGroupAction.release(a.i(), a.RS()),
+                      s.mux),
+                  s.reg)
+              : s;
+      case TrafficAction.unregister a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.loc.with(a.i(), Locations.done),
+                  s.myseq,
+                  s.pos,
+                  s.age,
+                  s.timer_start,
+                  s.timer_reg,
+                  s.timer_move,
+                  s.timer_grant,
+                  s.mux,
+                  Undefined.step(
+                      "Traffic_decls.starl:137:23",
+                      "reg",
+                      regAutomaton,
+                      new RegistrationAction.unregister(a.i()),
+                      s.reg))
+              : s;
+    };
+  }
+}
