@@ -13,6 +13,9 @@ import org.starl.lang.tree.Program;
 /** The executable form of automata, and programs, as files of Java. */
 public final class JavaSources {
 
+  // With the lines before it a file has 500.
+  private static final int LONG_LINES = 480;
+
   private JavaSources() {}
 
   /**
@@ -124,6 +127,9 @@ public final class JavaSources {
     String file = source.substring(source.lastIndexOf('/') + 1);
     JavaText text = new JavaText();
     text.line(0, "// Generated from " + file + " by 'starl compile': change that file instead.");
+    if (body.lines().count() > LONG_LINES) {
+      text.line(0, "// Longer than 500 lines because its source is one automaton.");
+    }
     text.line(0, "package " + names.packageName() + ";").blank();
     for (String each : types.imports()) {
       text.line(0, "import " + each + ";");

@@ -1,4 +1,5 @@
 // Generated from Traffic_decls.starl by 'starl compile': change that file instead.
+// Longer than 500 lines because its source is one automaton.
 package org.starl.apps.intersection.spec;
 
 import java.util.List;
