@@ -18,6 +18,7 @@ import org.starl.apps.intersection.robot.CarMaker;
 import org.starl.apps.intersection.robot.CarProgram;
 import org.starl.apps.intersection.robot.Floor;
 import org.starl.apps.intersection.spec.IntersectionSpec;
+import org.starl.apps.intersection.spec.TrafficConformance;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
@@ -149,7 +150,11 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
 
   private Simulation.Builder simulation(IntersectionSpec spec, List<RobotId> cars) {
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
-    spec.monitors(XID, settings.strayRobots(cars)).forEach(simulation::monitor);
+    List<RobotId> stray = settings.strayRobots(cars);
+    spec.monitors(XID, stray).forEach(simulation::monitor);
+    if (program == CarProgram.PAPER && stray.isEmpty()) {
+      simulation.monitor(() -> new TrafficConformance(XID));
+    }
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     return simulation.monitor(() ->
         program == CarProgram.FLOW ? new MotionSpec(motion).inLanes() : new MotionSpec(motion));

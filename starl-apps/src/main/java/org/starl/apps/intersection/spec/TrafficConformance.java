@@ -1,0 +1,141 @@
+package org.starl.apps.intersection.spec;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.registration.RegistrationAction;
+import org.starl.primitives.registration.RegistrationFact;
+import org.starl.spec.LemmaMonitor;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Every run of an intersection of cars after Figure 4 is a run of the theory {@code Traffic_decls}, the
+ * composition of registration, mutex and cars. The map from events to actions:
+ *
+ * <pre>
+ * event                                    action, where i is an id of the event's robot
+ * registration: do_register i              arrive(i), do_register(i), and learn(i, n) if its robot
+ *                                          knows list n; if an earlier id of the robot is past
+ *                                          register_wait, do_register of that id
+ * registration: unregister i               unregister(i)
+ * registration: view n, for the first time decide(L), if L is not the list before
+ * registration: view n                     learn(i, m), m being the number of the list of view n, if
+ *                                          it is a newer one; rList(i) is L
+ * mutex: do_mutex i, RS                    do_mutex(i, RS); plist(i) is known
+ * mutex: known i                           none; plist(i) is known, while i waits
+ * mutex: od_mutex i, RS                    od_mutex(i, RS)
+ * mutex: release i, RS                     release(i, RS); crit_set(i) is what the fact says is left
+ * any of these, of any car; a movement     advance(i) of each car whose true body is in a later zone
+ * any of these, after time has passed      dt
+ * all others                               none
+ * </pre>
+ *
+ * <p>A car is in a zone until its whole true body has left it; and past the last zone when it is in
+ * none. A zone that is given back late is behind: the theory's car advances by one zone for each that is
+ * given back. Bodies are looked at when an action is taken, and when they move in another way; {@link
+ * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
+ *
+ * <p>The theory has no restarts, and nobody gives an id or a request up, or is given up. Where one of
+ * these happens, the replay {@link #end ends}: from then on nothing is checked. A car that crashes acts
+ * no more, as in the theory.
+ */
+public final class TrafficConformance extends LemmaMonitor {
+
+  private final Instance mutex;
+  private final Instance registration;
+  private final TrafficRun run;
+  private final Map<RobotId, List<String>> ways = new TreeMap<>();
+  private String end = "";
+
+  /** Of the intersection {@code xid}. */
+  public TrafficConformance(String xid) {
+    mutex = MutexFact.source(xid);
+    registration = Instance.of(RegistrationFact.PRIMITIVE, xid);
+    run = new TrafficRun(Instance.of("intersection", xid), this::way);
+    lemma(
+        TrafficAutomaton.TRAFFIC_DECLS,
+        "The run of the intersection is one of the theory's automaton, step by step.");
+  }
+
+  private List<String> way(RobotId car) {
+    return ways.getOrDefault(car, List.of());
+  }
+
+  /** Why nothing was checked any more from some time on; empty if all was checked. */
+  public Optional<String> end() {
+    return Optional.of(end).filter(why -> !why.isEmpty());
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    if (!end.isEmpty()) {
+      return;
+    }
+    run.observe(event, report);
+    CrossingFact.trip(event).ifPresent(trip -> ways.putIfAbsent(event.robot(), trip.zones()));
+    switch (event) {
+      case Fault fault when fault.name().equals(Fault.RESTART) -> end(event, "restarts");
+      case Action action when action.source().equals(mutex) -> ofMutex(action, report);
+      case Action action when action.source().equals(registration) ->
+          ofRegistration(action, report);
+      case Variable variable when variable.source().equals(registration) -> {
+        View view = variable.of(RegistrationFact.VIEW);
+        if (view != null && view.number() > 0 && !run.saw(event, view, report)) {
+          end(event, "shows a list after later ones");
+        }
+      }
+      default -> {
+        // No action of the theory.
+      }
+    }
+  }
+
+  private void end(TraceEvent event, String what) {
+    end = event.robot() + " " + what;
+  }
+
+  private void ofRegistration(Action action, Report report) {
+    switch (action.fact()) {
+      case RegistrationAction.do_register asked -> run.registers(action, asked.i(), report);
+      case RegistrationAction.unregister left -> run.unregisters(action, left.i(), report);
+      case RegistrationAction.give_up id -> end(action, "gives up an id");
+      case Confinement confinement -> end(action, "gives up " + confinement.who());
+      default -> {
+        // The acceptors.
+      }
+    }
+  }
+
+  private void ofMutex(Action action, Report report) {
+    switch (action.fact()) {
+      case MutexFact.DoMutex f when !f.sequence().isEmpty() -> end(action, "asks for a sequence");
+      case MutexFact.DoMutex f -> {
+        run.step(action, new TrafficAction.do_mutex(f.who(), f.want()), report);
+        run.asks(action, f.who(), f.known(), report);
+      }
+      case MutexFact.Known f -> run.asks(action, f.who(), f.known(), report);
+      case MutexFact.OdMutex f ->
+          run.step(action, new TrafficAction.od_mutex(f.who(), f.held()), report);
+      case MutexFact.Release f -> {
+        run.step(action, new TrafficAction.release(f.who(), f.given()), report);
+        run.holds(action, f.who(), f.left(), report);
+      }
+      case MutexFact.Withdraw f when f.num() > 0 -> end(action, "withdraws a request");
+      case MutexFact.Fence f -> end(action, "gives up " + f.suspect());
+      case MutexFact.StandsIn f -> end(action, "says where it stands");
+      default -> {
+        // Of the protocol.
+      }
+    }
+  }
+}

@@ -1,0 +1,175 @@
+package org.starl.apps.intersection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Method;
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.robot.Car;
+import org.starl.apps.intersection.robot.CarProgram;
+import org.starl.apps.intersection.robot.Floor;
+import org.starl.apps.intersection.robot.IntersectionFactory;
+import org.starl.apps.intersection.spec.IntersectionSpec;
+import org.starl.apps.intersection.spec.TrafficConformance;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.mutex.MutexPrim;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+
+/** Runs of cars after Figure 4 are runs of {@code Traffic_decls}; those of cars with a bug are not. */
+class TrafficConformanceTest {
+
+  private static final int CARS = 4;
+  private static final String THEORY = "Traffic_decls";
+  private static final RobotId BOT0 = new RobotId("bot0");
+
+  /** How a car asks for its zones, and gives them back. */
+  private record Manners(
+      UnaryOperator<List<String>> asked, BiConsumer<MutexPrim, List<String>> release) {
+
+    static final Manners GOOD = new Manners(zones -> zones, MutexPrim::release);
+
+    /** The mutex, called in this manner. */
+    MutexPrim with(MutexPrim mutex) {
+      return (MutexPrim)
+          Proxy.newProxyInstance(
+              MutexPrim.class.getClassLoader(),
+              new Class<?>[] {MutexPrim.class},
+              (proxy, method, arguments) -> call(mutex, method, arguments));
+    }
+
+    private Object call(MutexPrim mutex, Method method, Object[] arguments)
+        throws ReflectiveOperationException {
+      switch (method.getName()) {
+        case "do_mutex" ->
+            mutex.do_mutex(asked.apply(zones(arguments[0])), (Participants) arguments[1]);
+        case "release" -> release.accept(mutex, zones(arguments[0]));
+        default -> {
+          return method.invoke(mutex, arguments);
+        }
+      }
+      return null;
+    }
+
+    private static List<String> zones(Object argument) {
+      List<String> zones = new ArrayList<>();
+      if (argument instanceof String[] names) {
+        zones.addAll(List.of(names));
+      } else {
+        ((Iterable<?>) argument).forEach(zone -> zones.add((String) zone));
+      }
+      return zones;
+    }
+  }
+
+  private static SpecReport run(Manners manners, long seed) {
+    SimSettings settings = SimSettings.builder().set("duration", "300s").build();
+    List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(seed).fork("cars"));
+    Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
+    Simulation.Builder simulation =
+        new IntersectionPlan(Floor.kerbs(), settings, CarProgram.PAPER)
+            .simulation(
+                new IntersectionSpec(
+                    IntersectionPlan.deltaNs(settings), CARS, 0, IntersectionSpec.STOPPING_NS))
+            .seed(seed)
+            .director(traffic)
+            .observer(traffic);
+    for (Car car : cars) {
+      simulation.robot(
+          new RobotSpec(
+              car.id(),
+              car.start(),
+              false,
+              gvh ->
+                  new IntersectionApp(
+                      gvh,
+                      IntersectionFactory.XID,
+                      car.trip(),
+                      gvh.id.participants(),
+                      manners::with)));
+    }
+    return simulation.build().run().spec();
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void aRunIsOneOfTheTheory(long seed) {
+    SpecReport report = run(Manners.GOOD, seed);
+    assertThat(report.violations()).isEmpty();
+    assertThat(
+            report.reached().keySet().stream()
+                .filter(each -> each.theory().equals(THEORY) && each.conjunct().isEmpty())
+                .map(each -> each.action().getSimpleName()))
+        .contains("dt", "arrive", "do_register", "decide", "learn", "do_mutex", "od_mutex")
+        .contains("advance", "release", "unregister");
+  }
+
+  @Test
+  void aCarThatAsksForAZoneBesideItsWayIsFound() {
+    Manners greedy =
+        new Manners(
+            zones -> Stream.concat(zones.stream(), Stream.of("Z")).toList(),
+            (mutex, zones) ->
+                mutex.release(mutex.held().size() > 2 ? zones : new ArrayList<>(mutex.held())));
+    assertThat(run(greedy, 1).violations()).extracting(Violation::lemma).contains(THEORY);
+  }
+
+  @Test
+  void aCarThatKeepsItsFirstZoneToTheEndIsFoundByTheReplayAlone() {
+    Manners keeping =
+        new Manners(
+            zones -> zones,
+            (mutex, zones) -> {
+              boolean isLast = zones.stream().anyMatch(zone -> zone.endsWith("1"));
+              if (isLast) {
+                mutex.release(mutex.held());
+              }
+            });
+    assertThat(run(keeping, 1).violations())
+        .isNotEmpty()
+        .extracting(Violation::lemma)
+        .containsOnly(THEORY);
+  }
+
+  @Test
+  void nothingIsCheckedAfterARestart() {
+    TrafficConformance monitor = new TrafficConformance("crossing");
+    Monitors monitors = new Monitors(List.of(monitor));
+    ProcessId who = ProcessId.first(BOT0, 1);
+    Action grant =
+        Action.of(
+            2,
+            BOT0,
+            MutexFact.source("crossing"),
+            MutexFact.SHAPE,
+            new MutexFact.OdMutex(who, 1, Sections.copyOf(List.of("A"))));
+    monitors.observe(new Fault(1, BOT0, Fault.RESTART, ""));
+    monitors.observe(grant);
+    assertThat(monitors.report().violations()).isEmpty();
+    assertThat(monitor.end()).contains("bot0 restarts");
+    Monitors without = new Monitors(List.of(new TrafficConformance("crossing")));
+    without.observe(grant);
+    assertThat(without.report().violations())
+        .singleElement()
+        .satisfies(each -> assertThat(each.detail()).contains("loc(bot0) = away"));
+  }
+}
