@@ -40,8 +40,8 @@ import org.starl.trace.TraceEvent;
  * fence         none before the view that removes the suspect
  * </pre>
  *
- * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the next.
- * A mutex with sequences or modes is not replayed from its first request for some on.
+ * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the
+ * next one. A mutex is replayed until its first request for a sequence, or in a mode.
  */
 public final class ProtocolConformance extends Conformance<ProtocolConformance.Run> {
 
@@ -232,9 +232,13 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private void learned(ProcessId i, View view) {
       run.admitted.putAll(view.admitted());
-      for (ProcessId j : run.requests.keySet()) {
+      for (ProcessId j : List.copyOf(run.requests.keySet())) {
         if (run.isGone(j, view)) {
           fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
+          if (!run.isRemoved(j) && !run.state().isActive(j)) {
+            run.requests.remove(j);
+            run.numbers.remove(j);
+          }
         }
       }
       for (ProcessId j : run.state().heard().at(i)) {
