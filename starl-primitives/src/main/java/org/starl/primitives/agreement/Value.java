@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -10,7 +11,7 @@ import org.starl.shape.WireReader;
 import org.starl.shape.WireWriter;
 
 /** The value that a Synod decides on: bytes that it does not interpret. Immutable. */
-public final class Value {
+public final class Value implements Comparable<Value> {
 
   public static final Value EMPTY = new Value(new byte[0]);
 
@@ -82,6 +83,12 @@ public final class Value {
   @Override
   public int hashCode() {
     return Arrays.hashCode(bytes);
+  }
+
+  /** By their bytes, as signed numbers. */
+  @Override
+  public int compareTo(Value other) {
+    return ByteBuffer.wrap(bytes).compareTo(ByteBuffer.wrap(other.bytes));
   }
 
   private static Value parse(String text) {

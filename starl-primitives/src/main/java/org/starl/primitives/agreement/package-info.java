@@ -26,7 +26,8 @@
  * <p>The handlers of {@code Acceptor} and {@code Proposer} are the actions {@code Prepared}, {@code
  * Accept}, {@code Propose} and {@code Learn} of the theory {@code Synod_decls}. Every run of that theory
  * is a run of {@code SetAgreement_decls}, whose safety is proved; {@link
- * org.starl.primitives.agreement.AgreementConformance} replays each run on its automaton. Wishes in
+ * org.starl.primitives.agreement.SynodConformance} replays each decree on the first, {@link
+ * org.starl.primitives.agreement.AgreementConformance} each run on the second. Wishes in
  * prepare messages are hints: they let one decree serve several proposers, and no safety argument uses
  * them.
  *

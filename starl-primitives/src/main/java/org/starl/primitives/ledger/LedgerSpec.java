@@ -4,6 +4,7 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodConformance;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodSpec;
@@ -101,7 +102,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new LedgerConformance(), new SynodSpec());
+    return List.of(new LedgerConformance(), new SynodConformance(), new SynodSpec());
   }
 
   @Override
