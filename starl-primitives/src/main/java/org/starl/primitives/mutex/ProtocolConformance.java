@@ -19,6 +19,7 @@ import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Sets;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Sent;
 
 /**
  * Every run of every mutex is a run of the protocol {@code MutexProtocol_decls}: processes that ask those on
@@ -29,7 +30,8 @@ import org.starl.trace.TraceEvent;
  * do_mutex      witness(i, the time before its own), since i hears times in all messages of its robot;
  *               request(i, want, known and all that are removed)
  * known         known(i, known and all that are removed), if i waits
- * grant         grant(i, to, its time, its sections), if that request is open; else none: it has no effect
+ * grant         grant(i, to, its time, its sections), if that request is open; else none: it has no effect.
+ *               Also a message Ok, the first: a participant that has retired grants without a fact
  * od_mutex      release(j, what i enters) for earlier participants j of i's robot, whose body it is;
  *               vouch(f, j, i, ...) for each j that is removed and whose grant i needs; enter(i)
  * release       release(i, given)
@@ -130,8 +132,18 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
     }
   }
 
-  /** The actions of one fact. */
-  private record Step(Run run, TraceEvent.Action event, Report report) {
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (event instanceof Sent sent && sent.message() instanceof MutexMessage.Ok ok) {
+      Run run = instance(sent.channel());
+      if (!run.isOver) {
+        new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num());
+      }
+    }
+  }
+
+  /** The actions of one fact, or of a message. */
+  private record Step(Run run, TraceEvent event, Report report) {
 
     private void take(ProtocolAction action) {
       run.replay.step(event, action, report);
@@ -147,7 +159,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
             take(new ProtocolAction.known(i, run.withRemoved(later.known())));
           }
         }
-        case MutexFact.Grant grant -> grant(i, grant);
+        case MutexFact.Grant grant -> grant(i, grant.to(), grant.num());
         case MutexFact.OdMutex access -> enter(i, access.held());
         case MutexFact.Release release -> release(i, release.given());
         case MutexFact.Withdraw end -> {
@@ -173,12 +185,13 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
       run.replay.result(event, "ts", i, request.ts(), run.state().ts().at(i), report);
     }
 
-    private void grant(ProcessId i, MutexFact.Grant grant) {
-      Request request = run.requests.get(grant.to());
+    private void grant(ProcessId i, ProcessId to, long num) {
+      Request request = run.requests.get(to);
       if (request != null
-          && run.numbers.getOrDefault(grant.to(), 0L) == grant.num()
-          && run.state().isActive(grant.to())) {
-        take(new ProtocolAction.grant(i, grant.to(), request.at(), request.zones()));
+          && run.numbers.getOrDefault(to, 0L) == num
+          && run.state().isActive(to)
+          && !run.state().isGranted(i, to, request.at())) {
+        take(new ProtocolAction.grant(i, to, request.at(), request.zones()));
       }
     }
 

@@ -106,6 +106,19 @@ class ProtocolConformanceTest {
   }
 
   @Test
+  void whoHasRetiredGrantsByAMessageAlone() {
+    learn(I, view(1, I, J));
+    asks(I, 1, 1, "B", J);
+    MutexMessage.Ok ok = new MutexMessage.Ok(J, I, 1);
+    run.has(
+        new TraceEvent.Sent(
+            0, J.robot(), "i", MutexFact.source("x"), 1, 1, MutexMessage.SHAPE, ok));
+    enters(I, 1, "B");
+    assertThat(run.steps()).contains("grant(j, i, 1, [B])");
+    isGood();
+  }
+
+  @Test
   void whoEntersWithoutAGrantIsFound() {
     learn(I, view(1, I, J));
     asks(I, 1, 1, "B", J);
