@@ -229,22 +229,19 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                                   + a.b().round()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".round"
-                                      + " = "
+                                      + ".round = "
                                       + s.promised.at(a.r()).get().round())
                               : "b.round = "
                                   + a.b().round()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".round"
-                                      + " = "
+                                      + ".round = "
                                       + s.promised.at(a.r()).get().round())
                                   + ", b.proposer = "
                                   + a.b().proposer()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".proposer"
-                                      + " = "
+                                      + ".proposer = "
                                       + s.promised.at(a.r()).get().proposer())));
       case SynodAction.Propose a ->
           Enabled.when(
@@ -298,22 +295,19 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                                   + a.b().round()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".round"
-                                      + " = "
+                                      + ".round = "
                                       + s.promised.at(a.r()).get().round())
                               : "b.round = "
                                   + a.b().round()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".round"
-                                      + " = "
+                                      + ".round = "
                                       + s.promised.at(a.r()).get().round())
                                   + ", b.proposer = "
                                   + a.b().proposer()
                                   + ", "
                                   + (s.promised.at(a.r()).get()
-                                      + ".proposer"
-                                      + " = "
+                                      + ".proposer = "
                                       + s.promised.at(a.r()).get().proposer())));
       case SynodAction.chosen a ->
           Enabled.when(

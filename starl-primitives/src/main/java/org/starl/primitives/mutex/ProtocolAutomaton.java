@@ -282,23 +282,17 @@ public final class ProtocolAutomaton
                               "j = "
                                   + j
                                   + ", "
-                                  + (s.plist.at(a.i()).contains(j)
-                                      ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
-                                      : "heard("
-                                          + a.i()
-                                          + ") = "
-                                          + s.heard.at(a.i())
-                                          + ", "
-                                          + "ts("
-                                          + a.i()
-                                          + ") = "
-                                          + s.ts.at(a.i())
-                                          + ", "
-                                          + "oks = "
-                                          + s.oks
-                                          + ", "
-                                          + "vouched = "
-                                          + s.vouched),
+                                  + ((s.plist.at(a.i()).contains(j)
+                                          ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
+                                          : "heard(" + a.i() + ") = " + s.heard.at(a.i()))
+                                      + ", ts("
+                                      + a.i()
+                                      + ") = "
+                                      + s.ts.at(a.i())
+                                      + ", oks = "
+                                      + s.oks
+                                      + ", vouched = "
+                                      + s.vouched),
                           s.plist.at(a.i()),
                           s.heard.at(a.i())))
               .and(

@@ -15,6 +15,7 @@ import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.primitives.conformance.ShownRun;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
@@ -155,6 +156,9 @@ class SynodConformanceTest {
   }
 
   private void assertDeviates(String action, String why) {
+    assertThat(run.report().violations())
+        .extracting(Violation::lemma)
+        .containsExactly("Synod_decls");
     assertThat(run.details()).singleElement().asString().contains(action).contains(why);
   }
 

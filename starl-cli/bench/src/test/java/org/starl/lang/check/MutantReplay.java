@@ -1,7 +1,5 @@
 package org.starl.lang.check;
 
-import static java.util.Map.entry;
-
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringWriter;
@@ -49,22 +47,18 @@ final class MutantReplay {
   }
 
   private static final Map<String, Twin> TWINS =
-      Map.ofEntries(
-          entry("Mutex_decls", new Twin("mutex", "mutex.MutexConformance")),
-          entry("MutexProtocol_decls", new Twin("mutex", "mutex.ProtocolConformance")),
-          entry(
-              "Pipeline_decls",
-              new Twin("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance")),
-          entry("Modes_decls", new Twin("mutex", "mutex.ModesConformance")),
-          entry(
-              "Registration_decls",
-              new Twin("registration", "registration.RegistrationConformance")),
-          entry("SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance")),
-          entry("Election_decls", new Twin("election", "election.ElectionConformance")),
-          entry("Barrier_decls", new Twin("barrier", "barrier.BarrierConformance")),
-          entry("Ledger_decls", new Twin("ledger", "ledger.LedgerConformance")),
-          entry("Geocast_decls", new Twin("geocast", "geocast.GeocastConformance")),
-          entry("MotionControl_decls", new Twin("motion", "motion.MotionConformance")));
+      Map.of(
+          "Mutex_decls", new Twin("mutex", "mutex.MutexConformance"),
+          "Pipeline_decls",
+              new Twin("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance"),
+          "Modes_decls", new Twin("mutex", "mutex.ModesConformance"),
+          "Registration_decls", new Twin("registration", "registration.RegistrationConformance"),
+          "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
+          "Election_decls", new Twin("election", "election.ElectionConformance"),
+          "Barrier_decls", new Twin("barrier", "barrier.BarrierConformance"),
+          "Ledger_decls", new Twin("ledger", "ledger.LedgerConformance"),
+          "Geocast_decls", new Twin("geocast", "geocast.GeocastConformance"),
+          "MotionControl_decls", new Twin("motion", "motion.MotionConformance"));
 
   private static final String PRIMITIVES = "org.starl.primitives.";
 

@@ -68,7 +68,6 @@ class MutantsTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
-        "MutexProtocol_decls",
         "Pipeline_decls",
         "Modes_decls",
         "Registration_decls",
