@@ -79,7 +79,7 @@ final class Outcome {
     };
   }
 
-  /** Lines for the specifications without a check, inapplicable ones with their reason. */
+  /** Lines for the specifications without a check, or without one to the end, with the reasons. */
   static List<String> unknown(SpecReport spec) {
     List<String> never = new ArrayList<>(spec.neverChecked());
     never.removeIf(lemma -> !spec.inapplicable(lemma).isEmpty());
@@ -88,6 +88,7 @@ final class Outcome {
       lines.add("never checked: " + String.join(" ", never));
     }
     lines.addAll(inapplicable(spec));
+    spec.inPart().forEach((lemma, why) -> lines.add("checked in part: " + lemma + ": " + why));
     return lines;
   }
 

@@ -69,6 +69,11 @@ public final class ExceptRobots implements Monitor {
     return monitor.inapplicable();
   }
 
+  @Override
+  public Map<String, String> inPart() {
+    return monitor.inPart();
+  }
+
   /** One sentence; none without robots. */
   @Override
   public List<String> exceptions() {

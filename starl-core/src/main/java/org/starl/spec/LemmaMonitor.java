@@ -12,6 +12,7 @@ public abstract class LemmaMonitor implements Monitor {
   private final Map<String, String> sentences = new LinkedHashMap<>();
   private final List<String> progress = new ArrayList<>();
   private final Map<String, String> inapplicable = new LinkedHashMap<>();
+  private final Map<String, String> inPart = new LinkedHashMap<>();
 
   /** Adds a lemma, and the sentence that explains it to a user. For constructors. */
   protected final void lemma(String name, String sentence) {
@@ -35,6 +36,16 @@ public abstract class LemmaMonitor implements Monitor {
   @Override
   public final Map<String, String> inapplicable() {
     return Collections.unmodifiableMap(inapplicable);
+  }
+
+  /** Declares that a lemma is not checked from now on. The first reason stays. */
+  protected final void ends(String name, String reason) {
+    inPart.putIfAbsent(name, reason);
+  }
+
+  @Override
+  public final Map<String, String> inPart() {
+    return Collections.unmodifiableMap(inPart);
   }
 
   @Override

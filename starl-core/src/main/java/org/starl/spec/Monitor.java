@@ -64,6 +64,14 @@ public interface Monitor {
     return Map.of();
   }
 
+  /**
+   * The {@link #lemmas} that are not checked any more, each with when and why: {@code bot3 restarts at
+   * 12.3 s}. What was checked before counts.
+   */
+  default Map<String, String> inPart() {
+    return Map.of();
+  }
+
   /** Processes the next event. */
   void observe(TraceEvent event, Report report);
 

@@ -107,6 +107,7 @@ public final class Monitors {
       try {
         monitor.finish(endNs, report);
         monitor.inapplicable().forEach(report::exempt);
+        monitor.inPart().forEach(report::inPart);
       } catch (RuntimeException e) {
         throw failed(monitor, "the end", e);
       }

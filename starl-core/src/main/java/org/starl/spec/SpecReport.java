@@ -90,6 +90,7 @@ public final class SpecReport implements Monitor.Report {
   private final Map<Reached, long[]> reached = new LinkedHashMap<>();
   private final List<String> exceptions = new ArrayList<>();
   private final SortedMap<String, String> inapplicable = new TreeMap<>();
+  private final SortedMap<String, String> inPart = new TreeMap<>();
 
   public SpecReport() {
     this(Specs.ALL);
@@ -161,6 +162,16 @@ public final class SpecReport implements Monitor.Report {
   /** The reason why runs like this one never check {@code lemma}; empty if there is none. */
   public String inapplicable(String lemma) {
     return inapplicable.getOrDefault(lemma, "");
+  }
+
+  /** Adds a lemma of the {@link Monitor#inPart} of a monitor. */
+  void inPart(String lemma, String why) {
+    inPart.put(lemma, why);
+  }
+
+  /** The lemmas that were not checked to the end of the run, each with when and why. */
+  public SortedMap<String, String> inPart() {
+    return Collections.unmodifiableSortedMap(inPart);
   }
 
   /** The lemmas without a check, applicable or not: nothing is known of them. */

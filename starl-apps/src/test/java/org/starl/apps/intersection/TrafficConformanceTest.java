@@ -165,7 +165,8 @@ class TrafficConformanceTest {
     monitors.observe(new Fault(1, BOT0, Fault.RESTART, ""));
     monitors.observe(grant);
     assertThat(monitors.report().violations()).isEmpty();
-    assertThat(monitor.end()).contains("bot0 restarts");
+    monitors.finish(3);
+    assertThat(monitors.report().inPart()).containsEntry(THEORY, "bot0 restarts at 0.000 s");
     Monitors without = new Monitors(List.of(new TrafficConformance("crossing")));
     without.observe(grant);
     assertThat(without.report().violations())

@@ -17,6 +17,7 @@ import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Sets;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Sent;
@@ -43,7 +44,7 @@ import org.starl.trace.TraceEvent.Sent;
  * </pre>
  *
  * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the
- * next one. A mutex is replayed until its first request for a sequence, or in a mode.
+ * next one. A mutex is replayed until its first request for a sequence, or in a mode; the report says so.
  */
 public final class ProtocolConformance extends Conformance<ProtocolConformance.Run> {
 
@@ -121,15 +122,24 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
   protected void acted(TraceEvent.Action action, Report report) {
     if (action.fact() instanceof MutexFact fact) {
       Run run = instance(action.source());
-      run.isOver |=
-          fact instanceof MutexFact.DoMutex request
-              && (!request.sequence().isEmpty()
-                  || request.resumes()
-                  || Sections.haveMode(request.want()));
+      if (fact instanceof MutexFact.DoMutex request && isOther(request)) {
+        run.isOver = true;
+        ends(
+            ProtocolAutomaton.MUTEX_PROTOCOL_DECLS,
+            action.source()
+                + ": "
+                + request.who()
+                + " asks for a sequence or in a mode at "
+                + Time.text(action.timeNs(), 3));
+      }
       if (!run.isOver) {
         new Step(run, action, report).take(fact);
       }
     }
+  }
+
+  private static boolean isOther(MutexFact.DoMutex request) {
+    return !request.sequence().isEmpty() || request.resumes() || Sections.haveMode(request.want());
   }
 
   @Override

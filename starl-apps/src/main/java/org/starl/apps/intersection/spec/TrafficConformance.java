@@ -2,7 +2,6 @@ package org.starl.apps.intersection.spec;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.id.RobotId;
@@ -12,6 +11,7 @@ import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.registration.RegistrationAction;
 import org.starl.primitives.registration.RegistrationFact;
 import org.starl.spec.LemmaMonitor;
+import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -46,7 +46,7 @@ import org.starl.trace.TraceEvent.Variable;
  * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
  *
  * <p>The theory has no restarts, and nobody gives an id or a request up, or is given up. Where one of
- * these happens, the replay {@link #end ends}: from then on nothing is checked. A car that crashes acts
+ * these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
  * no more, as in the theory.
  */
 public final class TrafficConformance extends LemmaMonitor {
@@ -55,7 +55,7 @@ public final class TrafficConformance extends LemmaMonitor {
   private final Instance registration;
   private final TrafficRun run;
   private final Map<RobotId, List<String>> ways = new TreeMap<>();
-  private String end = "";
+  private boolean hasEnded;
 
   /** Of the intersection {@code xid}. */
   public TrafficConformance(String xid) {
@@ -71,14 +71,9 @@ public final class TrafficConformance extends LemmaMonitor {
     return ways.getOrDefault(car, List.of());
   }
 
-  /** Why nothing was checked any more from some time on; empty if all was checked. */
-  public Optional<String> end() {
-    return Optional.of(end).filter(why -> !why.isEmpty());
-  }
-
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (!end.isEmpty()) {
+    if (hasEnded) {
       return;
     }
     run.observe(event, report);
@@ -101,7 +96,10 @@ public final class TrafficConformance extends LemmaMonitor {
   }
 
   private void end(TraceEvent event, String what) {
-    end = event.robot() + " " + what;
+    hasEnded = true;
+    ends(
+        TrafficAutomaton.TRAFFIC_DECLS,
+        event.robot() + " " + what + " at " + Time.text(event.timeNs(), 3));
   }
 
   private void ofRegistration(Action action, Report report) {
