@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.JavaType;
@@ -107,6 +108,6 @@ final class Uses {
         .flatMap(Uses::all)
         .filter(each -> each.javaClass().isEmpty())
         .map(Automaton::name)
-        .collect(java.util.stream.Collectors.toSet());
+        .collect(Collectors.toSet());
   }
 }

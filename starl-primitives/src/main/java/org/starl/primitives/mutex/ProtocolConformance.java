@@ -63,12 +63,14 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
         MutexFact.PRIMITIVE);
   }
 
+  /** A request: its number, and the message. */
+  private record Asked(long num, Request message) {}
+
   /** One mutex. */
   static final class Run {
     private final Replay<States, ProtocolAction> replay;
-    // The number and the message of each participant's newest request.
-    private final Map<ProcessId, Long> numbers = new TreeMap<>();
-    private final Map<ProcessId, Request> requests = new TreeMap<>();
+    // Each participant's newest request.
+    private final Map<ProcessId, Asked> requests = new TreeMap<>();
     // Those of which there was a fact.
     private final Set<ProcessId> seen = new TreeSet<>();
     // The view that admitted each, and who has fenced it.
@@ -86,6 +88,11 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private boolean isTrying(ProcessId i) {
       return state().phase().at(i) == Phase.trying;
+    }
+
+    private boolean isNewest(ProcessId i, long num) {
+      Asked asked = requests.get(i);
+      return asked != null && asked.num == num;
     }
 
     private boolean isRemoved(ProcessId i) {
@@ -173,7 +180,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
         case MutexFact.OdMutex access -> enter(i, access.held());
         case MutexFact.Release release -> release(i, release.given());
         case MutexFact.Withdraw end -> {
-          if (end.num() == run.numbers.getOrDefault(i, 0L)) {
+          if (run.isNewest(i, end.num())) {
             withdraw(i);
           }
         }
@@ -186,8 +193,8 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private void request(ProcessId i, MutexFact.DoMutex request) {
       run.replay.reduce(s -> run.withoutMessages(s, i));
-      run.numbers.put(i, request.num());
-      run.requests.put(i, new Request(i, request.ts(), request.want()));
+      Request message = new Request(i, request.ts(), request.want());
+      run.requests.put(i, new Asked(request.num(), message));
       if (run.state().clock().at(i) < request.ts() - 1) {
         take(new ProtocolAction.witness(i, request.ts() - 1));
       }
@@ -196,12 +203,12 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
     }
 
     private void grant(ProcessId i, ProcessId to, long num) {
-      Request request = run.requests.get(to);
-      if (request != null
-          && run.numbers.getOrDefault(to, 0L) == num
+      Asked asked = run.requests.get(to);
+      if (asked != null
+          && asked.num == num
           && run.state().isActive(to)
-          && !run.state().isGranted(i, to, request.at())) {
-        take(new ProtocolAction.grant(i, to, request.at(), request.zones()));
+          && !run.state().isGranted(i, to, asked.message.at())) {
+        take(new ProtocolAction.grant(i, to, asked.message.at(), asked.message.zones()));
       }
     }
 
@@ -260,7 +267,6 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
           fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
           if (!run.isRemoved(j) && !run.state().isActive(j)) {
             run.requests.remove(j);
-            run.numbers.remove(j);
           }
         }
       }
@@ -271,7 +277,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
       }
     }
 
-    /** Those that grant {@code j} nothing any more, and have not been told yet. */
+    /** Those that grant {@code j} nothing any more, and of which the automaton does not know it yet. */
     private List<ProcessId> fencers(ProcessId j, View view) {
       Set<ProcessId> fencers = new TreeSet<>(run.fencedBy.getOrDefault(j, Set.of()));
       fencers.removeIf(f -> !view.contains(f));

@@ -45,8 +45,8 @@ import org.starl.trace.TraceEvent.Variable;
  * given back. Bodies are looked at when an action is taken, and when they move in another way; {@link
  * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
  *
- * <p>The theory has no restarts, and nobody gives an id or a request up, or is given up. Where one of
- * these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
+ * <p>The theory has no restart. In it no car withdraws a request, and no car is removed as crashed. If one
+ * of these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
  * no more, as in the theory.
  */
 public final class TrafficConformance extends LemmaMonitor {
