@@ -25,10 +25,7 @@ public abstract class LemmaMonitor implements Monitor {
     progress.add(name);
   }
 
-  /**
-   * Declares that runs like this one never check a lemma, with the reason. For constructors, and for
-   * {@link #finish}.
-   */
+  /** Declares that runs like this one never check a lemma, with the reason. Before {@link #finish} ends. */
   protected final void never(String name, String reason) {
     inapplicable.put(name, reason);
   }

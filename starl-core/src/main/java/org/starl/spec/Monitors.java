@@ -38,8 +38,8 @@ public final class Monitors {
   }
 
   /**
-   * The monitors that {@code makers} create, followed by their {@link Monitor#companions}, at most
-   * one of each class.
+   * The monitors that {@code makers} create, followed by their {@link Monitor#companions} and those of
+   * these, at most one of each class.
    */
   public static Monitors of(List<? extends Supplier<? extends Monitor>> makers) {
     return of(makers, Specs.ALL);
@@ -54,8 +54,9 @@ public final class Monitors {
     makers.forEach(maker -> monitors.add(maker.get()));
     Set<Class<?>> classes = new LinkedHashSet<>();
     monitors.forEach(monitor -> classes.add(monitor.getClass()));
-    for (Monitor monitor : List.copyOf(monitors)) {
-      for (Monitor companion : monitor.companions()) {
+    // Those that are added have companions, too.
+    for (int i = 0; i < monitors.size(); i++) {
+      for (Monitor companion : monitors.get(i).companions()) {
         if (classes.add(companion.getClass())) {
           monitors.add(companion);
         }

@@ -57,6 +57,33 @@ class MonitorsTest {
     assertThat(monitors.report().leftOut()).containsExactly("live", "prompt");
   }
 
+  private static final class Friendly extends LemmaMonitor {
+    @Override
+    public void observe(TraceEvent event, Report report) {}
+
+    @Override
+    public List<Monitor> companions() {
+      return List.of(new FriendsFriendly());
+    }
+  }
+
+  private static final class FriendsFriendly extends LemmaMonitor {
+    @Override
+    public void observe(TraceEvent event, Report report) {}
+
+    @Override
+    public List<Monitor> companions() {
+      return List.of(new Grumbler("safe", "live"), new Friendly());
+    }
+  }
+
+  @Test
+  void companionsHaveCompanionsToo() {
+    assertThat(Monitors.of(List.of(Friendly::new)).monitors())
+        .extracting(Monitor::getClass)
+        .containsExactly(Friendly.class, FriendsFriendly.class, Grumbler.class);
+  }
+
   /** Throws at each event, and at the end. */
   private static final class Broken extends LemmaMonitor {
 

@@ -150,27 +150,39 @@ class TrafficConformanceTest {
         .containsOnly(THEORY);
   }
 
+  /** Without the car's registration. */
+  private static Action grant() {
+    return Action.of(
+        2,
+        BOT0,
+        MutexFact.source("crossing"),
+        MutexFact.SHAPE,
+        new MutexFact.OdMutex(ProcessId.first(BOT0, 1), 1, Sections.copyOf(List.of("A"))));
+  }
+
+  /** The report of a run that has this, and then a grant. */
+  private static SpecReport with(Fault fault) {
+    Monitors monitors = new Monitors(List.of(new TrafficConformance("crossing")));
+    monitors.observe(fault);
+    monitors.observe(grant());
+    monitors.finish(3);
+    return monitors.report();
+  }
+
   @Test
   void nothingIsCheckedAfterARestart() {
-    TrafficConformance monitor = new TrafficConformance("crossing");
-    Monitors monitors = new Monitors(List.of(monitor));
-    ProcessId who = ProcessId.first(BOT0, 1);
-    Action grant =
-        Action.of(
-            2,
-            BOT0,
-            MutexFact.source("crossing"),
-            MutexFact.SHAPE,
-            new MutexFact.OdMutex(who, 1, Sections.copyOf(List.of("A"))));
-    monitors.observe(new Fault(1, BOT0, Fault.RESTART, ""));
-    monitors.observe(grant);
-    assertThat(monitors.report().violations()).isEmpty();
-    monitors.finish(3);
-    assertThat(monitors.report().inPart()).containsEntry(THEORY, "bot0 restarts at 0.000 s");
-    Monitors without = new Monitors(List.of(new TrafficConformance("crossing")));
-    without.observe(grant);
-    assertThat(without.report().violations())
+    SpecReport report = with(new Fault(1, BOT0, Fault.RESTART, ""));
+    assertThat(report.violations()).isEmpty();
+    assertThat(report.inPart()).containsEntry(THEORY, "bot0 restarts at 0.000 s");
+    assertThat(with(new Fault(1, BOT0, Fault.CRASH, "")).violations())
         .singleElement()
         .satisfies(each -> assertThat(each.detail()).contains("loc(bot0) = away"));
+  }
+
+  @Test
+  void nothingIsCheckedInRealTime() {
+    SpecReport report = with(Fault.realTime(0));
+    assertThat(report.violations()).isEmpty();
+    assertThat(report.inapplicable(THEORY)).contains("measured");
   }
 }

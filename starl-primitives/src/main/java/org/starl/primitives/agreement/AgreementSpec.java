@@ -78,7 +78,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new AgreementConformance(), new SynodConformance(), new SynodSpec());
+    return List.of(new AgreementConformance(), new SynodSpec());
   }
 
   @Override

@@ -17,6 +17,7 @@ import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.spec.LemmaMonitor;
+import org.starl.spec.Monitor;
 import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
@@ -65,6 +66,11 @@ public final class SynodSpec extends LemmaMonitor {
         ANSWERS,
         "A lower ballot is refused at once; who knows a decision tells it to those who ask, and asks no more.");
     tells.begin();
+  }
+
+  @Override
+  public List<Monitor> companions() {
+    return List.of(new SynodConformance());
   }
 
   @Override

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Set;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.SynodConformance;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.suspicion.SuspicionCheck;
@@ -119,7 +118,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new BarrierConformance(), new SynodConformance(), new SynodSpec());
+    return List.of(new BarrierConformance(), new SynodSpec());
   }
 
   @Override

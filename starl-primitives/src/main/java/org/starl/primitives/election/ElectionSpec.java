@@ -6,7 +6,6 @@ import java.util.List;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.LastVote;
-import org.starl.primitives.agreement.SynodConformance;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
@@ -131,7 +130,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new ElectionConformance(), new SynodConformance(), new SynodSpec());
+    return List.of(new ElectionConformance(), new SynodSpec());
   }
 
   @Override

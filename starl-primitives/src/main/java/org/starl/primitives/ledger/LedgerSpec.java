@@ -4,7 +4,6 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.SynodConformance;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodSpec;
@@ -102,7 +101,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new LedgerConformance(), new SynodConformance(), new SynodSpec());
+    return List.of(new LedgerConformance(), new SynodSpec());
   }
 
   @Override

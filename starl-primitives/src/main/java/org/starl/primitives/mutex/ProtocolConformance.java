@@ -20,6 +20,7 @@ import org.starl.spec.automaton.Sets;
 import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
@@ -44,9 +45,13 @@ import org.starl.trace.TraceEvent.Sent;
  * </pre>
  *
  * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the
- * next one. A mutex is replayed until its first request for a sequence, or in a mode; the report says so.
+ * next one. A mutex is replayed until its first request for a sequence, or in a mode; all are until a
+ * process is killed in real time, because the end of its trace may be missing. The report says so.
  */
 public final class ProtocolConformance extends Conformance<ProtocolConformance.Run> {
+
+  private boolean isRealTime;
+  private boolean isCut;
 
   public ProtocolConformance() {
     this(AutomatonListener.none());
@@ -139,7 +144,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
                 + " asks for a sequence or in a mode at "
                 + Time.text(action.timeNs(), 3));
       }
-      if (!run.isOver) {
+      if (!run.isOver && !isCut) {
         new Step(run, action, report).take(fact);
       }
     }
@@ -151,11 +156,21 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
   @Override
   protected void happened(TraceEvent event, Report report) {
-    if (event instanceof Sent sent && sent.message() instanceof MutexMessage.Ok ok) {
-      Run run = instance(sent.channel());
-      if (!run.isOver) {
-        new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num());
+    switch (event) {
+      case Sent sent when sent.message() instanceof MutexMessage.Ok ok -> {
+        Run run = instance(sent.channel());
+        if (!run.isOver && !isCut) {
+          new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num());
+        }
       }
+      case Fault fault when isRealTime && fault.name().equals(Fault.CRASH) -> {
+        isCut = true;
+        ends(
+            ProtocolAutomaton.MUTEX_PROTOCOL_DECLS,
+            "the trace of " + fault.robot() + " is cut off at " + Time.text(fault.timeNs(), 3));
+      }
+      case Fault fault -> isRealTime |= fault.isRealTime();
+      default -> {} // no action
     }
   }
 

@@ -14,7 +14,6 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementFact;
 import org.starl.primitives.agreement.LastVote;
-import org.starl.primitives.agreement.SynodConformance;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Query;
@@ -183,7 +182,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   public List<Monitor> companions() {
-    return List.of(new RegistrationConformance(), new SynodConformance(), new SynodSpec());
+    return List.of(new RegistrationConformance(), new SynodSpec());
   }
 
   @Override

@@ -213,6 +213,29 @@ class ProtocolConformanceTest {
   }
 
   @Test
+  void ofAProcessThatIsKilledInRealTimeTheLastEventsMayBeMissing() {
+    run.has(TraceEvent.Fault.realTime(0));
+    holds();
+    asks(I, 1, 2, "A", J);
+    run.has(new TraceEvent.Fault(1, J.robot(), TraceEvent.Fault.CRASH, ""));
+    // That J has given back A and granted it.
+    enters(I, 1, "A");
+    isGood();
+    run.ends(2);
+    assertThat(run.report().inPart())
+        .containsExactly(Map.entry("MutexProtocol_decls", "the trace of j is cut off at 0.000 s"));
+  }
+
+  @Test
+  void aSimulatedCrashEndsNothing() {
+    holds();
+    asks(I, 1, 2, "A", J);
+    run.has(new TraceEvent.Fault(1, J.robot(), TraceEvent.Fault.CRASH, ""));
+    enters(I, 1, "A");
+    isBad("enter(i)");
+  }
+
+  @Test
   void aMutexWithSequencesIsLeftOut() {
     event(
         new MutexFact.DoMutex(I, 1, 1, Short.sections("A B"), List.of("A", "B"), false, those(J)));

@@ -47,7 +47,7 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <p>The theory has no restart. In it no car withdraws a request, and no car is removed as crashed. If one
  * of these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
- * no more, as in the theory.
+ * no more, as in the theory. Runs in real time are not replayed: bodies are measured there, with errors.
  */
 public final class TrafficConformance extends LemmaMonitor {
 
@@ -80,6 +80,10 @@ public final class TrafficConformance extends LemmaMonitor {
     CrossingFact.trip(event).ifPresent(trip -> ways.putIfAbsent(event.robot(), trip.zones()));
     switch (event) {
       case Fault fault when fault.name().equals(Fault.RESTART) -> end(event, "restarts");
+      case Fault fault when fault.isRealTime() -> {
+        hasEnded = true;
+        never(TrafficAutomaton.TRAFFIC_DECLS, "in real time bodies are measured, with errors");
+      }
       case Action action when action.source().equals(mutex) -> ofMutex(action, report);
       case Action action when action.source().equals(registration) ->
           ofRegistration(action, report);
