@@ -243,20 +243,18 @@ final class RosBase implements Wheelbase {
     update(() -> {});
   }
 
-  /** Sends the speeds if they have changed or are due. With the guard held. */
+  /** Sends the speeds if they have changed or are due, and there is a link. With the guard held. */
   private void send() {
     long nowNs = clock.nowNs();
     state.received(link != null && link.isReceived());
     WheelCommand speeds = state.speeds(nowNs);
-    if (speeds.equals(sent) && sentNs != Long.MIN_VALUE && nowNs - sentNs < HEARTBEAT_NS) {
+    boolean isDue =
+        !speeds.equals(sent) || sentNs == Long.MIN_VALUE || nowNs - sentNs >= HEARTBEAT_NS;
+    if (link == null || !isDue) {
       return;
     }
-    if (link != null) {
-      link.send(speeds);
-      meter.sent(speeds.linearMmPerS(), nowNs);
-    } else {
-      stopDirectly.run();
-    }
+    link.send(speeds);
+    meter.sent(speeds.linearMmPerS(), nowNs);
     sent = speeds;
     sentNs = nowNs;
   }
@@ -288,10 +286,13 @@ final class RosBase implements Wheelbase {
     if (now != null) {
       guard.run(() -> {
         link = null;
+        sent = WheelCommand.STOP;
         sentNs = Long.MIN_VALUE;
       });
-      update(() -> {});
+      // Without the guard: if the network blocks, the strand goes on.
+      stopDirectly.run();
       now.close();
+      stopDirectly.run();
       warn("the guard of the wheels has ended: wheels stopped; another one is started");
     }
     SpeedLink opened = links.open();

@@ -3,6 +3,7 @@ package org.starl.ros2;
 import com.eprosima.xmlschemas.fastrtps_profiles.DurabilityQosKindPolicyType;
 import com.eprosima.xmlschemas.fastrtps_profiles.HistoryQosKindPolicyType;
 import com.eprosima.xmlschemas.fastrtps_profiles.ReliabilityQosKindPolicyType;
+import com.eprosima.xmlschemas.fastrtps_profiles.TransportDescriptorType;
 import java.io.IOException;
 import java.nio.BufferUnderflowException;
 import java.nio.channels.FileChannel;
@@ -56,7 +57,7 @@ final class RosNode implements AutoCloseable {
   private final Domain domain;
   private final Participant participant;
   private final Set<Publisher> publishers = ConcurrentHashMap.newKeySet();
-  private final Set<Subscriber<?>> subscribers = ConcurrentHashMap.newKeySet();
+  private final Set<Input> inputs = ConcurrentHashMap.newKeySet();
   private final Clock clock;
   private final LogSink log;
   private final List<TopicWatch> watches = new CopyOnWriteArrayList<>();
@@ -106,10 +107,22 @@ final class RosNode implements AutoCloseable {
               ParticipantProfile.create()
                   .domainId(domainId)
                   .name("starl")
-                  .useBuiltinTransports(true));
+                  .useBuiltinTransports(false)
+                  .addTransport(udp()));
     }
     users++;
     return shared;
+  }
+
+  /**
+   * UDP alone. Between processes of one machine Fast DDS prefers shared memory. There a process that is held up for a
+   * moment can make its writers wait (eProsima/Fast-DDS#6535), or spin for ever (#6485).
+   */
+  private static TransportDescriptorType udp() {
+    TransportDescriptorType udp = new TransportDescriptorType();
+    udp.setTransportId("udp");
+    udp.setType("UDPv4");
+    return udp;
   }
 
   private static synchronized void leave(Domain domain, Participant participant) {
@@ -161,7 +174,8 @@ final class RosNode implements AutoCloseable {
   void subscribe(RosTopic topic, boolean isWatched, Consumer<Cdr> consumer) throws IOException {
     RosType type = RosType.of(topic.type());
     watched(
-        watch(topic, false, isWatched), watch -> subscriber(topic, type, consumer, watch::matched));
+        watch(topic, false, isWatched),
+        watch -> new Input(topic, type, consumer, watch::matched).open());
   }
 
   /**
@@ -185,7 +199,7 @@ final class RosNode implements AutoCloseable {
     });
     Daemons.join(watcher, 0);
     publishers.forEach(this::remove);
-    subscribers.forEach(this::remove);
+    inputs.forEach(Input::close);
     leave(domain, participant);
   }
 
@@ -242,18 +256,12 @@ final class RosNode implements AutoCloseable {
       Publisher publisher = publisher(topic, type, matched);
       return () -> remove(publisher);
     }
-    Subscriber<?> subscriber = subscriber(topic, type, message -> {}, matched);
-    return () -> remove(subscriber);
+    return new Input(topic, type, message -> {}, matched).open();
   }
 
   private void remove(Publisher publisher) {
     publishers.remove(publisher);
     domain.removePublisher(publisher);
-  }
-
-  private void remove(Subscriber<?> subscriber) {
-    subscribers.remove(subscriber);
-    domain.removeSubscriber(subscriber);
   }
 
   private Publisher publisher(RosTopic topic, RosType type, Consumer<Boolean> matched)
@@ -267,33 +275,68 @@ final class RosNode implements AutoCloseable {
     return publisher;
   }
 
-  // The library's interface for creating a subscriber has no type parameters.
-  @SuppressWarnings({"unchecked", "rawtypes"})
-  private Subscriber<byte[][]> subscriber(
-      RosTopic topic, RosType type, Consumer<Cdr> consumer, Consumer<Boolean> matched)
-      throws IOException {
-    SubscriberListener<byte[][]> listener =
-        new SubscriberListener<>() {
-          @Override
-          public void onNewDataMessage(Subscriber<byte[][]> subscriber) {
-            byte[][] bytes = new byte[1][];
-            if (subscriber.takeNextData(bytes, new SampleInfo())) {
-              take(topic, consumer, bytes[0]);
-            }
-          }
+  /** A subscriber. */
+  private final class Input implements SubscriberListener<byte[][]>, AutoCloseable {
 
-          @Override
-          public void onSubscriptionMatched(Subscriber<byte[][]> subscriber, MatchingInfo info) {
-            matched.accept(isMatch(info));
-          }
-        };
-    Subscriber<byte[][]> subscriber =
-        domain.createSubscriber(
-            participant,
-            attributes(SubscriberAttributes.create(), topic, type),
-            (SubscriberListener) listener);
-    subscribers.add(subscriber);
-    return subscriber;
+    private final RosTopic topic;
+    private final RosType type;
+    private final Consumer<Cdr> consumer;
+    private final Consumer<Boolean> matched;
+    private @Nullable Subscriber<?> subscriber;
+    private boolean isOpen;
+
+    Input(RosTopic topic, RosType type, Consumer<Cdr> consumer, Consumer<Boolean> matched) {
+      this.topic = topic;
+      this.type = type;
+      this.consumer = consumer;
+      this.matched = matched;
+    }
+
+    // The library's interface for creating a subscriber has no type parameters.
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    Input open() throws IOException {
+      subscriber =
+          domain.createSubscriber(
+              participant,
+              attributes(SubscriberAttributes.create(), topic, type),
+              (SubscriberListener) this);
+      inputs.add(this);
+      mayTake(true);
+      return this;
+    }
+
+    @Override
+    public void onNewDataMessage(Subscriber<byte[][]> from) {
+      byte[][] bytes = new byte[1][];
+      if (isNext(from, bytes)) {
+        take(topic, consumer, bytes[0]);
+      }
+    }
+
+    /**
+     * While the library makes or removes a subscriber, it holds a lock that taking a message needs, and waits for the
+     * thread that brings one. So none is taken then: of a stream the next one comes soon.
+     */
+    private synchronized boolean isNext(Subscriber<byte[][]> from, byte[][] bytes) {
+      return isOpen && from.takeNextData(bytes, new SampleInfo());
+    }
+
+    private synchronized void mayTake(boolean may) {
+      isOpen = may;
+    }
+
+    @Override
+    public void onSubscriptionMatched(Subscriber<byte[][]> from, MatchingInfo info) {
+      matched.accept(isMatch(info));
+    }
+
+    @Override
+    public void close() {
+      mayTake(false);
+      if (inputs.remove(this)) {
+        domain.removeSubscriber(subscriber);
+      }
+    }
   }
 
   private void take(RosTopic topic, Consumer<Cdr> consumer, byte[] bytes) {
