@@ -6,9 +6,11 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
@@ -17,13 +19,13 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
-/** Runs workloads as the command line does. */
+/** Runs workloads, and the intersection, as the command line does. */
 public final class Runs {
 
   private Runs() {}
 
   public static Demo demo(String name) {
-    return PrimitiveWorkloads.ALL.stream()
+    return Stream.concat(PrimitiveWorkloads.ALL.stream(), Stream.of(new IntersectionDemo()))
         .filter(demo -> demo.name().equals(name))
         .findFirst()
         .orElseThrow();

@@ -23,7 +23,9 @@ public record MutexBounds(long d1Ns, long d2Ns, long d3Ns) {
   }
 
   /**
-   * The algorithm's bounds: {@code d2 = (n - 1)(d1 + 2 delta) + 2 delta}, {@code d3 = 2 delta}.
+   * The algorithm's bounds: {@code d2 = delta + (n - 1)(d1 + 2 delta) + 2 delta}, {@code d3 = 2 delta}. In the first
+   * delta of a request's time others may be made that go before it, by their Lamport times: {@code Mutex_progress},
+   * with h = delta.
    *
    * @param participants n, the largest number of participants at a time, above 0
    * @param deltaNs delta, the time within which a repeated message arrives
@@ -34,7 +36,7 @@ public record MutexBounds(long d1Ns, long d2Ns, long d3Ns) {
           "mutex bounds of " + participants + " participants, delta " + deltaNs + " ns");
     }
     long d3Ns = 2 * deltaNs;
-    long d2Ns = Math.addExact(Math.multiplyExact(participants - 1, d1Ns + d3Ns), d3Ns);
+    long d2Ns = Math.addExact(Math.multiplyExact(participants - 1, d1Ns + d3Ns), deltaNs + d3Ns);
     return new MutexBounds(d1Ns, d2Ns, d3Ns);
   }
 }

@@ -15,7 +15,7 @@
  *       that two participants hold are always disjoint. All sections of a request are granted at
  *       once; they are released one by one or together.
  *   <li>(b) <b>Progress</b> ({@code Served}): if every holder releases within d1, a request has
- *       access within {@code d2 = (N - 1)(d1 + 2 delta) + 2 delta}, plus one turn for each
+ *       access within {@code d2 = (N - 1)(d1 + 2 delta) + 3 delta}, plus one turn for each
  *       participant that joined before it could receive the request. No request starves: they are
  *       served in the order of their logical times. Otherwise {@code failed} becomes true, at the
  *       latest at the deadline.

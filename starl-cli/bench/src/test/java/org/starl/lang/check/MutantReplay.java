@@ -15,6 +15,8 @@ import java.util.Optional;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.intersection.robot.IntersectionFactory;
 import org.starl.lang.java.JavaSources;
 import org.starl.lang.read.SourceErrors;
 import org.starl.lang.tree.Automaton;
@@ -27,6 +29,8 @@ import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 import org.starl.trace.Var;
 import org.starl.trace.Vocabulary;
@@ -34,33 +38,72 @@ import org.starl.workload.Runs;
 
 /**
  * A conformance monitor over the Java of another automaton than its own: the monitor's class, as it
- * is, loaded again with all primitives beside that Java. Facts and variables have values of
+ * is, loaded again with all primitives beside that Java. Facts, variables and messages have values of
  * these classes, so each event is read again from its JSON, as of a recorded trace.
  */
 final class MutantReplay {
 
-  /** The workload and the conformance monitor of an automaton with Java. */
-  private record Twin(String workload, Map<String, String> parameters, String monitor) {
-    Twin(String workload, String monitor) {
-      this(workload, Map.of(), monitor);
+  private static final String PRIMITIVES = "org.starl.primitives.";
+  private static final String INTERSECTION = "org.starl.apps.intersection.";
+
+  /**
+   * The demo and the conformance monitor of an automaton with Java.
+   *
+   * @param settings in place of chaos, if there are any
+   * @param argument of the monitor's constructor; null for none, or the default one of its type
+   * @param vocabulary a class, with the name of its constant
+   */
+  private record Twin(
+      String demo,
+      Map<String, String> parameters,
+      Map<String, String> settings,
+      String monitor,
+      @Nullable String argument,
+      String vocabulary) {
+
+    static Twin of(String workload, Map<String, String> parameters, String monitor) {
+      return new Twin(
+          workload,
+          parameters,
+          Map.of(),
+          PRIMITIVES + monitor,
+          null,
+          PRIMITIVES + "monitor.PrimitiveVocabulary#ALL");
+    }
+
+    static Twin of(String workload, String monitor) {
+      return of(workload, Map.of(), monitor);
     }
   }
 
   private static final Map<String, Twin> TWINS =
-      Map.of(
-          "Mutex_decls", new Twin("mutex", "mutex.MutexConformance"),
-          "Pipeline_decls",
-              new Twin("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance"),
-          "Modes_decls", new Twin("mutex", "mutex.ModesConformance"),
-          "Registration_decls", new Twin("registration", "registration.RegistrationConformance"),
-          "SetAgreement_decls", new Twin("agreement", "agreement.AgreementConformance"),
-          "Election_decls", new Twin("election", "election.ElectionConformance"),
-          "Barrier_decls", new Twin("barrier", "barrier.BarrierConformance"),
-          "Ledger_decls", new Twin("ledger", "ledger.LedgerConformance"),
-          "Geocast_decls", new Twin("geocast", "geocast.GeocastConformance"),
-          "MotionControl_decls", new Twin("motion", "motion.MotionConformance"));
-
-  private static final String PRIMITIVES = "org.starl.primitives.";
+      Map.ofEntries(
+          Map.entry("Mutex_decls", Twin.of("mutex", "mutex.MutexConformance")),
+          Map.entry("MutexProtocol_decls", Twin.of("mutex", "mutex.ProtocolConformance")),
+          Map.entry(
+              "Pipeline_decls",
+              Twin.of("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance")),
+          Map.entry("Modes_decls", Twin.of("mutex", "mutex.ModesConformance")),
+          Map.entry(
+              "Registration_decls",
+              Twin.of("registration", "registration.RegistrationConformance")),
+          Map.entry("Synod_decls", Twin.of("agreement", "agreement.SynodConformance")),
+          Map.entry("SetAgreement_decls", Twin.of("agreement", "agreement.AgreementConformance")),
+          Map.entry("Election_decls", Twin.of("election", "election.ElectionConformance")),
+          Map.entry("Barrier_decls", Twin.of("barrier", "barrier.BarrierConformance")),
+          Map.entry("Ledger_decls", Twin.of("ledger", "ledger.LedgerConformance")),
+          Map.entry("Geocast_decls", Twin.of("geocast", "geocast.GeocastConformance")),
+          Map.entry("MotionControl_decls", Twin.of("motion", "motion.MotionConformance")),
+          // Without restarts: the theory has none.
+          Map.entry(
+              "Traffic_decls",
+              new Twin(
+                  "intersection",
+                  Map.of("car", "paper"),
+                  Map.of("messageLoss", "0.2"),
+                  INTERSECTION + "spec.TrafficConformance",
+                  IntersectionFactory.XID,
+                  INTERSECTION + "logic.CrossingFact#FIGURE_4")));
 
   /** One for all: what it has read of the JDK and of the libraries stays read. */
   private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
@@ -111,18 +154,20 @@ final class MutantReplay {
     }
     Loader loader = new Loader(compiled(files, folder));
     try {
-      Class<?> monitor = loader.loadClass(PRIMITIVES + twin(automaton).monitor);
+      Twin twin = twin(automaton);
+      Class<?> monitor = loader.loadClass(twin.monitor);
       Constructor<?> constructor = monitor.getConstructors()[0];
       for (Constructor<?> each : monitor.getConstructors()) {
         constructor = each.getParameterCount() == 0 ? each : constructor;
       }
-      Object[] settings =
-          constructor.getParameterCount() == 0
-              ? new Object[0]
-              : new Object[] {constructor.getParameterTypes()[0].getField("DEFAULT").get(null)};
-      Object known =
-          loader.loadClass(PRIMITIVES + "monitor.PrimitiveVocabulary").getField("ALL").get(null);
-      return Optional.of(new MutantReplay(name, constructor, settings, (Vocabulary) known));
+      Object[] settings = new Object[constructor.getParameterCount()];
+      if (settings.length > 0) {
+        Class<?> type = constructor.getParameterTypes()[0];
+        settings[0] = twin.argument == null ? type.getField("DEFAULT").get(null) : twin.argument;
+      }
+      String[] known = twin.vocabulary.split("#");
+      Object vocabulary = loader.loadClass(known[0]).getField(known[1]).get(null);
+      return Optional.of(new MutantReplay(name, constructor, settings, (Vocabulary) vocabulary));
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
     }
@@ -166,6 +211,17 @@ final class MutantReplay {
         Object value = copy(e.variable().shape(), e.value(), here.shape());
         yield new Variable(e.timeNs(), e.robot(), e.source(), here, value);
       }
+      case Sent e -> {
+        Shape<?> here = vocabulary.message(e.channel());
+        Object message = copy(e.shape(), e.message(), here);
+        yield new Sent(
+            e.timeNs(), e.robot(), e.to(), e.channel(), e.seq(), e.bytes(), here, message);
+      }
+      case Delivered e -> {
+        Shape<?> here = vocabulary.message(e.channel());
+        Object message = copy(e.shape(), e.message(), here);
+        yield new Delivered(e.timeNs(), e.robot(), e.from(), e.channel(), e.seq(), here, message);
+      }
       default -> event;
     };
   }
@@ -179,13 +235,16 @@ final class MutantReplay {
     }
   }
 
-  /** Simulates the automaton's workload under chaos, each of {@code replays} with a look at all of it. */
+  /** Simulates the automaton's demo with faults, each of {@code replays} with a look at all of it. */
   static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
     Twin twin = twin(automaton);
     Map<String, String> parameters = new HashMap<>(twin.parameters);
     replays.forEach(each -> each.monitors = each.fresh());
-    parameters.put("chaos", Runs.demo(twin.workload).envelope().toString());
-    var plan = Runs.plan(twin.workload, seed, parameters);
+    parameters.putAll(
+        twin.settings.isEmpty()
+            ? Map.of("chaos", Runs.demo(twin.demo).envelope().toString())
+            : twin.settings);
+    var plan = Runs.plan(twin.demo, seed, parameters);
     long[] end = new long[1];
     plan.simulation()
         .observer(
@@ -222,7 +281,7 @@ final class MutantReplay {
     return folder;
   }
 
-  /** Loads the primitives anew, with the compiled classes in place of their own. */
+  /** Loads the primitives and the intersection anew, with the compiled classes in place of their own. */
   private static final class Loader extends ClassLoader {
 
     private final Path folder;
@@ -235,7 +294,8 @@ final class MutantReplay {
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
       String file = name.replace('.', '/') + ".class";
-      if (!name.startsWith(PRIMITIVES) || findLoadedClass(name) != null) {
+      boolean isNew = name.startsWith(PRIMITIVES) || name.startsWith(INTERSECTION);
+      if (!isNew || findLoadedClass(name) != null) {
         return super.loadClass(name, resolve);
       }
       try (InputStream in =

@@ -121,7 +121,7 @@ class MutexProtocolTest {
 
   @Test
   void theBoundsAreThoseOfTheAlgorithm() {
-    assertThat(MutexBounds.of(4, 100, 10)).isEqualTo(new MutexBounds(100, 3 * 120 + 20, 20));
+    assertThat(MutexBounds.of(4, 100, 10)).isEqualTo(new MutexBounds(100, 10 + 3 * 120 + 20, 20));
     assertThat(MutexBounds.of(1, 100, 0)).isEqualTo(new MutexBounds(100, 0, 0));
   }
 
