@@ -170,6 +170,9 @@ final class ExpressionWriter {
       case Expr.Bool e -> e.value() ? Code.Text.TRUE : Code.Text.FALSE;
       case Expr.Numeral e -> Code.name(e.value().toPlainString() + (isNatural(e) ? "L" : ""));
       case Expr.Variable e -> variable(e);
+      case Expr.Parameter e when e.type().base() instanceof Type.MapOf ->
+          throw new NotExecutable(
+              e.pos(), "'" + e.name() + "' is a method in Java; expected arguments after it");
       case Expr.Parameter e -> Code.name(JavaTypes.name(e.name()));
       case Expr.Component e -> component(e.name());
       case Expr.At e -> apply(e);
@@ -258,21 +261,26 @@ final class ExpressionWriter {
     if (at.map() instanceof Expr.Parameter given) {
       boolean isCondition =
           given.type().base() instanceof Type.MapOf map && map.result() == Type.Bool.BOOL;
-      return of(given)
+      Code known = own.apply(given);
+      return (known == null ? Code.name(JavaTypes.name(given.name())) : known)
           .then(isCondition ? "test" : "apply", all(at.arguments()).toArray(Code[]::new));
     }
     if (at.arguments().stream().anyMatch(this::isElsewhere)
-        && StartState.isOwnForEach(automaton, at.map())) {
-      throw new NotExecutable(
-          at.pos(),
-          "each argument has a value of its own at the start; expected a condition on finitely many"
-              + " arguments, such as 'i in S =>'");
+        && StartState.isOwnForEach(automaton, types, at.map())) {
+      throw ownForEach(at.pos());
     }
     Code value = of(at.map());
     for (Expr argument : at.arguments()) {
       value = isElsewhere(argument) ? value.then("defaultValue") : value.then("at", of(argument));
     }
     return value;
+  }
+
+  private static NotExecutable ownForEach(Pos pos) {
+    return new NotExecutable(
+        pos,
+        "each argument has a value of its own at the start; expected a condition on finitely many"
+            + " arguments, such as 'i in S =>'");
   }
 
   private Code called(Expr.Call at) {
@@ -436,7 +444,7 @@ final class ExpressionWriter {
         Code n = of(at.right());
         yield tells
             ? told("nth", at.pos(), list, n)
-            : list.then("get", new Code.Prefix("(int) ", Code.strong(n, Code.UNARY)));
+            : list.then("get", Code.call("Math.toIntExact", n)); // of an object, too
       }
     };
   }
@@ -495,6 +503,11 @@ final class ExpressionWriter {
     }
     if (left.type().base() instanceof Type.Sum sum && sum.isEnum()) {
       return Code.infix("==", of(left), of(right));
+    }
+    // Such a map is equal to itself alone.
+    if (StartState.isOwnForEach(automaton, types, left)
+        || StartState.isOwnForEach(automaton, types, right)) {
+      throw ownForEach(left.pos());
     }
     return of(left).then("equals", of(right));
   }

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Exprs;
+import org.starl.lang.tree.Pos;
 import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
@@ -112,6 +113,16 @@ final class Finite {
       where = new Where(sets(variable, body), writer.types().always(elsewhere));
     }
     return map(where, () -> lambda(variable, writer.under(variable, () -> writer.of(body))));
+  }
+
+  /** The map that is {@code function} at each value of the variable. */
+  Code each(Field variable, Code function, Type result, Pos pos) {
+    Code all = writer.types().all(variable.type(), pos);
+    return all == null
+        ? Code.call(writer.types().use("org.starl.spec.automaton.Fun") + ".of", function)
+        : map(
+            new Where(List.of(all), writer.types().always(writer.types().any(result, pos))),
+            () -> function);
   }
 
   /** The map that is {@code function} at the sets, and else that of {@code where}. */

@@ -114,7 +114,7 @@ final class StartState {
                 writer.under(variable, () -> writer.of(e.right())));
         set(
             place(at.map(), List.of()),
-            Code.call(writer.types().use("org.starl.spec.automaton.Fun") + ".of", of),
+            writer.finite().each(variable, of, at.type(), e.pos()),
             e.pos());
       }
       case Expr.Binary e when e.operator() == Expr.Operator.EQUAL ->
@@ -142,8 +142,17 @@ final class StartState {
         && areAll(left.arguments(), variables);
   }
 
-  /** Whether {@code map} is a component whose arguments have values of their own at the start. */
-  static boolean isOwnForEach(Automaton automaton, Expr map) {
+  /**
+   * Whether {@code map} is a component whose arguments, of a type without an end, have values of their
+   * own at the start.
+   */
+  static boolean isOwnForEach(Automaton automaton, JavaTypes types, Expr map) {
+    return map.type().base() instanceof Type.MapOf of
+        && types.all(of.arguments().getFirst(), map.pos()) == null
+        && isOwnForEach(automaton, map);
+  }
+
+  private static boolean isOwnForEach(Automaton automaton, Expr map) {
     if (map instanceof Expr.Get get && get.of().type().base() instanceof Type.StateOf used) {
       Expr own = new Expr.Component(get.field(), get.type(), get.pos());
       return isOwnForEach(used.automaton(), own);
