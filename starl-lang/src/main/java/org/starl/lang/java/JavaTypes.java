@@ -30,10 +30,10 @@ final class JavaTypes {
                   + " int interface long native new package private protected public return short"
                   + " static strictfp super switch synchronized this throw throws transient try void"
                   + " volatile while true false null _ yield record sealed permits var"
-                  + " args name text hashCode equals toString getClass notify"
+                  + " args name text start theory hashCode equals toString getClass notify"
                   + " notifyAll wait clone finalize"
                   + " Action Automaton BiFunction BiPredicate Boolean Double Enabled Finite Fun"
-                  + " Function Lift List Location Long Object Objects Override Predicate Sets"
+                  + " Function Lift List Location Long Math Object Objects Override Predicate Sets"
                   + " SortedSet States String SuppressWarnings Term Undefined")
               .split(" "));
 

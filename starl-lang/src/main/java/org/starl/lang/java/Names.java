@@ -1,8 +1,10 @@
 package org.starl.lang.java;
 
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Program;
+import org.starl.lang.tree.Type.Field;
 
 /**
  * Names of the generated classes.
@@ -45,10 +47,17 @@ record Names(String packageName, String automaton, String action, String constan
               + "; expected a line: java \"a.package.NameAutomaton\"");
     }
     String simple = full.substring(dot + 1);
+    String constant =
+        automaton.name().replaceAll("([a-z])([A-Z])", "$1_$2").toUpperCase(Locale.ROOT);
+    boolean isTaken =
+        Stream.concat(
+                automaton.valueParameters().stream().map(Field::name),
+                automaton.types().stream().map(each -> each.type().toString()))
+            .anyMatch(constant::equals);
     return new Names(
         full.substring(0, dot),
         simple,
         simple.substring(0, simple.length() - SUFFIX.length()) + "Action",
-        automaton.name().replaceAll("([a-z])([A-Z])", "$1_$2").toUpperCase(Locale.ROOT));
+        isTaken ? constant + "_" : constant);
   }
 }

@@ -73,4 +73,29 @@ class OwnValuesTest {
             new Object[] {f, h});
     assertThat(own.enabled("a", "bot0").isTrue()).isTrue();
   }
+
+  @Test
+  void namesOfTheClassAreNamesOfTheSource() throws SourceErrors {
+    Compiled own =
+        new Compiled(
+            """
+            automaton X[theory: nat, start: nat, X: nat]
+            java "x.XAutomaton"
+            type Math = some_math | other
+            state
+              math: Math
+              n: nat
+            start math = some_math, n = 5
+            action a
+              pre n mod 3 = theory, n = start, n mod 2 = X, math = some_math
+            """,
+            2,
+            5,
+            1);
+    assertThat(own.enabled("a").isTrue()).isTrue();
+    own =
+        new Compiled(
+            "automaton Y\njava \"x.XAutomaton\"\ntype Y = aa | bb\nstate y: Y start y = bb action a pre y = bb");
+    assertThat(own.enabled("a").isTrue()).isTrue();
+  }
 }
