@@ -77,7 +77,10 @@ final class AutomatonReader extends PartsReader {
     scope.numbers.clear(); // a parameter's type may have those before it alone
     for (StarlParser.ValueParameterContext at : valueParameters) {
       orTold(() -> {
-        Field field = new Field(newName(at.name), types.type(at.type()));
+        String name = newName(at.name);
+        scope.wrong.add(name);
+        Field field = new Field(name, types.type(at.type()));
+        scope.wrong.remove(name);
         scope.values.put(field.name(), field.type());
         if (numbers.contains(field.name())) {
           scope.numbers.add(field.name());
@@ -164,6 +167,15 @@ final class AutomatonReader extends PartsReader {
     });
   }
 
+  /** Adds an assumption of the component {@code used}, once; another of its name keeps its own. */
+  private void assume(String used, Invariant each) {
+    boolean isTaken = assumptions.stream().anyMatch(own -> own.name().equals(each.name()));
+    if (!assumptions.contains(each)) {
+      String name = isTaken ? used + "_" + each.name() : each.name();
+      assumptions.add(new Invariant(name, each.condition(), each.comment(), each.pos()));
+    }
+  }
+
   private void use(StarlParser.UsesPartContext at) {
     String name = newName(at.name);
     scope.wrong.add(name);
@@ -174,8 +186,10 @@ final class AutomatonReader extends PartsReader {
     state.add(
         new Component(
             name, new Type.StateOf(instance), source.before(at), source.after(at.getStop())));
-    assumptions.addAll(instance.assumptions());
-    scope.ranges.addAll(instance.ranges());
+    instance.assumptions().forEach(each -> assume(name, each));
+    instance.ranges().stream()
+        .filter(each -> !scope.ranges.contains(each))
+        .forEach(scope.ranges::add);
     scope.knowTypes(instance);
   }
 

@@ -199,6 +199,32 @@ class PvsTheoryTest {
   }
 
   @Test
+  void assumptionsOfWhatIsUsedTwiceAreThereOnce() throws SourceErrors {
+    String theory =
+        theory(
+            """
+            automaton Count[N: nat]
+            assume Pos: N > 0
+            assume Few: N < 9
+            state c: 0..N - 1
+            start c = 0
+            action zero eff c := 0
+            automaton Both[N: nat]
+            assume Pos: N > 1
+            uses k: Count[N]
+            uses j: Count[N]
+            start k.start?, j.start?
+            action zero pre k.zero() eff k.zero(), j.zero()
+            """);
+    assertThat(theory)
+        .containsOnlyOnce(" Few: ASSUMPTION")
+        .containsOnlyOnce(" Pos: ASSUMPTION N > 1")
+        .containsOnlyOnce(" k_Pos: ASSUMPTION N > 0")
+        .containsOnlyOnce(" nonempty?1: ASSUMPTION")
+        .doesNotContain("nonempty?2");
+  }
+
+  @Test
   void usesOfATheoryProveItsAssumptions() throws SourceErrors {
     String theory =
         theory(
