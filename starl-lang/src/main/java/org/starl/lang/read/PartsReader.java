@@ -68,7 +68,17 @@ class PartsReader {
     each(StarlParser.TypePartContext.class, at -> scope.later.add(at.name.getText()));
     each(
         StarlParser.TypePartContext.class,
-        at -> declared.add(new Declared(types.declare(at), source.before(at))));
+        at -> {
+          try {
+            declared.add(new Declared(types.declare(at), source.before(at)));
+          } catch (Wrong told) {
+            scope.wrongTypes.add(at.name.getText());
+            if (at.typeBody() instanceof StarlParser.SumBodyContext sum) {
+              sum.constructor().forEach(form -> scope.wrong.add(form.name.getText()));
+            }
+            throw told;
+          }
+        });
   }
 
   final void readJava() {
@@ -221,8 +231,10 @@ class PartsReader {
     for (StarlParser.FunPartContext at : parts) {
       orTold(() -> {
         String name = newName(at.name);
+        scope.wrong.add(name);
         List<Field> parameters = fields(at.binders(), false);
         Type result = types.type(at.type());
+        scope.wrong.remove(name);
         scope.functions.put(
             name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));
         return good.add(at);

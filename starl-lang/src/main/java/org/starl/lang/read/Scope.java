@@ -44,6 +44,9 @@ final class Scope {
   /** Names whose declaration is wrong: what uses them need not be told. */
   final Set<String> wrong = new TreeSet<>();
 
+  /** As {@link #wrong}, of types. */
+  final Set<String> wrongTypes = new TreeSet<>();
+
   /** Where the names are declared, but those of variables and of what is used. */
   final Map<String, Pos> places = new LinkedHashMap<>();
 

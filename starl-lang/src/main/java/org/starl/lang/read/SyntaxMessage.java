@@ -130,6 +130,9 @@ final class SyntaxMessage {
 
   private static String cure(String message, Token found, Parser at) {
     String text = found.getText();
+    if (found.getType() == StarlParser.UNKNOWN && Character.isLetter(text.codePointAt(0))) {
+      return "names of the letters a to z, digits and '_'";
+    }
     Token last = at.getTokenStream().get(Math.max(0, found.getTokenIndex() - 1));
     boolean isAtOnce = last.getStopIndex() + 1 == found.getStartIndex();
     if (text.equals("=")) {
@@ -155,6 +158,10 @@ final class SyntaxMessage {
     boolean isEffect = isInside(at, StarlParser.EffContext.class);
     if (NO_WAY.matcher(message).matches() && isEffect) {
       return text.equals("[") ? cureOf(text) : "':=' after the place, as in 'c := c + 1'";
+    }
+    boolean isWord = found.getType() != StarlParser.ID && text.matches("[a-z]+");
+    if (NO_WAY.matcher(message).matches() && isWord) {
+      return cureOf(text).isEmpty() ? "a name, which no word of the language is" : cureOf(text);
     }
     if (found.getType() == Token.EOF || !message.contains(" expecting ")) {
       return "";

@@ -129,6 +129,9 @@ final class TypeReader {
   private Type named(IdContext at) {
     Type known = scope.types.get(at.getText());
     if (known == null) {
+      if (scope.wrongTypes.contains(at.getText())) {
+        throw new Wrong();
+      }
       String expected = Problems.oneOf(at.getText(), scope.types.keySet());
       problems.add(
           at,

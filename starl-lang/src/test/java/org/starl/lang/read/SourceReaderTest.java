@@ -63,6 +63,11 @@ class SourceReaderTest {
           fun free?: bool = by = none ~ fun free?: bool = free? ~ 8:1: 'free?' calls itself; expected 'measure' and a natural number that becomes smaller with each call
           fun free?: bool = by = none ~ fun free?: bool = dark? or lit? fun dark?: bool = by = none fun lit?: bool = not free? ~ 8:1: 'free?' calls itself through 'lit?'; expected a function that calls itself directly
           // A lamp. ~ # A lamp. ~ 1:1: found '#'; expected '//' before a comment
+          type Color = red ~ type Färbung = red ~ 3:7: found 'ä'; expected names of the letters a to z, digits and '_'
+          type Color = red ~ type Both = record(in: bool) type Color = red ~ 3:20: found 'in'; expected a name, which no word of the language is
+          type Color = red | green ~ type Color = red | green(by: Robot) type Both = record(of: Color) fun dark(c: Color): bool = c = green ~ 3:30: 'Robot' is no type; expected one of bool, nat, int, time, real, PIDS
+          type Color = red | green ~ type Color = Color ~ 3:14: 'Color' is no type; expected one of bool, nat, int, time, real, PIDS
+          automaton Lamp[PIDS] ~ automaton Lamp[PIDS, first: first] assume A: first = none ~ 2:29: 'first' is no type; expected one of bool, nat, int, time, real, PIDS, Color
           type Color = red ~ -- a type ~ 3:1: found '-'; expected '//' before a comment, or a value before '-'
           """)
   void commonMistakeIsToldWithItsCureAlone(String instead, String mistake, String told) {
