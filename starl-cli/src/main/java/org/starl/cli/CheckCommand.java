@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.starl.input.BadInput;
 import org.starl.lang.check.Report;
@@ -101,6 +102,8 @@ final class CheckCommand extends SourceCommand {
   @Override
   int run(Source source) {
     List<Automaton> automata = source.automata();
+    requireOnce("--size", sizes, "TYPE=N");
+    requireOnce("--value", values, "NAME=VALUE");
     Verdict verdict = Verdict.HOLDS;
     stop().endsWhenAsked();
     for (Automaton automaton : automata) {
@@ -213,6 +216,16 @@ final class CheckCommand extends SourceCommand {
       throw new BadInput(option + ": " + BadInput.quote(text) + ": expected " + form);
     }
     return text.substring(0, equals).strip();
+  }
+
+  private static void requireOnce(String option, List<String> given, String form) {
+    Set<String> names = new TreeSet<>();
+    for (String each : given) {
+      String name = left(option, each, form);
+      if (!names.add(name)) {
+        throw new BadInput(option + " " + name + ": expected it once");
+      }
+    }
   }
 
   /** The values that are given for parameters in bounds of ranges. */

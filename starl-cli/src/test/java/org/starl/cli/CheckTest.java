@@ -178,12 +178,14 @@ class CheckTest {
           --size=Rooms | --size: 'Rooms': expected TYPE=N
           --size=first=2 | --size: 'first' is no opaque type here; expected --value first=2
           --size=Rooms=none | --size: 'none': expected a whole number from 1 to 62
+          --size=Rooms=2 --size=Rooms=3 | --size Rooms: expected it once
+          --value=first={} --value=first={bot0} | --value first: expected it once
           --nat=-1 | --nat: '-1': expected a whole number from 0 to 1000
           --value=last={} | --value: 'last' is no value parameter of Lamps; expected one of [first]
           --value=first={A} | --value first:1:2: 'A' is of type Rooms; expected PIDS
           """)
   void badOptionIsRefused(String option, String told) throws IOException {
-    Cli cli = check(LAMPS, option);
+    Cli cli = check(LAMPS, option.split(" "));
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err()).singleElement().asString().isEqualTo("starl: " + told);
   }
