@@ -5,6 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +43,7 @@ final class LedgerRecord {
   // The first and the last decree that each robot has by itself, as it must keep them.
   private final Map<RobotId, long[]> had = new TreeMap<>();
   private final Map<RobotId, Set<LedgerEntry>> freed = new TreeMap<>();
+  private final Map<RobotId, Own> owns = new TreeMap<>();
 
   LedgerRecord(Instance source) {
     this.source = source;
@@ -58,6 +61,61 @@ final class LedgerRecord {
 
     // By the claim's number.
     private final Map<Long, RobotId> begun = new TreeMap<>();
+  }
+
+  /** What the log says of one robot's tasks, as far as the robot has the log. */
+  private static final class Own {
+    private long number;
+    private boolean isKnown = true;
+    private boolean hasStarted;
+
+    // Whether the robot has begun it.
+    private final SortedMap<TaskId, Boolean> tasks = new TreeMap<>();
+
+    private void take(LedgerEntry entry, RobotId robot) {
+      switch (entry) {
+        case Start e when e.who().robot().equals(robot) -> {
+          hasStarted = true;
+          tasks.values().removeIf(isBegun -> !isBegun);
+        }
+        case Claim e when e.who().robot().equals(robot) -> tasks.put(e.task(), false);
+        case Begin e when e.who().robot().equals(robot) -> tasks.put(e.task(), true);
+        case Finish e -> tasks.remove(e.task());
+        case Free e -> tasks.remove(e.task());
+        case Reopen e -> tasks.remove(e.task());
+        default -> {
+          // Of no task of this robot.
+        }
+      }
+    }
+  }
+
+  /** The robot has the log up to {@code number}, later than before since its start. */
+  void knows(RobotId robot, long number, boolean isInstalled) {
+    if (isInstalled) {
+      owns.remove(robot);
+    }
+    Own own = owns.computeIfAbsent(robot, any -> new Own());
+    while (own.isKnown && own.number < number) {
+      own.number++;
+      First next = decrees.get(own.number);
+      own.isKnown = next != null;
+      if (next != null) {
+        next.entries().forEach(entry -> own.take(entry, robot));
+      }
+    }
+  }
+
+  /** Whether the robot's log, if it is known, says that the robot holds these tasks. */
+  boolean holds(RobotId robot, SortedSet<TaskId> shown) {
+    Own own = owns.get(robot);
+    return own == null || !own.isKnown || own.tasks.keySet().equals(shown);
+  }
+
+  /** Whether the robot's log may have the start of its program. */
+  boolean mayBeReady(RobotId robot) {
+    Own own = owns.get(robot);
+    return own == null || !own.isKnown || own.hasStarted;
   }
 
   void voters(List<RobotId> robots) {
@@ -85,6 +143,7 @@ final class LedgerRecord {
     open.remove(robot);
     had.remove(robot);
     freed.remove(robot);
+    owns.remove(robot);
   }
 
   /** Whether the robot must have this decree, to tell it to others. */

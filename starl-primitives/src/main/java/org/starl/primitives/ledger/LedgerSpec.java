@@ -2,7 +2,10 @@ package org.starl.primitives.ledger;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
@@ -11,6 +14,7 @@ import org.starl.primitives.ledger.LedgerMessage.Here;
 import org.starl.primitives.suspicion.SuspicionCheck;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.spec.TellCheck;
@@ -23,8 +27,8 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of ledgers, after the package's contract: {@code OneLog}, {@code BegunByOne}, {@code
- * FinishedOnce}, {@code Kept}, and, where bounds are given, {@code Answered} and {@code Freed}, and with {@link
- * #patient} {@code Suspected} and {@code Behind}.
+ * FinishedOnce}, {@code Kept}, {@code held}, and, where bounds are given, {@code Answered} and {@code
+ * Freed}, and with {@link #patient} {@code Suspected} and {@code Behind}.
  */
 public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
 
@@ -36,7 +40,10 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   static final String FREED = "ledger.Freed";
   static final String SUSPECTED = "ledger.Suspected";
   static final String BEHIND = "ledger.Behind";
+  static final String HELD = "ledger.held";
 
+  private final FlagCheck<SortedSet<TaskId>> held = flag(LedgerFact.HELD, HELD);
+  private final Set<ProcessKey> ready = new LinkedHashSet<>();
   private final Deadlines answered;
   private final Deadlines freed;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
@@ -62,6 +69,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
     lemma(BEGUN_BY_ONE, "No two robots are told to do a task, unless it was reopened between.");
     lemma(FINISHED_ONCE, "A task is finished at most once, by the robot that has begun it.");
     lemma(KEPT, "A task that was added stays in the ledger until it is finished.");
+    lemma(HELD, "The variable held says which tasks the robot holds by the log that it has.");
     answered =
         progress(
             ANSWERED,
@@ -113,11 +121,17 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
       case LedgerFact.Voters voters -> log.voters(voters.robots());
       case LedgerFact.Applied decree -> {
         log.applied(decree, action, report);
+        log.knows(robot, decree.number(), false);
+        checkHeld(key, action, log, report);
         if (freed.isBounded() && decree.entries().stream().anyMatch(LedgerSpec::endsAClaim)) {
           report.checked(FREED);
         }
       }
-      case LedgerFact.Installed known -> log.installed(known, action, report);
+      case LedgerFact.Installed known -> {
+        log.installed(known, action, report);
+        log.knows(robot, known.number(), true);
+        checkHeld(key, action, log, report);
+      }
       case LedgerFact.Asked call -> {
         log.asked(robot);
         answered.start(key, action.timeNs());
@@ -138,8 +152,27 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
     return entry instanceof LedgerEntry.Begin || entry instanceof LedgerEntry.Free;
   }
 
+  /** A robot whose start is not in the log shows none. */
+  private void checkHeld(ProcessKey key, TraceEvent event, LedgerRecord log, Report report) {
+    boolean isReady = ready.contains(key);
+    held.says(
+        key, event, shown -> isReady ? log.holds(key.robot(), shown) : shown.isEmpty(), report);
+  }
+
   @Override
-  protected void changed(Variable variable, Report report) {}
+  protected void changed(Variable variable, Report report) {
+    ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+    Boolean isReady = variable.of(LedgerFact.READY);
+    if (isReady != null) {
+      LedgerRecord log = instance(variable.source());
+      if (isReady && ready.add(key) && !log.mayBeReady(variable.robot())) {
+        String detail = variable.source() + ": is ready, and its log lacks its start";
+        report.violated(HELD, variable.timeNs(), List.of(variable.robot()), detail);
+      }
+      checkHeld(key, variable, log, report);
+    }
+    held.shows(variable, report);
+  }
 
   @Override
   protected void happened(TraceEvent event, Report report) {
@@ -167,6 +200,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
 
   @Override
   protected void ended(RobotId robot) {
+    ready.removeIf(key -> key.robot().equals(robot));
     instances()
         .forEach((source, log) -> {
           log.ended(robot);

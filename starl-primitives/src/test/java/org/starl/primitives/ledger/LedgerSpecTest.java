@@ -8,6 +8,7 @@ import static org.starl.primitives.ledger.Seen.BEGIN_A;
 import static org.starl.primitives.ledger.Seen.CLAIM_A;
 import static org.starl.primitives.ledger.Seen.FINISH_A;
 import static org.starl.primitives.ledger.Seen.FREE;
+import static org.starl.primitives.ledger.Seen.PA2;
 import static org.starl.primitives.ledger.Seen.PB;
 import static org.starl.primitives.ledger.Seen.REOPEN;
 import static org.starl.primitives.ledger.Seen.START_A;
@@ -21,6 +22,8 @@ import static org.starl.primitives.ledger.Seen.isTold;
 import static org.starl.primitives.ledger.Seen.votes;
 
 import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodTiming;
@@ -29,10 +32,13 @@ import org.starl.primitives.ledger.LedgerEntry.Claim;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+import org.starl.trace.Var;
 
 class LedgerSpecTest {
 
   private static final RobotId C = new RobotId("c");
+  private static final SortedSet<TaskId> NONE = new TreeSet<>();
   private static final long MS = 1_000_000;
   private static final long BOUND_NS = 100;
   private static final long FREED_NS = 500;
@@ -176,6 +182,41 @@ class LedgerSpecTest {
   void aTaskThatIsSaidToBeAddedAndIsNotViolatesKept() {
     sees(applies(1, A, 1, 0, START_A), isTold(2, A, ADD, LedgerOutcome.DONE));
     assertThat(violations(LedgerSpec.KEPT)).isEqualTo(1);
+  }
+
+  @Test
+  void heldFollowsTheLogThatTheRobotHas() {
+    sees(
+        installs(0, A, 0, 0),
+        shows(0, LedgerFact.READY, false),
+        shows(0, LedgerFact.HELD, NONE),
+        applies(1, A, 1, 1, START_A, ADD),
+        shows(1, LedgerFact.READY, true),
+        applies(2, A, 2, 1, CLAIM_A),
+        shows(2, LedgerFact.HELD, new TreeSet<>(List.of(T))),
+        applies(3, A, 3, 1, BEGIN_A),
+        new Fault(4, A, Fault.CRASH, ""),
+        shows(5, LedgerFact.READY, false),
+        shows(5, LedgerFact.HELD, NONE),
+        installs(5, A, 3, 1),
+        applies(6, A, 4, 1, new LedgerEntry.Start(PA2)),
+        shows(6, LedgerFact.READY, true),
+        shows(6, LedgerFact.HELD, new TreeSet<>(List.of(T))),
+        applies(7, A, 5, 0, new LedgerEntry.Finish(T, 1, PA2)));
+    assertThat(monitors.report().violations()).isEmpty();
+    assertThat(monitors.report().checks(LedgerSpec.HELD)).isPositive();
+    sees(applies(8, A, 6, 0)); // it still shows the finished task
+    assertThat(violations(LedgerSpec.HELD)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatIsReadyBeforeItsStartIsInTheLogViolatesHeld() {
+    sees(installs(0, A, 0, 0), shows(0, LedgerFact.READY, true));
+    assertThat(violations(LedgerSpec.HELD)).isEqualTo(1);
+  }
+
+  private static <V> Variable shows(long timeNs, Var<V> variable, V value) {
+    return new Variable(timeNs, A, Seen.SOURCE, variable, value);
   }
 
   @Test
