@@ -173,6 +173,38 @@ class LedgerSimTest {
     assertThat(result.results().toString()).contains("[[orders/1], LATE, DONE, []]");
   }
 
+  @Test
+  void withoutAMajorityACallEndsAtItsDeadline() {
+    SimResult result =
+        run(
+            robot -> {
+              robot.until(5_000);
+              return List.of(robot.told(robot.ledger.add(ONE, "one")));
+            },
+            "crash(bot1,at=2s)",
+            "crash(bot2,at=2s)");
+    assertThat(result.results().toString()).contains("UNKNOWN");
+  }
+
+  @Test
+  void aRobotThatDoesNotHoldATaskCannotGiveItBack() {
+    SimResult result =
+        run(robot -> {
+          if (robot.is("bot0", 1)) {
+            robot.told(robot.ledger.add(ONE, "one"));
+            robot.told(robot.ledger.claim(ONE));
+            robot.until(10_000);
+            return List.of(robot.told(robot.ledger.begin(ONE)));
+          }
+          if (robot.is("bot1", 1)) {
+            robot.until(5_000);
+            return List.of(robot.told(robot.ledger.giveBack(ONE)));
+          }
+          return List.of();
+        });
+    assertThat(result.results().values()).containsExactly(List.of(DONE), List.of(DONE), List.of());
+  }
+
   /** Its own clock tells a slow robot nothing: the log does. */
   @Test
   void aClaimantThatWasCutOffLearnsAtBeginThatItsClaimHasEnded() {
