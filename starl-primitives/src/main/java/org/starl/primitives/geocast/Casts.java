@@ -71,6 +71,13 @@ final class Casts {
     return active.get(new Key(source, id));
   }
 
+  /** How deep in the area the body is now; minus infinity off the floor. */
+  double depthMm(CastRecord cast, RobotId robot, long nowNs) {
+    return bodies.isOnFloor(robot)
+        ? cast.area.depthMm(bodies.poseAt(robot, nowNs).at())
+        : Double.NEGATIVE_INFINITY;
+  }
+
   /** Processes the next event. */
   void observe(TraceEvent event, Report report) {
     forgetFinished(event.timeNs(), report);

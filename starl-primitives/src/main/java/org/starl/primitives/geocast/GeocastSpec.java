@@ -13,8 +13,8 @@ import org.starl.trace.TraceEvent.Sent;
 
 /**
  * The specification of geocast and broadcast (paper, section 4.2), after the package's contract:
- * {@code exclusion}, {@code deadline}, {@code once}, {@code acknowledged} and {@code inclusion}. It
- * uses the true bodies.
+ * {@code exclusion}, {@code deadline}, {@code once}, {@code acknowledged}, {@code Dismissed} and
+ * {@code inclusion}. It uses the true bodies.
  * Exclusion and inclusion are about the whole interval, so they are checked at its end; an interval
  * that outlasts the run is not checked.
  *
@@ -30,12 +30,16 @@ public final class GeocastSpec extends LemmaMonitor {
   static final String DEADLINE = "geocast.deadline";
   static final String ONCE = "geocast.once";
   static final String ACKNOWLEDGED = "geocast.acknowledged";
+  static final String DISMISSED = "geocast.Dismissed";
   static final String ANSWERED = "geocast.answered";
   static final String GCASTFLAG = "geocast.Gcastflag";
   static final String REPEATED = "geocast.Repeated";
 
   /** No time is long enough for a copy to arrive certainly: the network loses some. */
   public static final long NEVER = Long.MAX_VALUE;
+
+  /** Rounding of positions. */
+  private static final double TOUCH_MM = 0.1;
 
   private final double positionErrorMm;
   private final GeocastSettings settings;
@@ -76,6 +80,7 @@ public final class GeocastSpec extends LemmaMonitor {
     lemma(DEADLINE, "No robot gets the message after its interval is over.");
     lemma(ONCE, "No robot gets the message twice.");
     lemma(ACKNOWLEDGED, "A robot acknowledges only a message that it has got.");
+    lemma(DISMISSED, "A copy that is not delivered was late, or its robot not surely in the area.");
   }
 
   /**
@@ -123,12 +128,31 @@ public final class GeocastSpec extends LemmaMonitor {
       case GeocastFact.deliver f -> delivered(action, f.m(), report);
       case GeocastFact.dismiss f -> {
         CastRecord cast = casts.of(action.source(), f.m());
+        if (cast != null) {
+          checkDismissed(action, f, cast, report);
+        }
         // A dismissal as early is no excuse: clocks within the skew never give a reason for it.
         if (cast != null && f.errorMm() > positionErrorMm) {
           cast.excuse(action.robot());
         }
       }
       default -> {}
+    }
+  }
+
+  private void checkDismissed(
+      Action action, GeocastFact.dismiss f, CastRecord cast, Report report) {
+    RobotId robot = action.robot();
+    boolean isTrue =
+        switch (f.reason()) {
+          case LATE -> action.timeNs() > surelyOpenUntilNs(cast);
+          case OUTSIDE -> casts.depthMm(cast, robot, action.timeNs()) <= 2 * f.errorMm() + TOUCH_MM;
+          case EARLY -> true; // clocks that differ by more than they may
+        };
+    report.checked(DISMISSED);
+    if (!isTrue) {
+      String detail = "does not deliver " + cast.id + " as " + f.reason() + ", and it is not";
+      report.violated(DISMISSED, action.timeNs(), List.of(robot), detail);
     }
   }
 
@@ -142,6 +166,7 @@ public final class GeocastSpec extends LemmaMonitor {
       return;
     }
     report.checked(ONCE);
+    report.checked(DISMISSED); // it was not
     if (!cast.delivered(robot, action.timeNs())) {
       String detail = "delivers " + cast.id + " again";
       report.violated(ONCE, action.timeNs(), List.of(robot), detail);

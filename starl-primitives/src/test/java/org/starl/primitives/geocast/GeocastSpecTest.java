@@ -97,6 +97,22 @@ class GeocastSpecTest {
   }
 
   @Test
+  void aDismissalForAFalseReasonViolatesDismissed() {
+    assertThat(falseReasons(Dismissal.LATE, 20, 5)).isEqualTo(1);
+    assertThat(falseReasons(Dismissal.LATE, 1001, 5)).isEqualTo(1);
+    assertThat(falseReasons(Dismissal.LATE, 1002, 5)).isZero();
+    assertThat(falseReasons(Dismissal.OUTSIDE, 20, 5)).isEqualTo(1);
+    assertThat(falseReasons(Dismissal.OUTSIDE, 20, Double.POSITIVE_INFINITY)).isZero();
+  }
+
+  private long falseReasons(Dismissal why, long atNs, double errorMm) {
+    monitors = strict(MS);
+    castWithoutReceiversAfterTheFirstDatagram();
+    see(act(atNs, OTHER, new GeocastFact.dismiss(FIRST, why, errorMm)));
+    return monitors.report().violations("geocast.Dismissed");
+  }
+
+  @Test
   void anAcknowledgementBeforeTheDeliveryViolatesAcknowledged() {
     castWithoutReceiversAfterTheFirstDatagram();
     GeocastMessage<String> ack = new GeocastMessage.Ack<>(FIRST);
