@@ -236,6 +236,17 @@ class MotionControllerTest {
   }
 
   @Test
+  void aRobotThatIsPushedAfterAStopDoesNotDriveOn() {
+    fix(0, 0, 0);
+    moat.doMove(AHEAD);
+    moat.motion_stop();
+    robot.bump(Bumps.LEFT);
+    world.runMs(500);
+    assertThat(last()).isEqualTo(WheelCommand.STOP);
+    assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
+  }
+
+  @Test
   void commandsAndFlagsAreTraced() {
     fix(0, 0, 0);
     moat.doMove(AHEAD, new Circle(new Point(0, 900), 10));
