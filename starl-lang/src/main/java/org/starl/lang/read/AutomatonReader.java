@@ -78,9 +78,7 @@ final class AutomatonReader extends PartsReader {
     for (StarlParser.ValueParameterContext at : valueParameters) {
       orTold(() -> {
         String name = newName(at.name);
-        scope.wrong.add(name);
-        Field field = new Field(name, types.type(at.type()));
-        scope.wrong.remove(name);
+        Field field = new Field(name, scope.declaring(name, () -> types.type(at.type())));
         scope.values.put(field.name(), field.type());
         if (numbers.contains(field.name())) {
           scope.numbers.add(field.name());
@@ -159,9 +157,7 @@ final class AutomatonReader extends PartsReader {
   private void component(StarlParser.ComponentContext at) {
     orTold(() -> {
       String name = newName(at.name);
-      scope.wrong.add(name);
-      Type type = types.type(at.type());
-      scope.wrong.remove(name);
+      Type type = scope.declaring(name, () -> types.type(at.type()));
       scope.state.put(name, type);
       return state.add(new Component(name, type, source.before(at), source.after(at.getStop())));
     });
@@ -178,9 +174,7 @@ final class AutomatonReader extends PartsReader {
 
   private void use(StarlParser.UsesPartContext at) {
     String name = newName(at.name);
-    scope.wrong.add(name);
-    Automaton instance = instance(at, at.of, at.argument());
-    scope.wrong.remove(name);
+    Automaton instance = scope.declaring(name, () -> instance(at, at.of, at.argument()));
     scope.uses.put(name, instance);
     scope.state.put(name, new Type.StateOf(instance));
     state.add(

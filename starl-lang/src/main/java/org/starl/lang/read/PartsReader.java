@@ -231,10 +231,8 @@ class PartsReader {
     for (StarlParser.FunPartContext at : parts) {
       orTold(() -> {
         String name = newName(at.name);
-        scope.wrong.add(name);
-        List<Field> parameters = fields(at.binders(), false);
-        Type result = types.type(at.type());
-        scope.wrong.remove(name);
+        List<Field> parameters = scope.declaring(name, () -> fields(at.binders(), false));
+        Type result = scope.declaring(name, () -> types.type(at.type()));
         scope.functions.put(
             name, new Signature(scope.automaton, name, parameters, result, reading.contains(name)));
         return good.add(at);

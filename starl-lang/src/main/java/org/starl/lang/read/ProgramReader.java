@@ -194,10 +194,8 @@ final class ProgramReader extends PartsReader {
 
   private void javaFunction(StarlParser.JavaFunPartContext at) {
     String name = freshName(at.name);
-    scope.wrong.add(name);
-    List<Field> parameters = fields(at.binders(), true);
-    Type result = types.type(at.type());
-    scope.wrong.remove(name);
+    List<Field> parameters = scope.declaring(name, () -> fields(at.binders(), true));
+    Type result = scope.declaring(name, () -> types.type(at.type()));
     String method = unquoted(at.of);
     if (!METHOD.matcher(method).matches()) {
       problems.add(
@@ -210,9 +208,7 @@ final class ProgramReader extends PartsReader {
 
   private void given(StarlParser.GivenContext at) {
     String name = freshName(at.name);
-    scope.wrong.add(name);
-    Field field = new Field(name, types.type(at.type()));
-    scope.wrong.remove(name);
+    Field field = new Field(name, scope.declaring(name, () -> types.type(at.type())));
     scope.values.put(field.name(), field.type());
     given.add(field);
   }

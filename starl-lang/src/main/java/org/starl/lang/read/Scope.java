@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -58,6 +59,14 @@ final class Scope {
     for (Type.Num number : Type.Num.values()) {
       types.put(number.toString(), number);
     }
+  }
+
+  /** What {@code read} reads to declare a name, which is wrong if that cannot be read. */
+  <T> T declaring(String name, Supplier<T> read) {
+    wrong.add(name);
+    T value = read.get();
+    wrong.remove(name);
+    return value;
   }
 
   /** The types of an automaton that is known, and of those that it uses. */

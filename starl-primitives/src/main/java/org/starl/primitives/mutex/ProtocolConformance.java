@@ -144,10 +144,14 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
                 + " asks for a sequence or in a mode at "
                 + Time.text(action.timeNs(), 3));
       }
-      if (!run.isOver && !isCut) {
+      if (isReplayed(run)) {
         new Step(run, action, report).take(fact);
       }
     }
+  }
+
+  private boolean isReplayed(Run run) {
+    return !run.isOver && !isCut;
   }
 
   private static boolean isOther(MutexFact.DoMutex request) {
@@ -159,7 +163,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
     switch (event) {
       case Sent sent when sent.message() instanceof MutexMessage.Ok ok -> {
         Run run = instance(sent.channel());
-        if (!run.isOver && !isCut) {
+        if (isReplayed(run)) {
           new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num());
         }
       }

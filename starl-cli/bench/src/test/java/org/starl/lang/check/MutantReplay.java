@@ -51,7 +51,7 @@ final class MutantReplay {
    *
    * @param settings in place of chaos, if there are any
    * @param argument of the monitor's constructor; null for none, or the default one of its type
-   * @param vocabulary a class, with the name of its constant
+   * @param vocabulary the constant of the class {@code words}
    */
   private record Twin(
       String demo,
@@ -59,6 +59,7 @@ final class MutantReplay {
       Map<String, String> settings,
       String monitor,
       @Nullable String argument,
+      String words,
       String vocabulary) {
 
     static Twin of(String workload, Map<String, String> parameters, String monitor) {
@@ -68,7 +69,8 @@ final class MutantReplay {
           Map.of(),
           PRIMITIVES + monitor,
           null,
-          PRIMITIVES + "monitor.PrimitiveVocabulary#ALL");
+          PRIMITIVES + "monitor.PrimitiveVocabulary",
+          "ALL");
     }
 
     static Twin of(String workload, String monitor) {
@@ -103,7 +105,8 @@ final class MutantReplay {
                   Map.of("messageLoss", "0.2"),
                   INTERSECTION + "spec.TrafficConformance",
                   IntersectionFactory.XID,
-                  INTERSECTION + "logic.CrossingFact#FIGURE_4")));
+                  INTERSECTION + "logic.CrossingFact",
+                  "FIGURE_4")));
 
   /** One for all: what it has read of the JDK and of the libraries stays read. */
   private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
@@ -165,8 +168,7 @@ final class MutantReplay {
         Class<?> type = constructor.getParameterTypes()[0];
         settings[0] = twin.argument == null ? type.getField("DEFAULT").get(null) : twin.argument;
       }
-      String[] known = twin.vocabulary.split("#");
-      Object vocabulary = loader.loadClass(known[0]).getField(known[1]).get(null);
+      Object vocabulary = loader.loadClass(twin.words).getField(twin.vocabulary).get(null);
       return Optional.of(new MutantReplay(name, constructor, settings, (Vocabulary) vocabulary));
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(e);
