@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,6 +11,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.starl.Version;
 import org.starl.input.BadInput;
 import org.starl.lang.check.Report;
 import org.starl.lang.check.Search;
@@ -99,11 +102,33 @@ final class CheckCommand extends SourceCommand {
       description = "The largest number of states (default: ${DEFAULT-VALUE}).")
   private String most = "5000000";
 
+  @Option(
+      names = "--checkpoint",
+      paramLabel = "FILE",
+      description =
+          "Where a search that ends early (Ctrl-C, --most, memory) is saved; --resume goes on from"
+              + " there.")
+  private @Nullable String checkpoint;
+
+  @Option(
+      names = "--resume",
+      description = "Go on with the search in --checkpoint FILE, if there is one.")
+  private boolean isResumed;
+
   @Override
-  int run(Source source) {
+  int run(Source source) throws IOException {
     List<Automaton> automata = source.automata();
     requireOnce("--size", sizes, "TYPE=N");
     requireOnce("--value", values, "NAME=VALUE");
+    if (isResumed && checkpoint == null) {
+      throw new BadInput("--resume needs --checkpoint FILE");
+    }
+    long searches = automata.stream().mapToLong(each -> allSizes(each, automata).size()).sum();
+    if (checkpoint != null && searches != 1) {
+      throw new BadInput(
+          "--checkpoint: %s has %d searches, one for each automaton and value of sizes; expected one"
+              .formatted(file(), searches));
+    }
     Verdict verdict = Verdict.HOLDS;
     stop().endsWhenAsked();
     for (Automaton automaton : automata) {
@@ -114,9 +139,12 @@ final class CheckCommand extends SourceCommand {
     return ExitStatus.of(verdict);
   }
 
-  private Verdict check(Automaton automaton, List<Automaton> automata) {
-    Sizes usual = sizes(automaton, automata);
-    List<Sizes> all = Machine.sizes(automaton, usual, numbers(automaton));
+  private List<Sizes> allSizes(Automaton automaton, List<Automaton> automata) {
+    return Machine.sizes(automaton, sizes(automaton, automata), numbers(automaton));
+  }
+
+  private Verdict check(Automaton automaton, List<Automaton> automata) throws IOException {
+    List<Sizes> all = allSizes(automaton, automata);
     if (all.isEmpty()) {
       String cure =
           automaton.refined().numbers().stream()
@@ -125,7 +153,7 @@ final class CheckCommand extends SourceCommand {
       out()
           .println(
               "%s: not decided: no numbers to --nat %d meet the assumptions; give larger ones: %s"
-                  .formatted(automaton.name(), usual.nat(), cure));
+                  .formatted(automaton.name(), sizes(automaton, automata).nat(), cure));
       return Verdict.NOT_DECIDED;
     }
     Verdict verdict = Verdict.HOLDS;
@@ -137,7 +165,8 @@ final class CheckCommand extends SourceCommand {
     return verdict;
   }
 
-  private Verdict check(Automaton automaton, List<Automaton> automata, Sizes of) {
+  private Verdict check(Automaton automaton, List<Automaton> automata, Sizes of)
+      throws IOException {
     int limit = OptionValues.whole("--most", most, 1, MOST_STATES);
     Search search;
     Machine machine = null;
@@ -158,13 +187,50 @@ final class CheckCommand extends SourceCommand {
       out().println(automaton.name() + ": not decided: memory ran out before the first state");
       return Verdict.NOT_DECIDED;
     }
+    if (checkpoint == null) {
+      return run(automaton, automata, of, search, null);
+    }
+    try (SavedSearch saved = new SavedSearch(checkpoint, key(automaton, of), isResumed, err())) {
+      saved.of(search);
+      return run(automaton, automata, of, search, saved);
+    }
+  }
+
+  private Verdict run(
+      Automaton automaton,
+      List<Automaton> automata,
+      Sizes of,
+      Search search,
+      @Nullable SavedSearch saved)
+      throws IOException {
     ProgressLine clock = new ProgressLine(err(), "states");
-    Search.Result result = search.run(stop()::isStopped);
+    Search.Result result =
+        search.run(() -> {
+          clock.found(search.size(), search.size() - search.next());
+          return stop().isStopped();
+        });
+    clock.end();
     double seconds = Time.seconds(clock.elapsedNs());
     Report.lines(automaton, of, result, at -> file(at, automata)).forEach(out()::println);
     result.finding().ifPresent(found -> places(automaton, found.actions()).forEach(out()::println));
+    if (saved != null && !result.stopped().isEmpty()) {
+      saved.save();
+    }
     err().println("%.1f s, %,.0f states a second".formatted(seconds, result.states() / seconds));
     return result.verdict();
+  }
+
+  /** What decides which states are visited, in which order. */
+  private String key(Automaton automaton, Sizes of) {
+    return "%s, --nat %d, --time %d%s%s, StarL %s, source %s"
+        .formatted(
+            Report.head(automaton, of, Set.of()),
+            of.nat(),
+            of.time(),
+            values.stream().sorted().map(each -> ", --value " + each).collect(Collectors.joining()),
+            hasNoSymmetry ? ", --no-symmetry" : "",
+            Version.STARL,
+            digest());
   }
 
   /** An automaton that is not in the file was found beside it, or is StarL's. */

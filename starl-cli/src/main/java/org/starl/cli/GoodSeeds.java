@@ -115,7 +115,7 @@ final class GoodSeeds {
   }
 
   /** A digest of a text, and of the files and the folders' files at these paths. */
-  private static String digest(String text, List<String> paths) {
+  static String digest(String text, List<String> paths) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
       digest.update(text.getBytes(StandardCharsets.UTF_8));

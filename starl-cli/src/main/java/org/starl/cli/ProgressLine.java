@@ -119,6 +119,21 @@ final class ProgressLine implements Campaign.Progress {
     }
   }
 
+  /** Work whose end is not known: {@code 1,200,000 states, 300,000 of them to go on from}. */
+  void found(long found, long open) {
+    long nowNs = wallNs.getAsLong();
+    if (isStopped || nowNs - shownNs < (isTerminal ? REDRAW_NS : QUIET_NS)) {
+      return;
+    }
+    shownNs = nowNs;
+    done = "%,d %s, %,d of them to go on from".formatted(found, units, open);
+    if (isTerminal) {
+      draw(done.substring(0, Math.min(done.length(), columns - 1)));
+    } else {
+      err.println(done);
+    }
+  }
+
   /** Prints a line of its own; on a terminal it takes the bar's place, which is drawn anew below. */
   void note(String line) {
     if (drawnWidth > 0) {

@@ -20,6 +20,7 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
   @Parameters(paramLabel = "FILE.starl", description = "The source.")
   private String name = "";
 
+  private final SourceReader reader = new SourceReader();
   private List<Program> programs = List.of();
 
   /** The source's file, as the user has named it. */
@@ -33,7 +34,7 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
     TextFile.read(path, "expected a source of automata (.starl)"); // tells what is no text
     Source source;
     try {
-      source = new SourceReader().source(path);
+      source = reader.source(path);
     } catch (SourceErrors e) {
       e.errors().forEach(err()::println);
       return ExitStatus.BAD_INPUT;
@@ -47,6 +48,11 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
               + ": an expression nests too deeply, or an automaton is too long; expected shorter ones,"
               + " or a larger stack: STARL_JAVA_OPTS=-Xss64m");
     }
+  }
+
+  /** A digest of the source, and of the files beside it that it uses. */
+  final String digest() {
+    return GoodSeeds.digest("", reader.files());
   }
 
   /** Where the branches of a program are whose actions have these names. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -206,5 +207,47 @@ class CheckTest {
         .singleElement()
         .asString()
         .contains("lamps.starl:1:1: no automaton or program here");
+  }
+
+  @Test
+  void searchGoesOnWhereItEnded() throws IOException {
+    String file = folder.resolve("lamps.search").toString();
+    String[] command = {"--checkpoint", file, "--resume"};
+    Cli first = check(LAMPS, "--checkpoint", file, "--most", "6");
+    assertThat(first.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+    assertThat(first.err())
+        .contains(file + ": the search is saved; the same command with --resume goes on");
+    assertThat(check(LAMPS, command).err()).contains(file + ": goes on with 6 states");
+    assertThat(check(LAMPS, command).out()).isEqualTo(check(LAMPS).out());
+    assertThat(folder).isDirectoryNotContaining(path -> path.toString().endsWith(".part"));
+  }
+
+  @Test
+  void savedSearchOfAnotherIsRefused() throws IOException {
+    String file = folder.resolve("lamps.search").toString();
+    check(LAMPS, "--checkpoint", file, "--most", "6");
+    byte[] saved = Files.readAllBytes(Path.of(file));
+    assertRefused(check(LAMPS, "--checkpoint", file), "exists already; expected --resume, or");
+    assertRefused(check(LAMPS, "--resume"), "--resume needs --checkpoint FILE");
+    String[] command = {"--checkpoint", file, "--resume"};
+    assertRefused(
+        check(LAMPS, "--checkpoint", file, "--resume", "--nat", "3"),
+        "is a search of Lamps (PIDS 3, Rooms 2), --nat 2, --time 2, StarL ");
+    assertRefused(
+        check(LAMPS.replace("n + 1", "n + 0"), command), "expected one of Lamps (PIDS 3, Rooms 2)");
+    assertRefused(
+        check(RING, "--checkpoint", folder.resolve("ring").toString()),
+        "has 2 searches, one for each automaton and value of sizes; expected one");
+    assertThat(Path.of(file)).hasBinaryContent(saved);
+    Files.write(Path.of(file), Arrays.copyOf(saved, saved.length - 9));
+    assertRefused(check(LAMPS, command), "is incomplete or damaged (");
+    Files.writeString(Path.of(file), "a note");
+    assertRefused(check(LAMPS, command), "expected a file of 'starl check --checkpoint'");
+    assertThat(Path.of(file)).hasContent("a note");
+  }
+
+  private static void assertRefused(Cli cli, String line) {
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err()).singleElement().asString().contains(line);
   }
 }

@@ -1,5 +1,8 @@
 package org.starl.lang.check;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -67,6 +70,47 @@ final class Graph {
     Optional<Fairness> fairness = machine.automaton().actions().get(action).fairness();
     targets[steps] = target;
     label[steps++] = fairness.isEmpty() ? NOT_FAIR : label(fairness.get(), action, arguments);
+  }
+
+  /** The steps of the first states. */
+  void write(int first, DataOutput out) throws IOException {
+    int last = first < states ? firsts[first] : steps;
+    for (int state = 0; state < first; state++) {
+      out.writeInt(end(state) - first(state));
+      out.writeBoolean(incomplete.get(state));
+    }
+    for (int step = 0; step < last; step++) {
+      out.writeInt(targets[step]);
+      out.writeInt(label[step]);
+    }
+    out.writeInt(texts.size());
+    int number = 0;
+    for (Row key : labels.keySet()) {
+      ValueForm.write(key, out);
+      out.writeUTF(texts.get(number));
+      out.writeBoolean(strong.get(number++));
+    }
+  }
+
+  /** Adds the steps of so many states as they were written; there is none yet. */
+  void read(int first, DataInput in) throws IOException {
+    firsts = new int[Math.max(first, firsts.length)];
+    for (; states < first; states++) {
+      firsts[states] = steps;
+      steps = Math.addExact(steps, in.readInt());
+      incomplete.set(states, in.readBoolean());
+    }
+    targets = new int[Math.max(steps, targets.length)];
+    label = new int[targets.length];
+    for (int step = 0; step < steps; step++) {
+      targets[step] = in.readInt();
+      label[step] = in.readInt();
+    }
+    for (int left = in.readInt(); left > 0; left--) {
+      labels.put((Row) ValueForm.read(in), texts.size());
+      texts.add(in.readUTF());
+      strong.set(texts.size() - 1, in.readBoolean());
+    }
   }
 
   private int label(Fairness fairness, int action, Object[] arguments) {

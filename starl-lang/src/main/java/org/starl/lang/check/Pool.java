@@ -1,5 +1,8 @@
 package org.starl.lang.check;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -44,6 +47,19 @@ final class Pool {
     marks.add(each);
     renamed.add(new int[0]);
     return number;
+  }
+
+  void write(DataOutput out) throws IOException {
+    out.writeInt(values.size());
+    for (Object value : values) {
+      ValueForm.write(value, out);
+    }
+  }
+
+  void read(DataInput in) throws IOException {
+    for (int left = in.readInt(); left > 0; left--) {
+      number(ValueForm.read(in));
+    }
   }
 
   Object value(int number) {

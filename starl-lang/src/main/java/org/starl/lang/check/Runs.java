@@ -130,7 +130,8 @@ final class Runs {
 
   private void addUndecided(int progress, int state) {
     undecided.set(state);
-    search.unevaluated.merge(search.automaton.progress().get(progress).name(), 1L, Long::sum);
+    search.counts.unevaluated.merge(
+        search.automaton.progress().get(progress).name(), 1L, Long::sum);
   }
 
   private Optional<Finding> find(int claim, BitSet of, BitSet all, FairLoops loops) {

@@ -126,18 +126,22 @@ public final class Search {
   private final List<Invariant> ofStarts;
   private final int most;
 
-  private final long[] taken;
-  private final boolean[][] falses;
-  final Map<String, Long> unevaluated = new LinkedHashMap<>();
-  private long steps;
-  private long beyond;
-  private long beyondArguments;
+  final Counts counts;
   final List<String> never = new ArrayList<>();
   final List<String> unasked = new ArrayList<>();
   private String stopped = "";
 
   /** Null if no progress is asked that needs it. */
-  private @Nullable Graph graph;
+  @Nullable Graph graph;
+
+  /** The next state whose steps are looked at; those before {@code end} are as deep as it. */
+  int next;
+
+  int end;
+  int depth;
+
+  /** Null if the search is not to be saved. */
+  private @Nullable Checkpoint checkpoint;
 
   /**
    * @param given the values of value parameters that are given
@@ -153,7 +157,8 @@ public final class Search {
     automaton = machine.automaton();
     starts = machine.starts(given);
     ofStarts = automaton.starts();
-    unevaluated.putAll(starts.unasked());
+    counts = new Counts(automaton.actions());
+    counts.unevaluated.putAll(starts.unasked());
     boolean needsGraph = needsGraph(automaton);
     graph = needsGraph ? new Graph(machine) : null;
     Map<String, Integer> alike = new LinkedHashMap<>(sizes.opaque());
@@ -161,11 +166,15 @@ public final class Search {
     symmetry = new Symmetry(machine, alike, isSymmetric && !needsGraph);
     successors = new Successors(machine, symmetry);
     states = new States(machine.parts().size());
-    taken = new long[automaton.actions().size()];
-    falses = new boolean[taken.length][];
-    for (int i = 0; i < taken.length; i++) {
-      falses[i] = new boolean[automaton.actions().get(i).pre().size()];
-    }
+  }
+
+  /**
+   * The search can be saved from now on, where it ends early; call it before the search runs, or is read
+   * from a file.
+   */
+  public Checkpoint checkpoint() {
+    checkpoint = new Checkpoint(this);
+    return checkpoint;
   }
 
   /**
@@ -187,21 +196,25 @@ public final class Search {
    * @param isInterrupted is asked before the steps of each state
    */
   public Result run(BooleanSupplier isInterrupted) {
-    int depth = 0;
     Finding finding = null;
     try {
-      starts.states().forEach(start -> visit(symmetry.representative(start), -1));
-      int end = states.size(); // of the states at this depth
-      for (int number = 0; number < states.size(); number++) {
+      if (states.size() == 0) {
+        starts.states().forEach(start -> visit(symmetry.representative(start), -1));
+        end = states.size();
+      }
+      for (; next < states.size(); next++) {
+        if (checkpoint != null && stopped.isEmpty()) {
+          checkpoint.mark();
+        }
         if (isInterrupted.getAsBoolean()) {
           stopped = "interrupted";
           break;
         }
-        if (number == end) {
+        if (next == end) {
           depth++;
           end = states.size();
         }
-        expand(number);
+        expand(next);
       }
       if (graph != null && graph.states() == states.size()) {
         finding = new Runs(this, graph).find().orElse(null);
@@ -209,11 +222,23 @@ public final class Search {
     } catch (Found found) {
       finding = found.finding;
     } catch (OutOfMemoryError e) {
-      states.clear();
-      graph = null;
+      if (checkpoint == null) {
+        states.clear();
+        graph = null;
+      }
       stopped = "memory ran out";
     }
-    return result(depth, finding);
+    return result(finding);
+  }
+
+  /** The number of states visited so far. */
+  public int size() {
+    return states.size();
+  }
+
+  /** The number of states whose steps were looked at so far. */
+  public int next() {
+    return next;
   }
 
   /** The states visited so far, in order. */
@@ -221,7 +246,7 @@ public final class Search {
     return IntStream.range(0, states.size()).mapToObj(i -> successors.row(states.get(i))).toList();
   }
 
-  private Result result(int depth, @Nullable Finding finding) {
+  private Result result(@Nullable Finding finding) {
     Map<String, List<String>> neverFalse = new LinkedHashMap<>();
     boolean isComplete = finding == null && stopped.isEmpty();
     Set<String> untried = new LinkedHashSet<>(); // both sides of a progress have the same variables
@@ -242,15 +267,15 @@ public final class Search {
         }
       }
     }
-    for (int i = 0; i < taken.length && isComplete; i++) {
+    for (int i = 0; i < counts.taken.length && isComplete; i++) {
       Action action = automaton.actions().get(i);
-      if (taken[i] == 0) {
+      if (counts.taken[i] == 0) {
         never.add(action.name());
         continue;
       }
       List<String> texts = new ArrayList<>();
-      for (int c = 0; c < falses[i].length; c++) {
-        if (!falses[i][c]) {
+      for (int c = 0; c < counts.falses[i].length; c++) {
+        if (!counts.falses[i][c]) {
           texts.add(action.pre().get(c).text());
         }
       }
@@ -260,7 +285,7 @@ public final class Search {
     }
     return new Result(
         states.size(),
-        steps,
+        counts.steps,
         depth,
         stopped,
         symmetry.types(),
@@ -269,9 +294,9 @@ public final class Search {
         starts.cut(),
         bounded,
         List.copyOf(untried),
-        beyond,
-        beyondArguments,
-        unevaluated,
+        counts.beyond,
+        counts.beyondArguments,
+        counts.unevaluated,
         never,
         neverFalse,
         unasked,
@@ -305,7 +330,7 @@ public final class Search {
           found(invariant, null, number);
         }
       } catch (Beyond e) {
-        unevaluated.merge(invariant.name(), 1L, Long::sum);
+        counts.unevaluated.merge(invariant.name(), 1L, Long::sum);
       } catch (EvalError e) {
         found(invariant, e, number);
       }
@@ -389,8 +414,8 @@ public final class Search {
         new Successors.Steps() {
           @Override
           public void step(int action, Object[] arguments, int[] after) {
-            taken[action]++;
-            steps += machine.areWithin(action, arguments) ? 1 : 0;
+            counts.taken[action]++;
+            counts.steps += machine.areWithin(action, arguments) ? 1 : 0;
             isEnd[0] = false;
             int to = visit(symmetry.representative(after), number);
             if (graph != null) {
@@ -405,15 +430,15 @@ public final class Search {
               graph.addUntaken();
             }
             if (machine.areWithin(action, arguments)) {
-              beyond++;
+              counts.beyond++;
             } else {
-              beyondArguments++;
+              counts.beyondArguments++;
             }
           }
 
           @Override
           public void conjunctIsFalse(int action, int conjunct) {
-            falses[action][conjunct] = true;
+            counts.falses[action][conjunct] = true;
           }
 
           @Override

@@ -1,5 +1,8 @@
 package org.starl.lang.check;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -107,6 +110,25 @@ final class States {
       }
     }
     return true;
+  }
+
+  /** The first states: each its numbers, then the one that it was reached from. */
+  void write(int first, DataOutput out) throws IOException {
+    for (int number = 0; number < first; number++) {
+      for (int i = 0; i <= width; i++) {
+        out.writeInt(blocks.get(number / BLOCK)[at(number) + i]);
+      }
+    }
+  }
+
+  /** Adds so many states as they were written; there is none yet. */
+  void read(int first, DataInput in) throws IOException {
+    for (int[] state = new int[width]; size < first; ) {
+      for (int i = 0; i < width; i++) {
+        state[i] = in.readInt();
+      }
+      add(state, in.readInt());
+    }
   }
 
   private void grow() {

@@ -1,5 +1,8 @@
 package org.starl.lang.check;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -254,6 +257,27 @@ final class Symmetry implements Successors.Numbers {
         place(at + 1, from, to, isPlaced, places, all);
         isPlaced[element] = false;
       }
+    }
+  }
+
+  /** The values that were met. */
+  void write(DataOutput out) throws IOException {
+    for (Pool pool : pools) {
+      pool.write(out);
+    }
+    out.writeInt(tooMany.size());
+    for (String type : tooMany) {
+      out.writeUTF(type);
+    }
+  }
+
+  /** Meets the values as they were written; none was met yet. */
+  void read(DataInput in) throws IOException {
+    for (Pool pool : pools) {
+      pool.read(in);
+    }
+    for (int left = in.readInt(); left > 0; left--) {
+      tooMany.add(in.readUTF());
     }
   }
 

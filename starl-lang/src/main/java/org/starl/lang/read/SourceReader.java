@@ -94,6 +94,11 @@ public final class SourceReader {
     return source;
   }
 
+  /** The paths of the files that were read, in this order. */
+  public List<String> files() {
+    return read.keySet().stream().map(Path::toString).toList();
+  }
+
   /**
    * Reads a text that is no file.
    *
