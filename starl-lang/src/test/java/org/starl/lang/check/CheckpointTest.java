@@ -44,15 +44,15 @@ class CheckpointTest {
         t: time
       start t = 0.5, seen = {}, last = [], pair.left = false, pair.right = none,
         forall i: PIDS :: light(i) = dark
-      action light_up(i: PIDS) fair for i
+      action light_up(i: PIDS)
         pre light(i) = dark
         eff light(i) := lit(i, card(seen)), seen := seen union {i}
-      action note(i: PIDS) fair for i
+      action note(i: PIDS)
         pre i in seen, not pair.left
         eff pair.left := true, pair.right := some(i), last := [i] ++ last
-      action rest(d: time)
-        pre d = 0.25
-        eff t := t + d
+      action rest fair
+        pre not pair.left
+        eff t := t + 1
       invariant Lit: forall i: PIDS :: light(i) is lit => light(i).by = i
       progress Noted: eventually pair.left
       """;
