@@ -1,5 +1,6 @@
 package org.starl.spec.automaton;
 
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.spec.Monitor.Report;
@@ -35,9 +36,24 @@ public final class Enabled {
     return TRUE.and(conjunct, holds, values);
   }
 
+  /** A condition of one conjunct: a step of a used automaton is enabled. */
+  public static Enabled when(String conjunct, Enabled step) {
+    return TRUE.and(conjunct, step);
+  }
+
   /** Adds a conjunct; after a false one it is not evaluated. */
   public Enabled and(String added, boolean holds, Supplier<String> addedValues) {
     return isTrue() ? new Enabled(this, added, holds ? null : addedValues) : this;
+  }
+
+  /** Adds a conjunct that may have no value after a false one. */
+  public Enabled and(String added, BooleanSupplier holds, Supplier<String> addedValues) {
+    return isTrue() ? and(added, holds.getAsBoolean(), addedValues) : this;
+  }
+
+  /** Adds a conjunct: a step of a used automaton is enabled. */
+  public Enabled and(String added, Enabled step) {
+    return and(added, step.isTrue(), step::falseConjunct);
   }
 
   public boolean isTrue() {

@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
@@ -23,6 +25,9 @@ import org.starl.lang.tree.Type.Field;
 final class AutomatonWriter {
 
   private static final String IS_ENABLED = "enabled(action, s).isTrue()";
+
+  // The components of a state that each action writes again, changed or not.
+  private static final int MOST_REPEATED = 5;
 
   private final Automaton automaton;
   private final JavaTypes types;
@@ -185,11 +190,24 @@ final class AutomatonWriter {
         Functions.written(automaton, false).stream()
             .filter(f -> f.signature().readsState())
             .toList();
-    out.head(2, "public record States", parts, List.of(functions.isEmpty() ? " {}" : " {"));
-    if (!functions.isEmpty()) {
+    List<Component> changing = changing();
+    boolean isBare = functions.isEmpty() && changing.isEmpty();
+    out.head(2, "public record States", parts, List.of(isBare ? " {}" : " {"));
+    if (!isBare) {
       functions.forEach(f -> function(4, f, ""));
+      changing.forEach(this::other);
       out.line(2, "}");
     }
+  }
+
+  /** A method that makes the state with another value of a component. */
+  private void other(Component component) {
+    String parameter =
+        types.of(component.type(), automaton.pos()) + " " + JavaTypes.name(component.name());
+    out.blank().head(4, "private States " + with(component), List.of(parameter), List.of(" {"));
+    List<Code> all =
+        automaton.state().stream().map(c -> Code.name(JavaTypes.name(c.name()))).toList();
+    out.returned(6, new Code.New("States", all)).line(4, "}");
   }
 
   private void function(int indent, org.starl.lang.tree.Function f, String state) {
@@ -230,26 +248,25 @@ final class AutomatonWriter {
     cases(action -> {
       Code guard = Code.name(enabled).field("TRUE");
       ExpressionWriter writer = writer(action);
-      Code before = Code.Text.TRUE;
       for (int i = 0; i < action.pre().size(); i++) {
-        Conjunct each = action.pre().get(i);
-        Code condition = writer.of(each.condition());
-        // Those before may be what gives it a value.
-        Code holds =
-            Functions.isPartial(automaton, each.condition())
-                ? Code.or(Code.not(before), condition)
-                : condition;
-        Code values =
-            new Code.Lambda("()", writer.untold(() -> new Values(writer).of(each.condition())));
-        Code text = Code.string(each.text());
-        guard =
-            i == 0
-                ? Code.call(enabled + ".when", text, holds, values)
-                : guard.then("and", text, holds, values);
-        before = Code.and(before, condition);
+        Code[] conjunct = conjunct(action.pre().get(i), i == 0, writer);
+        guard = i == 0 ? Code.call(enabled + ".when", conjunct) : guard.then("and", conjunct);
       }
       return guard;
     });
+  }
+
+  /** The arguments of {@code when} and {@code and}. */
+  private Code[] conjunct(Conjunct of, boolean isFirst, ExpressionWriter writer) {
+    Code text = Code.string(of.text());
+    // Those before may be what gives it a value.
+    boolean isLate = !isFirst && Functions.isPartial(automaton, of.condition());
+    if (of.condition() instanceof Expr.Enabled step && !isLate) {
+      return new Code[] {text, writer.enabled(step)};
+    }
+    Code holds = writer.of(of.condition());
+    Code values = new Code.Lambda("()", writer.untold(() -> new Values(writer).of(of.condition())));
+    return new Code[] {text, isLate ? new Code.Lambda("()", holds) : holds, values};
   }
 
   private void trans() {
@@ -277,16 +294,56 @@ final class AutomatonWriter {
       if (changed.isEmpty()) {
         return Code.name("s");
       }
-      List<Code> parts = new ArrayList<>();
-      automaton
-          .state()
-          .forEach(c -> parts.add(changed.getOrDefault(c.name(), writer.component(c.name()))));
-      Code after = once(action, new Code.New("States", List.copyOf(parts)), writer);
+      Code after = once(action, after(changed, writer), writer);
       // As in the theory: an effect that may have no value is one where the action is enabled.
       return action.eff().stream().anyMatch(this::isPartial)
           ? Code.choice(Code.name(IS_ENABLED), after, Code.name("s"))
           : after;
     });
+  }
+
+  /** The state with other values of some components. */
+  private Code after(Map<String, Code> changed, ExpressionWriter writer) {
+    if (!isLarge()) {
+      return new Code.New(
+          "States",
+          automaton.state().stream()
+              .map(c -> changed.getOrDefault(c.name(), writer.component(c.name())))
+              .toList());
+    }
+    Code after = Code.name("s");
+    for (Component each : automaton.state()) {
+      Code value = changed.get(each.name());
+      after = value == null ? after : after.then(with(each), value);
+    }
+    return after;
+  }
+
+  private String with(Component component) {
+    String name = "with_" + component.name();
+    return automaton.function(name).isPresent() ? name + "_" : name;
+  }
+
+  /** Whether the changes of an action are hard to see among the components that stay. */
+  private boolean isLarge() {
+    return automaton.state().size() > MOST_REPEATED;
+  }
+
+  /** Those that actions change. */
+  private List<Component> changing() {
+    Set<String> changed =
+        automaton.actions().stream()
+            .flatMap(action -> action.eff().stream())
+            .map(AutomatonWriter::changedBy)
+            .collect(Collectors.toSet());
+    return automaton.state().stream().filter(c -> isLarge() && changed.contains(c.name())).toList();
+  }
+
+  private static String changedBy(Effect effect) {
+    return switch (effect) {
+      case Effect.Assign assign -> assign.component();
+      case Effect.Step step -> step.used();
+    };
   }
 
   private boolean isPartial(Effect effect) {

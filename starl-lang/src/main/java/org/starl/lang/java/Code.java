@@ -137,6 +137,53 @@ sealed interface Code {
     }
   }
 
+  /**
+   * A text with values in it: {@code "held(" + i + ") = " + held(i)}; with more than two a template:
+   * {@code String.format("b = %s, c = %s, d = %s", b, c, d)}.
+   *
+   * @param parts literals and values; no literals are side by side
+   */
+  record Message(List<Code> parts) implements Code {
+    private static final int MOST_JOINED = 2;
+
+    @Override
+    public void write(Layout out) {
+      inJava().write(out);
+    }
+
+    @Override
+    public int strength() {
+      return inJava().strength();
+    }
+
+    private Code inJava() {
+      List<Code> values = parts.stream().filter(part -> !isLiteral(part)).toList();
+      if (values.size() <= MOST_JOINED) {
+        return infix("+", parts.toArray(Code[]::new));
+      }
+      StringBuilder template = new StringBuilder();
+      for (Code part : parts) {
+        template.append(isLiteral(part) ? unquoted(part).replace("%", "%%") : "%s");
+      }
+      List<Code> arguments = new ArrayList<>(List.of(new Text("\"" + template + '"')));
+      arguments.addAll(values);
+      return call("String.format", arguments.toArray(Code[]::new));
+    }
+
+    private static boolean isTemplate(Code code) {
+      return isLiteral(code) && unquoted(code).contains("%s");
+    }
+
+    private static boolean isLiteral(Code code) {
+      return code instanceof Text literal && literal.text.startsWith("\"");
+    }
+
+    private static String unquoted(Code literal) {
+      String text = ((Text) literal).text;
+      return text.substring(1, text.length() - 1);
+    }
+  }
+
   /** {@code condition ? then : otherwise}. */
   record Choice(Code condition, Code then, Code otherwise) implements Code {
     @Override
@@ -227,17 +274,28 @@ sealed interface Code {
     }
     out.open(indent).token("(");
     if (!arguments.isEmpty()) {
-      boolean fills = areShort(arguments);
       out.brk("").open(0);
-      for (int i = 0; i < arguments.size(); i++) {
-        if (i > 0) {
-          out.token(",").brk(" ", fills);
-        }
-        arguments.get(i).write(out);
+      if (Message.isTemplate(arguments.getFirst())) {
+        arguments.getFirst().write(out);
+        out.token(",").brk(" ").open(0);
+        writeList(arguments.subList(1, arguments.size()), out);
+        out.close();
+      } else {
+        writeList(arguments, out);
       }
       out.close();
     }
     out.token(")").close();
+  }
+
+  private static void writeList(List<Code> arguments, Layout out) {
+    boolean fills = areShort(arguments);
+    for (int i = 0; i < arguments.size(); i++) {
+      if (i > 0) {
+        out.token(",").brk(" ", fills);
+      }
+      arguments.get(i).write(out);
+    }
   }
 
   static Code name(String name) {
@@ -247,6 +305,20 @@ sealed interface Code {
   /** {@code "text"}. */
   static Code string(String text) {
     return new Text('"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"');
+  }
+
+  /** {@code a}, then {@code b}, in one text. */
+  static Code message(Code a, Code b) {
+    List<Code> parts = new ArrayList<>(a instanceof Message begun ? begun.parts : List.of(a));
+    for (Code part : b instanceof Message more ? more.parts : List.of(b)) {
+      if (Message.isLiteral(parts.getLast()) && Message.isLiteral(part)) {
+        String text = Message.unquoted(parts.removeLast()) + Message.unquoted(part);
+        parts.add(new Text('"' + text + '"'));
+      } else {
+        parts.add(part);
+      }
+    }
+    return parts.size() == 1 ? parts.getFirst() : new Message(List.copyOf(parts));
   }
 
   /** {@code Type.function(arguments)}, {@code function(arguments)}. */

@@ -5,7 +5,6 @@ import java.util.List;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Exprs;
-import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -93,7 +92,7 @@ final class Values {
   /** With the value of {@code variable}, if the text does not have it. */
   private static Code named(Field variable, Code text) {
     Code value = Code.name(JavaTypes.variable(variable.name()));
-    if (text instanceof Code.Infix sum && sum.operands().contains(value)) {
+    if (text instanceof Code.Message message && message.parts().contains(value)) {
       return text;
     }
     Code name = concat(Code.string(variable.name().replaceAll("_\\d+$", "") + " = "), value);
@@ -169,45 +168,11 @@ final class Values {
     if (at instanceof Expr.Numeral number) {
       return Code.string(number.value().toPlainString());
     }
-    return at.type().base() == Type.Bool.BOOL
-        ? Code.strong(writer.of(at), Code.PRIMARY)
-        : writer.of(at);
+    return writer.of(at);
   }
 
-  /** {@code a + b}, with texts side by side joined. */
+  /** {@code a}, then {@code b}, in one text. */
   private static Code concat(Code a, Code b) {
-    List<Code> parts =
-        new ArrayList<>(
-            a instanceof Code.Infix i
-                    && i.operator().equals("+")
-                    && i.operands().stream().anyMatch(Values::isString)
-                ? i.operands()
-                : List.of(Code.strong(a, 5)));
-    List<Code> more =
-        b instanceof Code.Infix i && i.operator().equals("+") && isText(i)
-            ? i.operands()
-            : List.of(Code.strong(b, 6));
-    for (Code part : more) {
-      if (isString(parts.getLast()) && isString(part)) {
-        String text = unquoted(parts.removeLast()) + unquoted(part);
-        parts.add(new Code.Text('"' + text + '"'));
-      } else {
-        parts.add(part);
-      }
-    }
-    return parts.size() == 1 ? parts.getFirst() : new Code.Infix("+", List.copyOf(parts));
-  }
-
-  private static boolean isText(Code.Infix sum) {
-    return isString(sum.operands().getFirst());
-  }
-
-  private static boolean isString(Code code) {
-    return code instanceof Code.Text text && text.text().startsWith("\"");
-  }
-
-  private static String unquoted(Code string) {
-    String text = ((Code.Text) string).text();
-    return text.substring(1, text.length() - 1);
+    return Code.message(a, b);
   }
 }

@@ -107,6 +107,27 @@ class JavaSourcesTest {
   }
 
   @Test
+  void functionsMayHaveTheNamesOfMethodsThatChangeOneComponent() throws SourceErrors {
+    Compiled six =
+        new Compiled(
+            """
+            automaton Six
+            java "x.XAutomaton"
+            state
+              a: nat
+              b: nat
+              c: nat
+              d: nat
+              e: nat
+              f: nat
+            start a = 0
+            fun with_a(n: nat): nat = a + n
+            action add(n: nat) eff a := with_a(n)
+            """);
+    assertThat(six.step("add", 2L)).isEqualTo("States[a=2, b=0, c=0, d=0, e=0, f=0]");
+  }
+
+  @Test
   void argumentsThatArePrimitiveAreCompared() {
     assertThat(pair.enabled("equal", 300L, 300L).isTrue()).isTrue();
     assertThat(pair.enabled("equal", 300L, 301L).falseConjunct())

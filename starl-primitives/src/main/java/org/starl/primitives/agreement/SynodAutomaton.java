@@ -125,6 +125,72 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
     public boolean isVoted(RobotId r, Ballot c, Value v) {
       return accepteds.contains(new Accepted(r, c)) && accepts.contains(new Vote(c, v));
     }
+
+    private States with_proposed(SortedSet<Value> proposed) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_round(Fun<ProcessId, Long> round) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_phase(Fun<ProcessId, Phase> phase) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_promised(Fun<RobotId, Lift<Ballot>> promised) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_vote(Fun<RobotId, Lift<Vote>> vote) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_decided(Fun<RobotId, Lift<Value>> decided) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_prepares(SortedSet<Ballot> prepares) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_promises(SortedSet<Promise> promises) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_accepts(SortedSet<Vote> accepts) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_accepteds(SortedSet<Accepted> accepteds) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
+
+    private States with_decideds(SortedSet<Value> decideds) {
+      return new States(
+          proposed, round, phase, promised, vote, decided, prepares, promises, accepts, accepteds,
+          decideds);
+    }
   }
 
   @Override
@@ -217,32 +283,26 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                   "b in prepares", s.prepares.contains(a.b()), () -> "prepares = " + s.prepares)
               .and(
                   "allows?(r, b)",
-                  !s.prepares.contains(a.b()) || isAllows(a.r(), a.b(), s),
+                  () -> isAllows(a.r(), a.b(), s),
                   () ->
-                      "promised("
-                          + a.r()
-                          + ") = "
-                          + s.promised.at(a.r())
-                          + ", "
-                          + (a.b().round() < s.promised.at(a.r()).get().round()
-                              ? "b.round = "
-                                  + a.b().round()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".round = "
-                                      + s.promised.at(a.r()).get().round())
-                              : "b.round = "
-                                  + a.b().round()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".round = "
-                                      + s.promised.at(a.r()).get().round())
-                                  + ", b.proposer = "
-                                  + a.b().proposer()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".proposer = "
-                                      + s.promised.at(a.r()).get().proposer())));
+                      String.format(
+                          "promised(%s) = %s, %s",
+                          a.r(),
+                          s.promised.at(a.r()),
+                          a.b().round() < s.promised.at(a.r()).get().round()
+                              ? String.format(
+                                  "b.round = %s, %s.round = %s",
+                                  a.b().round(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().round())
+                              : String.format(
+                                  "b.round = %s, %s.round = %s, b.proposer = %s, %s.proposer = %s",
+                                  a.b().round(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().round(),
+                                  a.b().proposer(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().proposer())));
       case SynodAction.Propose a ->
           Enabled.when(
                   "phase(i) = PREPARING",
@@ -251,8 +311,7 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
               .and("quorum?(Q)", quorum.test(a.Q()), () -> "Q = " + a.Q())
               .and(
                   "proposable?(ballot(i), v, Q)",
-                  !(s.phase.at(a.i()) == Phase.PREPARING && quorum.test(a.Q()))
-                      || isProposable(s.ballot(a.i()), a.v(), a.Q(), s),
+                  () -> isProposable(s.ballot(a.i()), a.v(), a.Q(), s),
                   () ->
                       !Finite.forAll(
                               r ->
@@ -266,14 +325,9 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                                       || s.promises.contains(
                                           new Promise(r, s.ballot(a.i()), new Lift.bottom<>()))),
                               r ->
-                                  "r = "
-                                      + r
-                                      + ", ballot("
-                                      + a.i()
-                                      + ") = "
-                                      + s.ballot(a.i())
-                                      + ", promises = "
-                                      + s.promises,
+                                  String.format(
+                                      "r = %s, ballot(%s) = %s, promises = %s",
+                                      r, a.i(), s.ballot(a.i()), s.promises),
                               a.Q())
                           : "proposed = " + s.proposed);
       case SynodAction.Accept a ->
@@ -283,32 +337,26 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                   () -> "accepts = " + s.accepts)
               .and(
                   "allows?(r, b)",
-                  !s.accepts.contains(new Vote(a.b(), a.v())) || isAllows(a.r(), a.b(), s),
+                  () -> isAllows(a.r(), a.b(), s),
                   () ->
-                      "promised("
-                          + a.r()
-                          + ") = "
-                          + s.promised.at(a.r())
-                          + ", "
-                          + (a.b().round() < s.promised.at(a.r()).get().round()
-                              ? "b.round = "
-                                  + a.b().round()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".round = "
-                                      + s.promised.at(a.r()).get().round())
-                              : "b.round = "
-                                  + a.b().round()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".round = "
-                                      + s.promised.at(a.r()).get().round())
-                                  + ", b.proposer = "
-                                  + a.b().proposer()
-                                  + ", "
-                                  + (s.promised.at(a.r()).get()
-                                      + ".proposer = "
-                                      + s.promised.at(a.r()).get().proposer())));
+                      String.format(
+                          "promised(%s) = %s, %s",
+                          a.r(),
+                          s.promised.at(a.r()),
+                          a.b().round() < s.promised.at(a.r()).get().round()
+                              ? String.format(
+                                  "b.round = %s, %s.round = %s",
+                                  a.b().round(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().round())
+                              : String.format(
+                                  "b.round = %s, %s.round = %s, b.proposer = %s, %s.proposer = %s",
+                                  a.b().round(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().round(),
+                                  a.b().proposer(),
+                                  s.promised.at(a.r()).get(),
+                                  s.promised.at(a.r()).get().proposer())));
       case SynodAction.chosen a ->
           Enabled.when(
                   "phase(i) = ACCEPTING",
@@ -317,7 +365,9 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
               .and(
                   "Vote(ballot := ballot(i), value := v) in accepts",
                   s.accepts.contains(new Vote(s.ballot(a.i()), a.v())),
-                  () -> "ballot(" + a.i() + ") = " + s.ballot(a.i()) + ", accepts = " + s.accepts)
+                  () ->
+                      String.format(
+                          "ballot(%s) = %s, accepts = %s", a.i(), s.ballot(a.i()), s.accepts))
               .and("quorum?(Q)", quorum.test(a.Q()), () -> "Q = " + a.Q())
               .and(
                   "voted_all?(ballot(i), Q)",
@@ -328,14 +378,9 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
                               !(!a.Q().contains(r)
                                   || s.accepteds.contains(new Accepted(r, s.ballot(a.i())))),
                           r ->
-                              "r = "
-                                  + r
-                                  + ", ballot("
-                                  + a.i()
-                                  + ") = "
-                                  + s.ballot(a.i())
-                                  + ", accepteds = "
-                                  + s.accepteds,
+                              String.format(
+                                  "r = %s, ballot(%s) = %s, accepteds = %s",
+                                  r, a.i(), s.ballot(a.i()), s.accepteds),
                           a.Q()));
       case SynodAction.Learn a ->
           Enabled.when(
@@ -347,110 +392,24 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
   @Override
   public States trans(SynodAction action, States s) {
     return switch (action) {
-      case SynodAction.wish a ->
-          new States(
-              Sets.add(a.v(), s.proposed),
-              s.round,
-              s.phase,
-              s.promised,
-              s.vote,
-              s.decided,
-              s.prepares,
-              s.promises,
-              s.accepts,
-              s.accepteds,
-              s.decideds);
+      case SynodAction.wish a -> s.with_proposed(Sets.add(a.v(), s.proposed));
       case SynodAction.prepare a ->
-          new States(
-              s.proposed,
-              s.round.with(a.i(), a.n()),
-              s.phase.with(a.i(), Phase.PREPARING),
-              s.promised,
-              s.vote,
-              s.decided,
-              Sets.add(new Ballot(a.n(), a.i()), s.prepares),
-              s.promises,
-              s.accepts,
-              s.accepteds,
-              s.decideds);
+          s.with_round(s.round.with(a.i(), a.n()))
+              .with_phase(s.phase.with(a.i(), Phase.PREPARING))
+              .with_prepares(Sets.add(new Ballot(a.n(), a.i()), s.prepares));
       case SynodAction.Prepared a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase,
-              s.promised.with(a.r(), new Lift.up<>(a.b())),
-              s.vote,
-              s.decided,
-              s.prepares,
-              Sets.add(new Promise(a.r(), a.b(), s.vote.at(a.r())), s.promises),
-              s.accepts,
-              s.accepteds,
-              s.decideds);
+          s.with_promised(s.promised.with(a.r(), new Lift.up<>(a.b())))
+              .with_promises(Sets.add(new Promise(a.r(), a.b(), s.vote.at(a.r())), s.promises));
       case SynodAction.Propose a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase.with(a.i(), Phase.ACCEPTING),
-              s.promised,
-              s.vote,
-              s.decided,
-              s.prepares,
-              s.promises,
-              Sets.add(new Vote(s.ballot(a.i()), a.v()), s.accepts),
-              s.accepteds,
-              s.decideds);
+          s.with_phase(s.phase.with(a.i(), Phase.ACCEPTING))
+              .with_accepts(Sets.add(new Vote(s.ballot(a.i()), a.v()), s.accepts));
       case SynodAction.Accept a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase,
-              s.promised.with(a.r(), new Lift.up<>(a.b())),
-              s.vote.with(a.r(), new Lift.up<>(new Vote(a.b(), a.v()))),
-              s.decided,
-              s.prepares,
-              s.promises,
-              s.accepts,
-              Sets.add(new Accepted(a.r(), a.b()), s.accepteds),
-              s.decideds);
-      case SynodAction.chosen a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase,
-              s.promised,
-              s.vote,
-              s.decided,
-              s.prepares,
-              s.promises,
-              s.accepts,
-              s.accepteds,
-              Sets.add(a.v(), s.decideds));
-      case SynodAction.Learn a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase,
-              s.promised,
-              s.vote,
-              s.decided.with(a.r(), new Lift.up<>(a.v())),
-              s.prepares,
-              s.promises,
-              s.accepts,
-              s.accepteds,
-              s.decideds);
-      case SynodAction.restart a ->
-          new States(
-              s.proposed,
-              s.round,
-              s.phase,
-              s.promised,
-              s.vote,
-              s.decided.with(a.r(), new Lift.bottom<>()),
-              s.prepares,
-              s.promises,
-              s.accepts,
-              s.accepteds,
-              s.decideds);
+          s.with_promised(s.promised.with(a.r(), new Lift.up<>(a.b())))
+              .with_vote(s.vote.with(a.r(), new Lift.up<>(new Vote(a.b(), a.v()))))
+              .with_accepteds(Sets.add(new Accepted(a.r(), a.b()), s.accepteds));
+      case SynodAction.chosen a -> s.with_decideds(Sets.add(a.v(), s.decideds));
+      case SynodAction.Learn a -> s.with_decided(s.decided.with(a.r(), new Lift.up<>(a.v())));
+      case SynodAction.restart a -> s.with_decided(s.decided.with(a.r(), new Lift.bottom<>()));
     };
   }
 }

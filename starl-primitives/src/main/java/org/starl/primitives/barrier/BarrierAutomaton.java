@@ -161,7 +161,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
                   () -> "outcome(" + a.g() + ") = " + s.outcome.at(a.g()))
               .and(
                   "right?(g, o)",
-                  !(s.outcome.at(a.g()) instanceof Outcome.open) || isRight(a.g(), a.o(), s),
+                  () -> isRight(a.g(), a.o(), s),
                   () ->
                       !(a.g() > 0
                               && (a.g() == 1 || !(s.outcome.at(a.g() - 1) instanceof Outcome.open)))
@@ -174,14 +174,9 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
                                   ? (failed_.missing().isEmpty()
                                       ? "M = " + failed_.missing()
                                       : "members(" + a.g() + ") = " + members(a.g(), s))
-                                  : "members("
-                                      + a.g()
-                                      + ") = "
-                                      + members(a.g(), s)
-                                      + ", arrived("
-                                      + a.g()
-                                      + ") = "
-                                      + s.arrived.at(a.g()));
+                                  : String.format(
+                                      "members(%s) = %s, arrived(%s) = %s",
+                                      a.g(), members(a.g(), s), a.g(), s.arrived.at(a.g())));
       case BarrierAction.tell a ->
           Enabled.when(
               "not outcome(g) is open",

@@ -49,6 +49,42 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
     public boolean isOver(String m) {
       return sent.contains(m) && now > t0.at(m) + d.at(m);
     }
+
+    private States with_now(long now) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_pos(Fun<RobotId, Place> pos) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_sent(SortedSet<String> sent) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_t0(Fun<String, Long> t0) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_d(Fun<String, Long> d) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_area(Fun<String, Area> area) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_got(Fun<String, Fun<RobotId, Boolean>> got) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_was_in(Fun<String, Fun<RobotId, Boolean>> was_in) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
+
+    private States with_was_out(Fun<String, Fun<RobotId, Boolean>> was_out) {
+      return new States(now, pos, sent, t0, d, area, got, was_in, was_out);
+    }
   }
 
   @Override
@@ -83,16 +119,9 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
                   () ->
                       !s.sent.contains(a.m())
                           ? "sent = " + s.sent
-                          : "now = "
-                              + s.now
-                              + ", t0("
-                              + a.m()
-                              + ") = "
-                              + s.t0.at(a.m())
-                              + ", d("
-                              + a.m()
-                              + ") = "
-                              + s.d.at(a.m()))
+                          : String.format(
+                              "now = %s, t0(%s) = %s, d(%s) = %s",
+                              s.now, a.m(), s.t0.at(a.m()), a.m(), s.d.at(a.m())))
               .and(
                   "i in was_in(m)",
                   s.was_in.at(a.m()).at(a.i()),
@@ -109,78 +138,53 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
   @Override
   public States trans(GeocastAction action, States s) {
     return switch (action) {
-      case GeocastAction.dt a ->
-          new States(
-              s.now + a.delta_t(), s.pos, s.sent, s.t0, s.d, s.area, s.got, s.was_in, s.was_out);
+      case GeocastAction.dt a -> s.with_now(s.now + a.delta_t());
       case GeocastAction.do_geocast a ->
-          new States(
-              s.now,
-              s.pos,
-              Sets.add(a.m(), s.sent),
-              s.t0.with(a.m(), s.now),
-              s.d.with(a.m(), a.bound()),
-              s.area.with(a.m(), a.A()),
-              s.got.with(a.m(), Fun.always(false)),
-              s.was_in.with(
-                  a.m(),
-                  Finite.map(
-                      Fun.always(a.A().contains(s.pos.defaultValue())),
-                      i -> a.A().contains(s.pos.at(i)),
-                      s.pos.arguments())),
-              s.was_out.with(
-                  a.m(),
-                  Finite.map(
-                      Fun.always(!a.A().contains(s.pos.defaultValue())),
-                      i -> !a.A().contains(s.pos.at(i)),
-                      s.pos.arguments())));
+          s.with_sent(Sets.add(a.m(), s.sent))
+              .with_t0(s.t0.with(a.m(), s.now))
+              .with_d(s.d.with(a.m(), a.bound()))
+              .with_area(s.area.with(a.m(), a.A()))
+              .with_got(s.got.with(a.m(), Fun.always(false)))
+              .with_was_in(
+                  s.was_in.with(
+                      a.m(),
+                      Finite.map(
+                          Fun.always(a.A().contains(s.pos.defaultValue())),
+                          i -> a.A().contains(s.pos.at(i)),
+                          s.pos.arguments())))
+              .with_was_out(
+                  s.was_out.with(
+                      a.m(),
+                      Finite.map(
+                          Fun.always(!a.A().contains(s.pos.defaultValue())),
+                          i -> !a.A().contains(s.pos.at(i)),
+                          s.pos.arguments())));
       case GeocastAction.deliver a ->
-          new States(
-              s.now,
-              s.pos,
-              s.sent,
-              s.t0,
-              s.d,
-              s.area,
-              s.got.with(a.m(), s.got.at(a.m()).with(a.i(), true)),
-              s.was_in,
-              s.was_out);
+          s.with_got(s.got.with(a.m(), s.got.at(a.m()).with(a.i(), true)));
       case GeocastAction.move a ->
-          new States(
-              s.now,
-              s.pos.with(a.i(), a.p()),
-              s.sent,
-              s.t0,
-              s.d,
-              s.area,
-              s.got,
-              Finite.map(
-                  s.was_in,
-                  m ->
-                      s.isOpen(m) && s.area.at(m).contains(a.p())
-                          ? s.was_in.at(m).with(a.i(), true)
-                          : s.was_in.at(m),
-                  s.sent),
-              Finite.map(
-                  s.was_out,
-                  m ->
-                      s.isOpen(m) && !s.area.at(m).contains(a.p())
-                          ? s.was_out.at(m).with(a.i(), true)
-                          : s.was_out.at(m),
-                  s.sent));
+          s.with_pos(s.pos.with(a.i(), a.p()))
+              .with_was_in(
+                  Finite.map(
+                      s.was_in,
+                      m ->
+                          s.isOpen(m) && s.area.at(m).contains(a.p())
+                              ? s.was_in.at(m).with(a.i(), true)
+                              : s.was_in.at(m),
+                      s.sent))
+              .with_was_out(
+                  Finite.map(
+                      s.was_out,
+                      m ->
+                          s.isOpen(m) && !s.area.at(m).contains(a.p())
+                              ? s.was_out.at(m).with(a.i(), true)
+                              : s.was_out.at(m),
+                      s.sent));
       case GeocastAction.restart a ->
-          new States(
-              s.now,
-              s.pos,
-              s.sent,
-              s.t0,
-              s.d,
-              s.area,
+          s.with_got(
               Finite.map(
                   Fun.always(s.got.defaultValue().with(a.i(), false)),
                   m -> s.got.at(m).with(a.i(), false),
-                  s.got.arguments()),
-              s.was_in,
-              s.was_out);
+                  s.got.arguments()));
     };
   }
 }

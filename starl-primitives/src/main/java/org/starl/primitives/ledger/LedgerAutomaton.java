@@ -102,7 +102,32 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
       Fun<TaskId, Fun<Long, Lift<RobotId>>> beginner,
       Fun<TaskId, Fun<Long, Boolean>> reopened,
       Fun<TaskId, Long> finishes,
-      Fun<RobotId, Fun<TaskId, Long>> told) {}
+      Fun<RobotId, Fun<TaskId, Long>> told) {
+
+    private States with_stage(Fun<TaskId, Stage> stage) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+
+    private States with_claims(Fun<TaskId, Long> claims) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+
+    private States with_beginner(Fun<TaskId, Fun<Long, Lift<RobotId>>> beginner) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+
+    private States with_reopened(Fun<TaskId, Fun<Long, Boolean>> reopened) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+
+    private States with_finishes(Fun<TaskId, Long> finishes) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+
+    private States with_told(Fun<RobotId, Fun<TaskId, Long>> told) {
+      return new States(stage, claims, beginner, reopened, finishes, told);
+    }
+  }
 
   @Override
   public String theory() {
@@ -177,7 +202,9 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
           Enabled.when(
               "beginner(t, n) = some(i)",
               s.beginner.at(a.t()).at(a.n()).equals(new Lift.up<>(a.i())),
-              () -> "beginner(" + a.t() + ", " + a.n() + ") = " + s.beginner.at(a.t()).at(a.n()));
+              () ->
+                  String.format(
+                      "beginner(%s, %s) = %s", a.t(), a.n(), s.beginner.at(a.t()).at(a.n())));
       case LedgerAction.restart a -> Enabled.TRUE;
     };
   }
@@ -185,79 +212,36 @@ public final class LedgerAutomaton implements Automaton<LedgerAutomaton.States, 
   @Override
   public States trans(LedgerAction action, States s) {
     return switch (action) {
-      case LedgerAction.insert a ->
-          new States(
-              s.stage.with(a.t(), new Stage.open()),
-              s.claims,
-              s.beginner,
-              s.reopened,
-              s.finishes,
-              s.told);
+      case LedgerAction.insert a -> s.with_stage(s.stage.with(a.t(), new Stage.open()));
       case LedgerAction.take a ->
-          new States(
-              s.stage.with(a.t(), new Stage.claimed(a.i())),
-              s.claims.with(a.t(), a.n()),
-              s.beginner,
-              s.reopened,
-              s.finishes,
-              s.told);
+          s.with_stage(s.stage.with(a.t(), new Stage.claimed(a.i())))
+              .with_claims(s.claims.with(a.t(), a.n()));
       case LedgerAction.commit a ->
-          new States(
-              s.stage.with(a.t(), new Stage.begun(a.i())),
-              s.claims,
-              s.beginner.with(a.t(), s.beginner.at(a.t()).with(a.n(), new Lift.up<>(a.i()))),
-              s.reopened,
-              s.finishes,
-              s.told);
+          s.with_stage(s.stage.with(a.t(), new Stage.begun(a.i())))
+              .with_beginner(
+                  s.beginner.with(a.t(), s.beginner.at(a.t()).with(a.n(), new Lift.up<>(a.i()))));
       case LedgerAction.finish a ->
-          new States(
-              s.stage.with(a.t(), new Stage.finished()),
-              s.claims,
-              s.beginner,
-              s.reopened,
-              s.finishes.with(a.t(), s.finishes.at(a.t()) + 1),
-              s.told);
-      case LedgerAction.free a ->
-          new States(
-              s.stage.with(a.t(), new Stage.open()),
-              s.claims,
-              s.beginner,
-              s.reopened,
-              s.finishes,
-              s.told);
+          s.with_stage(s.stage.with(a.t(), new Stage.finished()))
+              .with_finishes(s.finishes.with(a.t(), s.finishes.at(a.t()) + 1));
+      case LedgerAction.free a -> s.with_stage(s.stage.with(a.t(), new Stage.open()));
       case LedgerAction.reopen a ->
-          new States(
-              s.stage.with(a.t(), new Stage.open()),
-              s.claims,
-              s.beginner,
-              s.reopened.with(a.t(), s.reopened.at(a.t()).with(a.n(), true)),
-              s.finishes,
-              s.told);
+          s.with_stage(s.stage.with(a.t(), new Stage.open()))
+              .with_reopened(s.reopened.with(a.t(), s.reopened.at(a.t()).with(a.n(), true)));
       case LedgerAction.tell a ->
-          new States(
-              s.stage,
-              s.claims,
-              s.beginner,
-              s.reopened,
-              s.finishes,
-              s.told.with(a.i(), s.told.at(a.i()).with(a.t(), a.n())));
+          s.with_told(s.told.with(a.i(), s.told.at(a.i()).with(a.t(), a.n())));
       case LedgerAction.restart a ->
-          new States(
-              Finite.map(
-                  Fun.always(
-                      s.stage.defaultValue().equals(new Stage.claimed(a.i()))
-                          ? new Stage.open()
-                          : s.stage.defaultValue()),
-                  t ->
-                      s.stage.at(t).equals(new Stage.claimed(a.i()))
-                          ? new Stage.open()
-                          : s.stage.at(t),
-                  s.stage.arguments()),
-              s.claims,
-              s.beginner,
-              s.reopened,
-              s.finishes,
-              s.told.with(a.i(), Fun.always(0L)));
+          s.with_stage(
+                  Finite.map(
+                      Fun.always(
+                          s.stage.defaultValue().equals(new Stage.claimed(a.i()))
+                              ? new Stage.open()
+                              : s.stage.defaultValue()),
+                      t ->
+                          s.stage.at(t).equals(new Stage.claimed(a.i()))
+                              ? new Stage.open()
+                              : s.stage.at(t),
+                      s.stage.arguments()))
+              .with_told(s.told.with(a.i(), Fun.always(0L)));
     };
   }
 }

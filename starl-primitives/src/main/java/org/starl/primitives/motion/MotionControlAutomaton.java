@@ -75,14 +75,9 @@ public final class MotionControlAutomaton
               "not motionflag(i) = IDLE => not p in avoid(i)",
               s.motionflag.at(a.i()) == MotionFlag.IDLE || !s.avoid.at(a.i()).contains(a.p()),
               () ->
-                  "motionflag("
-                      + a.i()
-                      + ") = "
-                      + s.motionflag.at(a.i())
-                      + ", avoid("
-                      + a.i()
-                      + ") = "
-                      + s.avoid.at(a.i()));
+                  String.format(
+                      "motionflag(%s) = %s, avoid(%s) = %s",
+                      a.i(), s.motionflag.at(a.i()), a.i(), s.avoid.at(a.i())));
       case MotionControlAction.arrived a ->
           Enabled.when(
                   "motionflag(i) = MOVING",
@@ -92,14 +87,9 @@ public final class MotionControlAutomaton
                   "near(pos(i), target(i))",
                   near.test(s.pos.at(a.i()), s.target.at(a.i())),
                   () ->
-                      "pos("
-                          + a.i()
-                          + ") = "
-                          + s.pos.at(a.i())
-                          + ", target("
-                          + a.i()
-                          + ") = "
-                          + s.target.at(a.i()));
+                      String.format(
+                          "pos(%s) = %s, target(%s) = %s",
+                          a.i(), s.pos.at(a.i()), a.i(), s.target.at(a.i())));
       case MotionControlAction.failed a ->
           Enabled.when(
               "motionflag(i) = MOVING",

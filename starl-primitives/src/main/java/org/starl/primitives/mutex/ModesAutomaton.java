@@ -146,18 +146,13 @@ public final class ModesAutomaton implements Automaton<ModesAutomaton.States, Mo
                                           s.held(j))
                                       ? Finite.first(
                                           y -> !(!s.held(j).contains(y) || !isApart(y, a.z())),
-                                          y -> "y = " + y + ", held(" + j + ") = " + s.held(j),
+                                          y ->
+                                              String.format(
+                                                  "y = %s, held(%s) = %s", y, j, s.held(j)),
                                           s.held(j))
-                                      : "held("
-                                          + j
-                                          + ") = "
-                                          + s.held(j)
-                                          + ", place("
-                                          + j
-                                          + ", "
-                                          + a.z()
-                                          + ") = "
-                                          + s.place.at(j).at(a.z())),
+                                      : String.format(
+                                          "held(%s) = %s, place(%s, %s) = %s",
+                                          j, s.held(j), j, a.z(), s.place.at(j).at(a.z()))),
                           List.of(a.i()),
                           s.crit_set.arguments(),
                           s.rest_set.arguments(),

@@ -80,13 +80,7 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.do_mutex a ->
           Enabled.when(
                   "mux.do_mutex(i, RS)",
-                  muxAutomaton
-                      .enabled(new MutexGroupMutexAction.do_mutex(a.i(), a.RS()), s.mux)
-                      .isTrue(),
-                  () ->
-                      muxAutomaton
-                          .enabled(new MutexGroupMutexAction.do_mutex(a.i(), a.RS()), s.mux)
-                          .falseConjunct())
+                  muxAutomaton.enabled(new MutexGroupMutexAction.do_mutex(a.i(), a.RS()), s.mux))
               .and(
                   "connects?(i, P)",
                   s.isConnects(a.i(), a.P()),
@@ -97,15 +91,16 @@ public final class MutexGroupAutomaton
                                   || a.P().contains(j)
                                   || s.plist.at(j).contains(a.i())),
                           j ->
-                              (!s.mux.crit_set().at(j).isEmpty() || !s.mux.req_set().at(j).isEmpty()
+                              String.format(
+                                  "%s, plist(%s) = %s",
+                                  !s.mux.crit_set().at(j).isEmpty()
+                                          || !s.mux.req_set().at(j).isEmpty()
                                       ? (!s.mux.crit_set().at(j).isEmpty()
                                           ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
                                           : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j))
-                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j))
-                                  + ", plist("
-                                  + j
-                                  + ") = "
-                                  + s.plist.at(j),
+                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j),
+                                  j,
+                                  s.plist.at(j)),
                           List.of(a.i()),
                           s.mux.crit_set().arguments(),
                           s.mux.req_set().arguments(),
@@ -127,15 +122,16 @@ public final class MutexGroupAutomaton
                                   || a.P().contains(j)
                                   || s.plist.at(j).contains(a.i())),
                           j ->
-                              (!s.mux.crit_set().at(j).isEmpty() || !s.mux.req_set().at(j).isEmpty()
+                              String.format(
+                                  "%s, plist(%s) = %s",
+                                  !s.mux.crit_set().at(j).isEmpty()
+                                          || !s.mux.req_set().at(j).isEmpty()
                                       ? (!s.mux.crit_set().at(j).isEmpty()
                                           ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
                                           : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j))
-                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j))
-                                  + ", plist("
-                                  + j
-                                  + ") = "
-                                  + s.plist.at(j),
+                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j),
+                                  j,
+                                  s.plist.at(j)),
                           List.of(a.i()),
                           s.mux.crit_set().arguments(),
                           s.mux.req_set().arguments(),
@@ -171,13 +167,13 @@ public final class MutexGroupAutomaton
                               !(!(!a.i().equals(j) && s.isPeer(a.i(), j))
                                   || Sets.disjoint(a.RS(), s.mux.held(j))),
                           j ->
-                              (s.plist.at(a.i()).contains(j)
+                              String.format(
+                                  "%s, held(%s) = %s",
+                                  s.plist.at(a.i()).contains(j)
                                       ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
-                                      : "plist(" + j + ") = " + s.plist.at(j))
-                                  + ", held("
-                                  + j
-                                  + ") = "
-                                  + s.mux.held(j),
+                                      : "plist(" + j + ") = " + s.plist.at(j),
+                                  j,
+                                  s.mux.held(j)),
                           List.of(a.i()),
                           s.plist.at(a.i()),
                           s.plist.arguments(),
@@ -186,21 +182,11 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.release a ->
           Enabled.when(
               "mux.release(i, RS)",
-              muxAutomaton
-                  .enabled(new MutexGroupMutexAction.release(a.i(), a.RS()), s.mux)
-                  .isTrue(),
-              () ->
-                  muxAutomaton
-                      .enabled(new MutexGroupMutexAction.release(a.i(), a.RS()), s.mux)
-                      .falseConjunct());
+              muxAutomaton.enabled(new MutexGroupMutexAction.release(a.i(), a.RS()), s.mux));
       case MutexGroupAction.withdraw a ->
           Enabled.when(
               "mux.withdraw(i)",
-              muxAutomaton.enabled(new MutexGroupMutexAction.withdraw(a.i()), s.mux).isTrue(),
-              () ->
-                  muxAutomaton
-                      .enabled(new MutexGroupMutexAction.withdraw(a.i()), s.mux)
-                      .falseConjunct());
+              muxAutomaton.enabled(new MutexGroupMutexAction.withdraw(a.i()), s.mux));
     };
   }
 

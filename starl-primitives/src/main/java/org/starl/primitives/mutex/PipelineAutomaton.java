@@ -169,14 +169,9 @@ public final class PipelineAutomaton
                       Finite.first(
                           j -> !(!s.isWaits(j) || a.t() != s.ticket.at(j)),
                           j ->
-                              "req("
-                                  + j
-                                  + ") = "
-                                  + s.req.at(j)
-                                  + ", ticket("
-                                  + j
-                                  + ") = "
-                                  + s.ticket.at(j),
+                              String.format(
+                                  "req(%s) = %s, ticket(%s) = %s",
+                                  j, s.req.at(j), j, s.ticket.at(j)),
                           s.req.arguments(),
                           s.ticket.arguments()));
       case PipelineAction.grant a ->
@@ -186,9 +181,7 @@ public final class PipelineAutomaton
                   () -> "req(" + a.i() + ") = " + s.req.at(a.i()))
               .and(
                   "z = head(req(i))",
-                  s.req.at(a.i()).isEmpty()
-                      || a.z()
-                          .equals(Undefined.head("Pipeline_decls.starl:79:25", s.req.at(a.i()))),
+                  () -> a.z().equals(Undefined.head("Pipeline_decls.starl:79:25", s.req.at(a.i()))),
                   () -> "req(" + a.i() + ") = " + s.req.at(a.i()))
               .and(
                   "free_for?(i, z)",
@@ -220,26 +213,18 @@ public final class PipelineAutomaton
                       Finite.first(
                           j -> !(!s.isBefore(j, a.i(), a.z()) || !s.rest_set.at(a.i()).isEmpty()),
                           j ->
-                              "req("
-                                  + j
-                                  + ") = "
-                                  + s.req.at(j)
-                                  + ", ticket("
-                                  + j
-                                  + ") = "
-                                  + s.ticket.at(j)
-                                  + ", ticket("
-                                  + a.i()
-                                  + ") = "
-                                  + s.ticket.at(a.i())
-                                  + ", crit_set("
-                                  + j
-                                  + ") = "
-                                  + s.crit_set.at(j)
-                                  + ", rest_set("
-                                  + a.i()
-                                  + ") = "
-                                  + s.rest_set.at(a.i()),
+                              String.format(
+                                  "req(%s) = %s, ticket(%s) = %s, ticket(%s) = %s, crit_set(%s) = %s, rest_set(%s) = %s",
+                                  j,
+                                  s.req.at(j),
+                                  j,
+                                  s.ticket.at(j),
+                                  a.i(),
+                                  s.ticket.at(a.i()),
+                                  j,
+                                  s.crit_set.at(j),
+                                  a.i(),
+                                  s.rest_set.at(a.i())),
                           s.req.arguments(),
                           s.ticket.arguments(),
                           s.crit_set.arguments()));

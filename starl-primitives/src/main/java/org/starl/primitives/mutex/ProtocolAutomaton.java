@@ -135,6 +135,46 @@ public final class ProtocolAutomaton
               plist.arguments())
           && (phase.defaultValue() == Phase.idle || plist.defaultValue().contains(i));
     }
+
+    private States with_clock(Fun<ProcessId, Long> clock) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_phase(Fun<ProcessId, Phase> phase) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_ts(Fun<ProcessId, Long> ts) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_want(Fun<ProcessId, SortedSet<String>> want) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_plist(Fun<ProcessId, SortedSet<ProcessId>> plist) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_heard(Fun<ProcessId, SortedSet<ProcessId>> heard) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_reqs(SortedSet<Request> reqs) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_oks(SortedSet<Grant> oks) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_fencers(Fun<ProcessId, SortedSet<ProcessId>> fencers) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_vouched(SortedSet<Grant> vouched) {
+      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+    }
   }
 
   @Override
@@ -188,14 +228,9 @@ public final class ProtocolAutomaton
                                   || a.P().contains(j)
                                   || s.plist.at(j).contains(a.i())),
                           j ->
-                              "phase("
-                                  + j
-                                  + ") = "
-                                  + s.phase.at(j)
-                                  + ", plist("
-                                  + j
-                                  + ") = "
-                                  + s.plist.at(j),
+                              String.format(
+                                  "phase(%s) = %s, plist(%s) = %s",
+                                  j, s.phase.at(j), j, s.plist.at(j)),
                           List.of(a.i()),
                           s.phase.arguments(),
                           a.P(),
@@ -215,14 +250,9 @@ public final class ProtocolAutomaton
                                   || a.P().contains(j)
                                   || s.plist.at(j).contains(a.i())),
                           j ->
-                              "phase("
-                                  + j
-                                  + ") = "
-                                  + s.phase.at(j)
-                                  + ", plist("
-                                  + j
-                                  + ") = "
-                                  + s.plist.at(j),
+                              String.format(
+                                  "phase(%s) = %s, plist(%s) = %s",
+                                  j, s.phase.at(j), j, s.plist.at(j)),
                           List.of(a.i()),
                           s.phase.arguments(),
                           a.P(),
@@ -246,12 +276,11 @@ public final class ProtocolAutomaton
                   "not keeps_back?(j, i, t, RS)",
                   !isKeepsBack(a.j(), a.i(), a.t(), a.RS(), s),
                   () ->
-                      "phase("
-                          + a.j()
-                          + ") = "
-                          + s.phase.at(a.j())
-                          + ", "
-                          + (s.phase.at(a.j()) == Phase.critical
+                      String.format(
+                          "phase(%s) = %s, %s",
+                          a.j(),
+                          s.phase.at(a.j()),
+                          s.phase.at(a.j()) == Phase.critical
                               ? "phase(" + a.j() + ") = " + s.phase.at(a.j())
                               : "ts(" + a.j() + ") = " + s.ts.at(a.j())));
       case ProtocolAction.enter a ->
@@ -279,20 +308,16 @@ public final class ProtocolAutomaton
                                   || s.isGranted(j, a.i(), s.ts.at(a.i()))
                                   || s.isVouched(j, a.i(), s.ts.at(a.i()))),
                           j ->
-                              "j = "
-                                  + j
-                                  + ", "
-                                  + ((s.plist.at(a.i()).contains(j)
-                                          ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
-                                          : "heard(" + a.i() + ") = " + s.heard.at(a.i()))
-                                      + ", ts("
-                                      + a.i()
-                                      + ") = "
-                                      + s.ts.at(a.i())
-                                      + ", oks = "
-                                      + s.oks
-                                      + ", vouched = "
-                                      + s.vouched),
+                              String.format(
+                                  "j = %s, %s, ts(%s) = %s, oks = %s, vouched = %s",
+                                  j,
+                                  s.plist.at(a.i()).contains(j)
+                                      ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
+                                      : "heard(" + a.i() + ") = " + s.heard.at(a.i()),
+                                  a.i(),
+                                  s.ts.at(a.i()),
+                                  s.oks,
+                                  s.vouched),
                           s.plist.at(a.i()),
                           s.heard.at(a.i())))
               .and(
@@ -307,18 +332,9 @@ public final class ProtocolAutomaton
                               !(!s.fencers.at(a.i()).contains(f)
                                   || s.isGranted(f, a.i(), s.ts.at(a.i()))),
                           f ->
-                              "f = "
-                                  + f
-                                  + ", fencers("
-                                  + a.i()
-                                  + ") = "
-                                  + s.fencers.at(a.i())
-                                  + ", ts("
-                                  + a.i()
-                                  + ") = "
-                                  + s.ts.at(a.i())
-                                  + ", oks = "
-                                  + s.oks,
+                              String.format(
+                                  "f = %s, fencers(%s) = %s, ts(%s) = %s, oks = %s",
+                                  f, a.i(), s.fencers.at(a.i()), a.i(), s.ts.at(a.i()), s.oks),
                           s.fencers.at(a.i())));
       case ProtocolAction.release a ->
           Enabled.when(
@@ -347,7 +363,8 @@ public final class ProtocolAutomaton
               .and(
                   "RS disjoint at_most(j, f)",
                   Sets.disjoint(a.RS(), s.at_most(a.j(), a.f())),
-                  () -> "at_most(" + a.j() + ", " + a.f() + ") = " + s.at_most(a.j(), a.f()));
+                  () ->
+                      String.format("at_most(%s, %s) = %s", a.j(), a.f(), s.at_most(a.j(), a.f())));
       case ProtocolAction.witness a -> Enabled.TRUE;
     };
   }
@@ -356,126 +373,34 @@ public final class ProtocolAutomaton
   public States trans(ProtocolAction action, States s) {
     return switch (action) {
       case ProtocolAction.request a ->
-          new States(
-              s.clock.with(a.i(), s.clock.at(a.i()) + 1),
-              s.phase.with(a.i(), Phase.trying),
-              s.ts.with(a.i(), s.clock.at(a.i()) + 1),
-              s.want.with(a.i(), a.RS()),
-              s.plist.with(a.i(), a.P()),
-              s.heard,
-              Sets.add(new Request(a.i(), s.clock.at(a.i()) + 1, a.RS()), s.reqs),
-              s.oks,
-              s.fencers,
-              s.vouched);
-      case ProtocolAction.known a ->
-          new States(
-              s.clock,
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist.with(a.i(), a.P()),
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_clock(s.clock.with(a.i(), s.clock.at(a.i()) + 1))
+              .with_phase(s.phase.with(a.i(), Phase.trying))
+              .with_ts(s.ts.with(a.i(), s.clock.at(a.i()) + 1))
+              .with_want(s.want.with(a.i(), a.RS()))
+              .with_plist(s.plist.with(a.i(), a.P()))
+              .with_reqs(Sets.add(new Request(a.i(), s.clock.at(a.i()) + 1, a.RS()), s.reqs));
+      case ProtocolAction.known a -> s.with_plist(s.plist.with(a.i(), a.P()));
       case ProtocolAction.forget a ->
-          new States(
-              s.clock,
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard.with(a.i(), Sets.remove(a.j(), s.heard.at(a.i()))),
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_heard(s.heard.with(a.i(), Sets.remove(a.j(), s.heard.at(a.i()))));
       case ProtocolAction.grant a ->
-          new States(
-              s.clock.with(a.j(), s.clock.at(a.j()) < a.t() ? a.t() : s.clock.at(a.j())),
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard.with(a.j(), Sets.add(a.i(), s.heard.at(a.j()))),
-              s.reqs,
-              Sets.add(new Grant(a.j(), a.i(), a.t()), s.oks),
-              s.fencers,
-              s.vouched);
-      case ProtocolAction.enter a ->
-          new States(
-              s.clock,
-              s.phase.with(a.i(), Phase.critical),
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_clock(s.clock.with(a.j(), s.clock.at(a.j()) < a.t() ? a.t() : s.clock.at(a.j())))
+              .with_heard(s.heard.with(a.j(), Sets.add(a.i(), s.heard.at(a.j()))))
+              .with_oks(Sets.add(new Grant(a.j(), a.i(), a.t()), s.oks));
+      case ProtocolAction.enter a -> s.with_phase(s.phase.with(a.i(), Phase.critical));
       case ProtocolAction.release a ->
-          new States(
-              s.clock,
-              s.phase.with(
-                  a.i(), a.RS().containsAll(s.want.at(a.i())) ? Phase.idle : Phase.critical),
-              s.ts,
-              s.want.with(a.i(), Sets.difference(s.want.at(a.i()), a.RS())),
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_phase(
+                  s.phase.with(
+                      a.i(), a.RS().containsAll(s.want.at(a.i())) ? Phase.idle : Phase.critical))
+              .with_want(s.want.with(a.i(), Sets.difference(s.want.at(a.i()), a.RS())));
       case ProtocolAction.withdraw a ->
-          new States(
-              s.clock,
-              s.phase.with(a.i(), Phase.idle),
-              s.ts,
-              s.want.with(a.i(), Sets.emptyset()),
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_phase(s.phase.with(a.i(), Phase.idle))
+              .with_want(s.want.with(a.i(), Sets.emptyset()));
       case ProtocolAction.fence a ->
-          new States(
-              s.clock,
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers.with(a.i(), Sets.add(a.f(), s.fencers.at(a.i()))),
-              s.vouched);
+          s.with_fencers(s.fencers.with(a.i(), Sets.add(a.f(), s.fencers.at(a.i()))));
       case ProtocolAction.vouch a ->
-          new States(
-              s.clock,
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              Sets.add(new Grant(a.j(), a.i(), a.t()), s.vouched));
+          s.with_vouched(Sets.add(new Grant(a.j(), a.i(), a.t()), s.vouched));
       case ProtocolAction.witness a ->
-          new States(
-              s.clock.with(a.i(), s.clock.at(a.i()) < a.t() ? a.t() : s.clock.at(a.i())),
-              s.phase,
-              s.ts,
-              s.want,
-              s.plist,
-              s.heard,
-              s.reqs,
-              s.oks,
-              s.fencers,
-              s.vouched);
+          s.with_clock(s.clock.with(a.i(), s.clock.at(a.i()) < a.t() ? a.t() : s.clock.at(a.i())));
     };
   }
 }

@@ -51,6 +51,30 @@ public final class RegistrationAutomaton
     public SortedSet<ProcessId> rList(ProcessId i) {
       return list.at(ts.at(i));
     }
+
+    private States with_asked(SortedSet<ProcessId> asked) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
+
+    private States with_gone(SortedSet<ProcessId> gone) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
+
+    private States with_entered(SortedSet<ProcessId> entered) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
+
+    private States with_number(long number) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
+
+    private States with_list(Fun<Long, SortedSet<ProcessId>> list) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
+
+    private States with_ts(Fun<ProcessId, Long> ts) {
+      return new States(asked, gone, entered, number, list, ts);
+    }
   }
 
   @Override
@@ -84,7 +108,9 @@ public final class RegistrationAutomaton
           Enabled.when(
                   "list(number) minus gone subset L",
                   a.L().containsAll(Sets.difference(s.list.at(s.number), s.gone)),
-                  () -> "list(" + s.number + ") = " + s.list.at(s.number) + ", gone = " + s.gone)
+                  () ->
+                      String.format(
+                          "list(%s) = %s, gone = %s", s.number, s.list.at(s.number), s.gone))
               .and(
                   "forall i: PIDS :: i in L => i in list(number) or (i in asked and not i in entered)",
                   Finite.forAll(
@@ -100,14 +126,12 @@ public final class RegistrationAutomaton
                                   || s.list.at(s.number).contains(i)
                                   || (s.asked.contains(i) && !s.entered.contains(i))),
                           i ->
-                              "i = "
-                                  + i
-                                  + ", list("
-                                  + s.number
-                                  + ") = "
-                                  + s.list.at(s.number)
-                                  + ", "
-                                  + (!s.asked.contains(i)
+                              String.format(
+                                  "i = %s, list(%s) = %s, %s",
+                                  i,
+                                  s.number,
+                                  s.list.at(s.number),
+                                  !s.asked.contains(i)
                                       ? "asked = " + s.asked
                                       : "entered = " + s.entered),
                           a.L()));
@@ -123,24 +147,15 @@ public final class RegistrationAutomaton
   @Override
   public States trans(RegistrationAction action, States s) {
     return switch (action) {
-      case RegistrationAction.do_register a ->
-          new States(Sets.add(a.i(), s.asked), s.gone, s.entered, s.number, s.list, s.ts);
-      case RegistrationAction.unregister a ->
-          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
-      case RegistrationAction.give_up a ->
-          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
-      case RegistrationAction.confine a ->
-          new States(s.asked, Sets.add(a.i(), s.gone), s.entered, s.number, s.list, s.ts);
+      case RegistrationAction.do_register a -> s.with_asked(Sets.add(a.i(), s.asked));
+      case RegistrationAction.unregister a -> s.with_gone(Sets.add(a.i(), s.gone));
+      case RegistrationAction.give_up a -> s.with_gone(Sets.add(a.i(), s.gone));
+      case RegistrationAction.confine a -> s.with_gone(Sets.add(a.i(), s.gone));
       case RegistrationAction.decide a ->
-          new States(
-              s.asked,
-              s.gone,
-              Sets.union(s.entered, a.L()),
-              s.number + 1,
-              s.list.with(s.number + 1, a.L()),
-              s.ts);
-      case RegistrationAction.learn a ->
-          new States(s.asked, s.gone, s.entered, s.number, s.list, s.ts.with(a.i(), a.n()));
+          s.with_entered(Sets.union(s.entered, a.L()))
+              .with_number(s.number + 1)
+              .with_list(s.list.with(s.number + 1, a.L()));
+      case RegistrationAction.learn a -> s.with_ts(s.ts.with(a.i(), a.n()));
     };
   }
 }

@@ -177,6 +177,56 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               j -> mux.mux().crit_set().at(j).isEmpty(), mux.mux().crit_set().arguments())
           && mux.mux().crit_set().defaultValue().isEmpty();
     }
+
+    private States with_loc(Fun<ProcessId, Locations> loc) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_myseq(Fun<ProcessId, List<String>> myseq) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_pos(Fun<ProcessId, Position> pos) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_age(Fun<ProcessId, Long> age) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_timer_start(Fun<ProcessId, Long> timer_start) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_timer_reg(Fun<ProcessId, Long> timer_reg) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_timer_move(Fun<ProcessId, Long> timer_move) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_timer_grant(long timer_grant) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_mux(MutexGroupAutomaton.States mux) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
+
+    private States with_reg(RegistrationAutomaton.States reg) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+    }
   }
 
   @Override
@@ -266,36 +316,15 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                                               || s.timer_reg.at(i) + a.delta_t() <= R))
                                       ? (!(s.loc.at(i) != Locations.S0
                                               || s.timer_start.at(i) + a.delta_t() <= B)
-                                          ? "loc("
-                                              + i
-                                              + ") = "
-                                              + s.loc.at(i)
-                                              + ", timer_start("
-                                              + i
-                                              + ") = "
-                                              + s.timer_start.at(i)
-                                              + ", B = "
-                                              + B
-                                          : "loc("
-                                              + i
-                                              + ") = "
-                                              + s.loc.at(i)
-                                              + ", timer_reg("
-                                              + i
-                                              + ") = "
-                                              + s.timer_reg.at(i)
-                                              + ", R = "
-                                              + R)
-                                      : "loc("
-                                          + i
-                                          + ") = "
-                                          + s.loc.at(i)
-                                          + ", timer_move("
-                                          + i
-                                          + ") = "
-                                          + s.timer_move.at(i)
-                                          + ", T = "
-                                          + T),
+                                          ? String.format(
+                                              "loc(%s) = %s, timer_start(%s) = %s, B = %s",
+                                              i, s.loc.at(i), i, s.timer_start.at(i), B)
+                                          : String.format(
+                                              "loc(%s) = %s, timer_reg(%s) = %s, R = %s",
+                                              i, s.loc.at(i), i, s.timer_reg.at(i), R))
+                                      : String.format(
+                                          "loc(%s) = %s, timer_move(%s) = %s, T = %s",
+                                          i, s.loc.at(i), i, s.timer_move.at(i), T)),
                           s.loc.arguments(),
                           s.timer_start.arguments(),
                           s.timer_reg.arguments(),
@@ -313,11 +342,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
       case TrafficAction.decide a ->
           Enabled.when(
                   "reg.decide(L)",
-                  regAutomaton.enabled(new RegistrationAction.decide(a.L()), s.reg).isTrue(),
-                  () ->
-                      regAutomaton
-                          .enabled(new RegistrationAction.decide(a.L()), s.reg)
-                          .falseConjunct())
+                  regAutomaton.enabled(new RegistrationAction.decide(a.L()), s.reg))
               .and(
                   "L != reg.list(reg.number)",
                   !a.L().equals(s.reg.list().at(s.reg.number())),
@@ -325,11 +350,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
       case TrafficAction.learn a ->
           Enabled.when(
                   "reg.learn(i, n)",
-                  regAutomaton.enabled(new RegistrationAction.learn(a.i(), a.n()), s.reg).isTrue(),
-                  () ->
-                      regAutomaton
-                          .enabled(new RegistrationAction.learn(a.i(), a.n()), s.reg)
-                          .falseConjunct())
+                  regAutomaton.enabled(new RegistrationAction.learn(a.i(), a.n()), s.reg))
               .and(
                   "reg.ts(i) < n",
                   s.reg.ts().at(a.i()) < a.n(),
@@ -354,13 +375,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
               .and(
                   "mux.od_mutex(i, RS)",
-                  muxAutomaton
-                      .enabled(new MutexGroupAction.od_mutex(a.i(), a.RS()), s.mux)
-                      .isTrue(),
-                  () ->
-                      muxAutomaton
-                          .enabled(new MutexGroupAction.od_mutex(a.i(), a.RS()), s.mux)
-                          .falseConjunct());
+                  muxAutomaton.enabled(new MutexGroupAction.od_mutex(a.i(), a.RS()), s.mux));
       case TrafficAction.advance a ->
           Enabled.when(
                   "loc(i) = move_wait",
@@ -372,22 +387,18 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
               .and(
                   "pos(i) = arrival or pos(i) = inside(head(myseq(i)))",
-                  !(s.loc.at(a.i()) == Locations.move_wait && !s.myseq.at(a.i()).isEmpty())
-                      || s.pos.at(a.i()).equals(new Position.arrival())
-                      || s.pos
-                          .at(a.i())
-                          .equals(
-                              new Position.inside(
-                                  Undefined.head("Traffic_decls.starl:126:79", s.myseq.at(a.i())))),
                   () ->
-                      "pos("
-                          + a.i()
-                          + ") = "
-                          + s.pos.at(a.i())
-                          + ", myseq("
-                          + a.i()
-                          + ") = "
-                          + s.myseq.at(a.i()));
+                      s.pos.at(a.i()).equals(new Position.arrival())
+                          || s.pos
+                              .at(a.i())
+                              .equals(
+                                  new Position.inside(
+                                      Undefined.head(
+                                          "Traffic_decls.starl:126:79", s.myseq.at(a.i())))),
+                  () ->
+                      String.format(
+                          "pos(%s) = %s, myseq(%s) = %s",
+                          a.i(), s.pos.at(a.i()), a.i(), s.myseq.at(a.i())));
       case TrafficAction.release a ->
           Enabled.when(
                   "loc(i) = move_wait",
@@ -399,31 +410,19 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
               .and(
                   "RS = {head(myseq(i))}",
-                  !(s.loc.at(a.i()) == Locations.move_wait && !s.myseq.at(a.i()).isEmpty())
-                      || a.RS()
+                  () ->
+                      a.RS()
                           .equals(
                               Sets.singleton(
                                   Undefined.head("Traffic_decls.starl:130:49", s.myseq.at(a.i())))),
                   () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
               .and(
                   "pos(i) = next_pos(myseq(i))",
-                  !(s.loc.at(a.i()) == Locations.move_wait
-                          && !s.myseq.at(a.i()).isEmpty()
-                          && a.RS()
-                              .equals(
-                                  Sets.singleton(
-                                      Undefined.head(
-                                          "Traffic_decls.starl:130:49", s.myseq.at(a.i())))))
-                      || s.pos.at(a.i()).equals(next_pos(s.myseq.at(a.i()))),
+                  () -> s.pos.at(a.i()).equals(next_pos(s.myseq.at(a.i()))),
                   () ->
-                      "pos("
-                          + a.i()
-                          + ") = "
-                          + s.pos.at(a.i())
-                          + ", next_pos("
-                          + s.myseq.at(a.i())
-                          + ") = "
-                          + next_pos(s.myseq.at(a.i())));
+                      String.format(
+                          "pos(%s) = %s, next_pos(%s) = %s",
+                          a.i(), s.pos.at(a.i()), s.myseq.at(a.i()), next_pos(s.myseq.at(a.i()))));
       case TrafficAction.unregister a ->
           Enabled.when(
               "loc(i) = S1",
@@ -436,97 +435,67 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
   public States trans(TrafficAction action, States s) {
     return switch (action) {
       case TrafficAction.dt a ->
-          new States(
-              s.loc,
-              s.myseq,
-              s.pos,
-              Finite.map(
-                  Fun.always(
-                      s.loc.defaultValue() == Locations.away
-                          ? s.age.defaultValue()
-                          : s.age.defaultValue() + a.delta_t()),
-                  i -> s.loc.at(i) == Locations.away ? s.age.at(i) : s.age.at(i) + a.delta_t(),
-                  s.loc.arguments(),
-                  s.age.arguments()),
-              Finite.map(
-                  Fun.always(
-                      s.loc.defaultValue() == Locations.S0
-                          ? s.timer_start.defaultValue() + a.delta_t()
-                          : s.timer_start.defaultValue()),
-                  i ->
-                      s.loc.at(i) == Locations.S0
-                          ? s.timer_start.at(i) + a.delta_t()
-                          : s.timer_start.at(i),
-                  s.loc.arguments(),
-                  s.timer_start.arguments()),
-              Finite.map(
-                  Fun.always(
-                      s.loc.defaultValue() == Locations.register_wait
-                          ? s.timer_reg.defaultValue() + a.delta_t()
-                          : s.timer_reg.defaultValue()),
-                  i ->
-                      s.loc.at(i) == Locations.register_wait
-                          ? s.timer_reg.at(i) + a.delta_t()
-                          : s.timer_reg.at(i),
-                  s.loc.arguments(),
-                  s.timer_reg.arguments()),
-              Finite.map(
-                  Fun.always(
-                      s.loc.defaultValue() == Locations.move_wait
-                          ? s.timer_move.defaultValue() + a.delta_t()
-                          : s.timer_move.defaultValue()),
-                  i ->
-                      s.loc.at(i) == Locations.move_wait
-                          ? s.timer_move.at(i) + a.delta_t()
-                          : s.timer_move.at(i),
-                  s.loc.arguments(),
-                  s.timer_move.arguments()),
-              s.isGrantable() ? s.timer_grant + a.delta_t() : s.timer_grant,
-              s.mux,
-              s.reg);
-      case TrafficAction.arrive a ->
-          new States(
-              s.loc.with(a.i(), Locations.S0),
-              s.myseq,
-              s.pos,
-              s.age,
-              s.timer_start,
-              s.timer_reg,
-              s.timer_move,
-              s.timer_grant,
-              s.mux,
-              s.reg);
+          s.with_age(
+                  Finite.map(
+                      Fun.always(
+                          s.loc.defaultValue() == Locations.away
+                              ? s.age.defaultValue()
+                              : s.age.defaultValue() + a.delta_t()),
+                      i -> s.loc.at(i) == Locations.away ? s.age.at(i) : s.age.at(i) + a.delta_t(),
+                      s.loc.arguments(),
+                      s.age.arguments()))
+              .with_timer_start(
+                  Finite.map(
+                      Fun.always(
+                          s.loc.defaultValue() == Locations.S0
+                              ? s.timer_start.defaultValue() + a.delta_t()
+                              : s.timer_start.defaultValue()),
+                      i ->
+                          s.loc.at(i) == Locations.S0
+                              ? s.timer_start.at(i) + a.delta_t()
+                              : s.timer_start.at(i),
+                      s.loc.arguments(),
+                      s.timer_start.arguments()))
+              .with_timer_reg(
+                  Finite.map(
+                      Fun.always(
+                          s.loc.defaultValue() == Locations.register_wait
+                              ? s.timer_reg.defaultValue() + a.delta_t()
+                              : s.timer_reg.defaultValue()),
+                      i ->
+                          s.loc.at(i) == Locations.register_wait
+                              ? s.timer_reg.at(i) + a.delta_t()
+                              : s.timer_reg.at(i),
+                      s.loc.arguments(),
+                      s.timer_reg.arguments()))
+              .with_timer_move(
+                  Finite.map(
+                      Fun.always(
+                          s.loc.defaultValue() == Locations.move_wait
+                              ? s.timer_move.defaultValue() + a.delta_t()
+                              : s.timer_move.defaultValue()),
+                      i ->
+                          s.loc.at(i) == Locations.move_wait
+                              ? s.timer_move.at(i) + a.delta_t()
+                              : s.timer_move.at(i),
+                      s.loc.arguments(),
+                      s.timer_move.arguments()))
+              .with_timer_grant(s.isGrantable() ? s.timer_grant + a.delta_t() : s.timer_grant);
+      case TrafficAction.arrive a -> s.with_loc(s.loc.with(a.i(), Locations.S0));
       case TrafficAction.do_register a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc.with(a.i(), Locations.register_wait),
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  s.mux,
-                  Undefined.step(
-                      "Traffic_decls.starl:107:32",
-                      "reg",
-                      regAutomaton,
-                      new RegistrationAction.do_register(a.i()),
-                      s.reg))
+              ? s.with_loc(s.loc.with(a.i(), Locations.register_wait))
+                  .with_reg(
+                      Undefined.step(
+                          "Traffic_decls.starl:107:32",
+                          "reg",
+                          regAutomaton,
+                          new RegistrationAction.do_register(a.i()),
+                          s.reg))
               : s;
       case TrafficAction.decide a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc,
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  s.mux,
+              ? s.with_reg(
                   Undefined.step(
                       "Traffic_decls.starl:111:7",
                       "reg",
@@ -536,125 +505,82 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               : s;
       case TrafficAction.learn a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc,
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  s.loc.at(a.i()) == Locations.mutex_wait
-                      ? Undefined.step(
-                          "Traffic_decls.starl:115:24",
-                          "mux",
-                          muxAutomaton,
-                          new MutexGroupAction.known(a.i(), s.reg.list().at(a.n())),
-                          s.mux)
-                      : s.mux,
-                  Undefined.step(
-                      "Traffic_decls.starl:115:7",
-                      "reg",
-                      regAutomaton,
-                      new RegistrationAction.learn(a.i(), a.n()),
-                      s.reg))
+              ? s.with_mux(
+                      s.loc.at(a.i()) == Locations.mutex_wait
+                          ? Undefined.step(
+                              "Traffic_decls.starl:115:24",
+                              "mux",
+                              muxAutomaton,
+                              new MutexGroupAction.known(a.i(), s.reg.list().at(a.n())),
+                              s.mux)
+                          : s.mux)
+                  .with_reg(
+                      Undefined.step(
+                          "Traffic_decls.starl:115:7",
+                          "reg",
+                          regAutomaton,
+                          new RegistrationAction.learn(a.i(), a.n()),
+                          s.reg))
               : s;
       case TrafficAction.do_mutex a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc.with(a.i(), Locations.mutex_wait),
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  Undefined.step(
-                      "Traffic_decls.starl:119:29",
-                      "mux",
-                      muxAutomaton,
-                      new MutexGroupAction.do_mutex(a.i(), a.RS(), s.reg.rList(a.i())),
-                      s.mux),
-                  s.reg)
+              ? s.with_loc(s.loc.with(a.i(), Locations.mutex_wait))
+                  .with_mux(
+                      Undefined.step(
+                          "Traffic_decls.starl:119:29",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.do_mutex(a.i(), a.RS(), s.reg.rList(a.i())),
+                          s.mux))
               : s;
       case TrafficAction.od_mutex a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc.with(a.i(), Locations.move_wait),
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move.with(a.i(), 0L),
-                  0L,
-                  Undefined.step(
-                      "Traffic_decls.starl:123:66",
-                      "mux",
-                      muxAutomaton,
-                      new MutexGroupAction.od_mutex(a.i(), a.RS()),
-                      s.mux),
-                  s.reg)
+              ? s.with_loc(s.loc.with(a.i(), Locations.move_wait))
+                  .with_timer_move(s.timer_move.with(a.i(), 0L))
+                  .with_timer_grant(0L)
+                  .with_mux(
+                      Undefined.step(
+                          "Traffic_decls.starl:123:66",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.od_mutex(a.i(), a.RS()),
+                          s.mux))
               : s;
       case TrafficAction.advance a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc,
-                  s.myseq,
+              ? s.with_pos(
                   s.pos.with(
                       a.i(),
                       s.pos.at(a.i()).equals(new Position.arrival())
                           ? first_pos(s.myseq.at(a.i()))
-                          : next_pos(s.myseq.at(a.i()))),
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  s.mux,
-                  s.reg)
+                          : next_pos(s.myseq.at(a.i()))))
               : s;
       case TrafficAction.release a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc.with(
-                      a.i(),
-                      rest(s.myseq.at(a.i())).isEmpty() ? Locations.S1 : Locations.move_wait),
-                  s.myseq.with(a.i(), rest(s.myseq.at(a.i()))),
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move.with(a.i(), 0L),
-                  s.timer_grant,
-                  Undefined.step(
-                      "Traffic_decls.starl:133:7",
-                      "mux",
-                      muxAutomaton,
-                      new MutexGroupAction.release(a.i(), a.RS()),
-                      s.mux),
-                  s.reg)
+              ? s.with_loc(
+                      s.loc.with(
+                          a.i(),
+                          rest(s.myseq.at(a.i())).isEmpty() ? Locations.S1 : Locations.move_wait))
+                  .with_myseq(s.myseq.with(a.i(), rest(s.myseq.at(a.i()))))
+                  .with_timer_move(s.timer_move.with(a.i(), 0L))
+                  .with_mux(
+                      Undefined.step(
+                          "Traffic_decls.starl:133:7",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.release(a.i(), a.RS()),
+                          s.mux))
               : s;
       case TrafficAction.unregister a ->
           enabled(action, s).isTrue()
-              ? new States(
-                  s.loc.with(a.i(), Locations.done),
-                  s.myseq,
-                  s.pos,
-                  s.age,
-                  s.timer_start,
-                  s.timer_reg,
-                  s.timer_move,
-                  s.timer_grant,
-                  s.mux,
-                  Undefined.step(
-                      "Traffic_decls.starl:137:23",
-                      "reg",
-                      regAutomaton,
-                      new RegistrationAction.unregister(a.i()),
-                      s.reg))
+              ? s.with_loc(s.loc.with(a.i(), Locations.done))
+                  .with_reg(
+                      Undefined.step(
+                          "Traffic_decls.starl:137:23",
+                          "reg",
+                          regAutomaton,
+                          new RegistrationAction.unregister(a.i()),
+                          s.reg))
               : s;
     };
   }
