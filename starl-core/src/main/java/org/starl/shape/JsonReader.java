@@ -1,8 +1,6 @@
 package org.starl.shape;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import org.starl.id.RobotId;
 
@@ -248,20 +246,6 @@ public final class JsonReader {
       throw at(start, "a robot's name");
     }
     return name;
-  }
-
-  /** Reads an array of strings. */
-  public List<String> texts(String key) throws JsonFormatException {
-    expect(key);
-    List<String> values = new ArrayList<>();
-    expect("[");
-    if (!take("]")) {
-      do {
-        values.add(string());
-      } while (take(","));
-      expect("]");
-    }
-    return List.copyOf(values);
   }
 
   /** Reads an object of strings, in its order; duplicate keys are refused. */

@@ -40,11 +40,6 @@ public final class WireReader {
     return end - position;
   }
 
-  /** The position of the next byte. */
-  public int position() {
-    return position;
-  }
-
   public int u8() {
     need(1);
     return buffer[position++] & 0xFF;

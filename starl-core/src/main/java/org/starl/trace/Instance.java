@@ -72,11 +72,6 @@ public final class Instance implements Comparable<Instance> {
     return xid;
   }
 
-  /** Whether it is of this primitive, on any of its channels. */
-  public boolean isOf(String otherPrimitive) {
-    return primitive.equals(otherPrimitive);
-  }
-
   @Override
   public int compareTo(Instance other) {
     return name.compareTo(other.name);

@@ -263,11 +263,6 @@ public final class DeployedRobot implements AutoCloseable {
     runner.start();
   }
 
-  /** Its radio's address. */
-  public InetSocketAddress address() {
-    return udp.address();
-  }
-
   /** The strand on which all of it runs. */
   public RealStrand strand() {
     return strand;
@@ -291,11 +286,6 @@ public final class DeployedRobot implements AutoCloseable {
   /** Counts of the radio's datagrams. */
   public UdpStatistics network() {
     return udp.statistics();
-  }
-
-  /** The time of another robot's last beacon, on this robot's clock; null if it was never heard. */
-  public @Nullable Long lastHeardNs(RobotId robot) {
-    return discovery.lastHeardNs(robot);
   }
 
   /** Stops the wheels at once, below the program, until {@link #release}. */

@@ -45,15 +45,5 @@ interface Code {
       this.locals = locals;
       this.depth = depth;
     }
-
-    /** A call within the same state. */
-    Frame call(Object[] arguments) {
-      return new Frame(root, state, offset, arguments, depth + 1);
-    }
-
-    /** In the state of a used automaton. */
-    Frame inside(Object[] used, Object[] arguments) {
-      return new Frame(root, used, 0, arguments, depth + 1);
-    }
   }
 }

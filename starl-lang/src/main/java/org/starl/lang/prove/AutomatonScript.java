@@ -64,10 +64,6 @@ final class AutomatonScript {
     return translator;
   }
 
-  Script script() {
-    return script;
-  }
-
   /** Any state; a component that is an abstract state is what the others map to. */
   private Scope before() {
     List<Automaton.Component> own = new ArrayList<>(automaton.state());

@@ -98,11 +98,6 @@ final class Question {
         && translator.bool(condition, machine.before).equals(translator.bool(condition, after));
   }
 
-  /** Says that a goal holds, which has been shown. */
-  void require(Expr goal) {
-    script.require(translator.bool(goal, asked()));
-  }
-
   // --- what is to fail ---------------------------------------------------------------------------
 
   /** Says that {@code goal} does not hold: for new symbols, if it is to hold for all values. */

@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.antlr.v4.runtime.ParserRuleContext;
-import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Pos;
@@ -171,10 +170,5 @@ final class Scope {
     names.addAll(functions.keySet());
     names.addAll(constructors.keySet());
     return names;
-  }
-
-  /** The action {@code name} of the automaton in the component {@code used}. */
-  Optional<Action> action(String used, String name) {
-    return Optional.ofNullable(uses.get(used)).flatMap(automaton -> automaton.action(name));
   }
 }

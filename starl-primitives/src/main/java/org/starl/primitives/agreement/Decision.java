@@ -7,7 +7,9 @@ package org.starl.primitives.agreement;
  */
 public sealed interface Decision<T> {
 
-  boolean isDecided();
+  default boolean isDecided() {
+    return this instanceof Decided;
+  }
 
   /**
    * The value agreed on; the same on every robot, for ever.
@@ -15,11 +17,6 @@ public sealed interface Decision<T> {
    * @param bytes the value as its shape writes it; the trace shows them
    */
   record Decided<T>(T value, Value bytes) implements Decision<T> {
-    @Override
-    public boolean isDecided() {
-      return true;
-    }
-
     /** The bytes, in hexadecimal digits. */
     @Override
     public String toString() {
@@ -29,11 +26,6 @@ public sealed interface Decision<T> {
 
   /** This robot knows of no decision. */
   record NoneYet<T>() implements Decision<T> {
-    @Override
-    public boolean isDecided() {
-      return false;
-    }
-
     @Override
     public String toString() {
       return "null";

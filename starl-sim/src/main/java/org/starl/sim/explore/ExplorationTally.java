@@ -38,8 +38,4 @@ public final class ExplorationTally {
   public Explorer.Result result(boolean isAll) {
     return new Explorer.Result(schedules, orders.size(), steps, found == null && isAll, found);
   }
-
-  long schedules() {
-    return schedules;
-  }
 }

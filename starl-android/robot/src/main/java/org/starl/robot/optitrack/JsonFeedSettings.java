@@ -21,10 +21,4 @@ public record JsonFeedSettings(
 
   /** The default port. */
   public static final int PORT = 1520;
-
-  /** Accepts every host's lines at this address. */
-  public static JsonFeedSettings at(InetAddress address) {
-    return new JsonFeedSettings(
-        new InetSocketAddress(address, PORT), null, null, FixBounds.DEFAULT);
-  }
 }

@@ -70,11 +70,6 @@ final class Track {
     return sections;
   }
 
-  /** The number of the section of this name; -1 if there is none. */
-  int indexOf(String section) {
-    return sections.indexOf(section);
-  }
-
   /** Where a car waits that may enter no section after {@code index}; the exit after the last one. */
   Point stop(int index) {
     return index == sections.size() - 1 ? exit : stops.get(index);

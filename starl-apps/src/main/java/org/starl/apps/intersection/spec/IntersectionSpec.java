@@ -92,11 +92,6 @@ public record IntersectionSpec(long deltaNs, int cars, int places, long turnNs) 
     return trafficNs() + NETWORK_NS;
   }
 
-  /** Creates the monitors of one run each, of the intersection {@code xid}. */
-  public List<Supplier<? extends Monitor>> monitors(String xid) {
-    return monitors(xid, List.of());
-  }
-
   /**
    * Creates the monitors of one run each, of the intersection {@code xid}.
    *
