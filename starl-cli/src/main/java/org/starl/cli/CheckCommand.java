@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
@@ -115,19 +114,20 @@ final class CheckCommand extends SourceCommand {
       description = "Go on with the search in --checkpoint FILE, if there is one.")
   private boolean isResumed;
 
+  // The two options, by their names.
+  private Map<String, String> sizeOf = Map.of();
+  private Map<String, String> valueOf = Map.of();
+
   @Override
   int run(Source source) throws IOException {
     List<Automaton> automata = source.automata();
-    requireOnce("--size", sizes, "TYPE=N");
-    requireOnce("--value", values, "NAME=VALUE");
+    sizeOf = named("--size", sizes, "TYPE=N");
+    valueOf = named("--value", values, "NAME=VALUE");
     if (isResumed && checkpoint == null) {
       throw new BadInput("--resume needs --checkpoint FILE");
     }
-    long searches = automata.stream().mapToLong(each -> allSizes(each, automata).size()).sum();
-    if (checkpoint != null && searches != 1) {
-      throw new BadInput(
-          "--checkpoint: %s has %d searches, one for each automaton and value of sizes; expected one"
-              .formatted(file(), searches));
+    if (checkpoint != null) {
+      requireOneSearch(automata);
     }
     Verdict verdict = Verdict.HOLDS;
     stop().endsWhenAsked();
@@ -137,6 +137,15 @@ final class CheckCommand extends SourceCommand {
       }
     }
     return ExitStatus.of(verdict);
+  }
+
+  private void requireOneSearch(List<Automaton> automata) {
+    int searches = automata.stream().mapToInt(each -> allSizes(each, automata).size()).sum();
+    if (searches != 1) {
+      throw new BadInput(
+          "--checkpoint: %s has %d searches, one for each automaton and value of sizes; expected one"
+              .formatted(file(), searches));
+    }
   }
 
   private List<Sizes> allSizes(Automaton automaton, List<Automaton> automata) {
@@ -248,8 +257,7 @@ final class CheckCommand extends SourceCommand {
       opaque.put(
           type, opaque.isEmpty() ? OptionValues.whole("--robots", robots, 1, LARGEST) : USUAL_SIZE);
     }
-    for (String size : sizes) {
-      String type = left("--size", size, "TYPE=N");
+    sizeOf.forEach((type, size) -> {
       if (automata.stream().noneMatch(a -> Machine.opaqueTypes(a).contains(type))) {
         boolean isValue =
             automata.stream()
@@ -260,12 +268,12 @@ final class CheckCommand extends SourceCommand {
                 + BadInput.quote(type)
                 + " is no opaque type here; expected "
                 + (isValue
-                    ? "--value " + size
+                    ? "--value " + type + "=" + size
                     : oneOf(opaque.keySet(), String.join(", ", opaque.keySet()))));
       }
-      int number = OptionValues.whole("--size", size.substring(type.length() + 1), 1, LARGEST);
+      int number = OptionValues.whole("--size", size, 1, LARGEST);
       opaque.computeIfPresent(type, (key, usual) -> number);
-    }
+    });
     return new Sizes(
         opaque,
         OptionValues.whole("--nat", nat, 0, LARGEST_NUMBER),
@@ -276,41 +284,38 @@ final class CheckCommand extends SourceCommand {
     return names.isEmpty() ? "no such option, as there is none" : "one of " + those;
   }
 
-  private static String left(String option, String text, String form) {
-    int equals = text.indexOf('=');
-    if (equals < 1) {
-      throw new BadInput(option + ": " + BadInput.quote(text) + ": expected " + form);
-    }
-    return text.substring(0, equals).strip();
-  }
-
-  private static void requireOnce(String option, List<String> given, String form) {
-    Set<String> names = new TreeSet<>();
+  /** Texts of the form NAME=VALUE, by their names. */
+  private static Map<String, String> named(String option, List<String> given, String form) {
+    Map<String, String> named = new LinkedHashMap<>();
     for (String each : given) {
-      String name = left(option, each, form);
-      if (!names.add(name)) {
+      int equals = each.indexOf('=');
+      if (equals < 1) {
+        throw new BadInput(option + ": " + BadInput.quote(each) + ": expected " + form);
+      }
+      String name = each.substring(0, equals).strip();
+      if (named.put(name, each.substring(equals + 1)) != null) {
         throw new BadInput(option + " " + name + ": expected it once");
       }
     }
+    return named;
   }
 
   /** The values that are given for parameters in bounds of ranges. */
   private Map<String, Integer> numbers(Automaton automaton) {
     Map<String, Integer> given = new LinkedHashMap<>();
-    for (String each : values) {
-      String parameter = left("--value", each, "NAME=VALUE");
+    valueOf.forEach((parameter, text) -> {
       if (automaton.refined().numbers().contains(parameter)) {
-        String text = each.substring(each.indexOf('=') + 1).strip();
-        given.put(parameter, OptionValues.whole("--value " + parameter, text, 0, LARGEST_NUMBER));
+        given.put(
+            parameter, OptionValues.whole("--value " + parameter, text.strip(), 0, LARGEST_NUMBER));
       }
-    }
+    });
     return given;
   }
 
   private Map<String, Object> values(Machine machine, Sizes of, List<Automaton> automata) {
     Map<String, Object> given = new LinkedHashMap<>();
-    for (String each : values) {
-      String parameter = left("--value", each, "NAME=VALUE");
+    for (Map.Entry<String, String> each : valueOf.entrySet()) {
+      String parameter = each.getKey();
       boolean isOfAnother =
           machine.parameters().stream().noneMatch(p -> p.name().equals(parameter))
               && automata.stream()
@@ -326,13 +331,12 @@ final class CheckCommand extends SourceCommand {
               .findFirst()
               .orElseThrow(() ->
                   new BadInput(
-                      "--value: "
-                          + BadInput.quote(parameter)
-                          + " is no value parameter of "
-                          + machine.automaton().name()
-                          + "; expected "
-                          + oneOf(names, names.toString())));
-      String text = each.substring(each.indexOf('=') + 1);
+                      "--value: %s is no value parameter of %s; expected %s"
+                          .formatted(
+                              BadInput.quote(parameter),
+                              machine.automaton().name(),
+                              oneOf(names, names.toString()))));
+      String text = each.getValue();
       try {
         Expr expr =
             SourceReader.readExpression(
