@@ -15,17 +15,9 @@ import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.time.Time;
 
 /** The bad runs, each with its problem, pictures, story and replay command. */
-final class BadRunsPart {
+record BadRunsPart(Html html, Report report) {
 
   private static final int MAX_STORY_LINES = 200;
-
-  private final Html html;
-  private final Report report;
-
-  BadRunsPart(Html html, Report report) {
-    this.html = html;
-    this.report = report;
-  }
 
   /** The id of a run's section. */
   static String anchor(long seed) {

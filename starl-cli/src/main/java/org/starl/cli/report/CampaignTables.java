@@ -18,7 +18,7 @@ import org.starl.sim.check.RunOutcome;
 import org.starl.sim.net.NetStatistics;
 
 /** The sections of the page that are tables: messages, specifications, figures and runs. */
-final class CampaignTables {
+record CampaignTables(Html html, Report report) {
 
   /** A browser sorts this many runs without delay. */
   static final int MAX_RUNS = 5_000;
@@ -34,14 +34,6 @@ final class CampaignTables {
           List.of("datagrams_lost", "copies lost"),
           List.of("robots_collided", "collisions"),
           List.of("walls_hit", "walls hit"));
-
-  private final Html html;
-  private final Report report;
-
-  CampaignTables(Html html, Report report) {
-    this.html = html;
-    this.report = report;
-  }
 
   /** The messages by channel, and the dropped copies by cause. */
   void messages() {

@@ -10,15 +10,7 @@ import org.starl.cli.report.Coverage.Action;
 import org.starl.cli.report.Coverage.Values;
 
 /** The sections of the page about what the runs reached: theories and deliveries. */
-final class CoverageTables {
-
-  private final Html html;
-  private final Coverage coverage;
-
-  CoverageTables(Html html, Coverage coverage) {
-    this.html = html;
-    this.coverage = coverage;
-  }
+record CoverageTables(Html html, Coverage coverage) {
 
   void write() {
     if (!coverage.theories().isEmpty()) {

@@ -9,17 +9,7 @@ import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** Writes the types that an automaton or a program declares. */
-final class TypesWriter {
-
-  private final Automaton automaton;
-  private final JavaTypes types;
-  private final JavaText out;
-
-  TypesWriter(Automaton automaton, JavaTypes types, JavaText out) {
-    this.automaton = automaton;
-    this.types = types;
-    this.out = out;
-  }
+record TypesWriter(Automaton automaton, JavaTypes types, JavaText out) {
 
   void write() {
     automaton.types().forEach(this::type);

@@ -11,9 +11,7 @@ import org.starl.lang.tree.Type.Field;
  * The values that make a condition false, as text: {@code "req_set(" + i + ") = " + s.req_set.at(i)}.
  * Functions are read as their bodies, and a false {@code forall} gives the first value that breaks it.
  */
-final class Values {
-
-  private final ExpressionWriter writer;
+record Values(ExpressionWriter writer) {
 
   /**
    * A value in a condition.
@@ -21,10 +19,6 @@ final class Values {
    * @param isVariable whether the name of an action's step tells it already
    */
   private record Value(Code text, boolean isVariable) {}
-
-  Values(ExpressionWriter writer) {
-    this.writer = writer;
-  }
 
   /** The text for a false condition. */
   Code of(Expr condition) {

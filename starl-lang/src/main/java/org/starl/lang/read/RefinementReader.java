@@ -20,15 +20,7 @@ import org.starl.lang.tree.Type;
 import org.starl.lang.tree.Type.Field;
 
 /** Reads what an automaton refines, after its actions. */
-final class RefinementReader {
-
-  private final PartsReader reader;
-  private final List<Action> actions;
-
-  RefinementReader(PartsReader reader, List<Action> actions) {
-    this.reader = reader;
-    this.actions = actions;
-  }
+record RefinementReader(PartsReader reader, List<Action> actions) {
 
   /** @param of the abstract automaton */
   Refinement read(StarlParser.RefinesPartContext at, Automaton of) {

@@ -19,15 +19,7 @@ import org.starl.lang.tree.Type.Constructor;
 import org.starl.lang.tree.Type.Field;
 
 /** Reads types, and declarations of types. */
-final class TypeReader {
-
-  private final Scope scope;
-  private final Problems problems;
-
-  TypeReader(Scope scope, Problems problems) {
-    this.scope = scope;
-    this.problems = problems;
-  }
+record TypeReader(Scope scope, Problems problems) {
 
   Type type(TypeContext at) {
     return switch (at) {
@@ -226,11 +218,8 @@ final class TypeReader {
       if (taken.isPresent() || !names.add(constructor)) {
         problems.add(
             each.name,
-            "'"
-                + constructor
-                + "' is "
-                + taken.orElse("a value of " + name)
-                + " already; expected a new name");
+            "'%s' is %s already; expected a new name"
+                .formatted(constructor, taken.orElse("a value of " + name)));
       }
       scope.places.put(constructor, Problems.pos(each.name));
       constructors.add(new Constructor(constructor, fields(each.binderGroup(), true)));

@@ -6,15 +6,7 @@ import org.starl.geometry.Point;
 import org.starl.random.Rng;
 
 /** Shortens a path within the free space. */
-final class Smoother {
-
-  private final FreeSpace space;
-  private final Rng rng;
-
-  Smoother(FreeSpace space, Rng rng) {
-    this.space = space;
-    this.rng = rng;
-  }
+record Smoother(FreeSpace space, Rng rng) {
 
   /** Removes needless points, then cuts corners at random points, then removes points again. */
   List<Point> smooth(List<Point> points, int shortcuts) {
