@@ -46,11 +46,9 @@ public abstract class LogicThread extends RobotApp {
     super(gvh);
     if (stepPeriodMs <= 0 || stepPhaseNs < 0) {
       throw new IllegalArgumentException(
-          "step period "
-              + stepPeriodMs
-              + " ms, phase "
-              + stepPhaseNs
-              + " ns: expected above 0, and at least 0");
+          String.format(
+              "step period %s ms, phase %s ns: expected above 0, and at least 0",
+              stepPeriodMs, stepPhaseNs));
     }
     this.stepPeriodMs = stepPeriodMs;
     this.stepPhaseNs = stepPhaseNs;

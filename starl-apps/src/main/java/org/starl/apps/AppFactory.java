@@ -67,12 +67,11 @@ public interface AppFactory {
         AppFactory other = installed.put(factory.name(), factory);
         if (other != null) {
           throw new BadInput(
-              factory.getClass().getName()
-                  + ": its name "
-                  + BadInput.quote(factory.name())
-                  + " is taken by "
-                  + other.getClass().getName()
-                  + "; expected another");
+              String.format(
+                  "%s: its name %s is taken by %s; expected another",
+                  factory.getClass().getName(),
+                  BadInput.quote(factory.name()),
+                  other.getClass().getName()));
         }
       }
     } catch (ServiceConfigurationError error) {

@@ -84,12 +84,9 @@ final class DeployTakeCommand extends BaseCommand implements Callable<Integer> {
     try {
       out()
           .println(
-              "plays "
-                  + played.lengthNs() / (double) Time.NS_PER_S
-                  + " s at "
-                  + played.framesPerS()
-                  + " frames a second, after "
-                  + hold);
+              "plays %s s at %s frames a second, after %s"
+                  .formatted(
+                      played.lengthNs() / (double) Time.NS_PER_S, played.framesPerS(), hold));
       out().flush();
       String reason = ends.poll(holdNs + played.lengthNs(), TimeUnit.NANOSECONDS);
       if (reason != null && !reason.isEmpty()) {

@@ -228,12 +228,8 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     TraceHeader header = trace.header();
     if (!header.scenario().equals(options.name())) {
       throw new BadInput(
-          "--from: "
-              + trace.name()
-              + ": a trace of "
-              + header.scenario()
-              + ", not of "
-              + options.name());
+          "--from: %s: a trace of %s, not of %s"
+              .formatted(trace.name(), header.scenario(), options.name()));
     }
     trace.requireRepeatable();
     if (header.behaviourSeed() != TraceHeader.behaviourSeedOf(header.scenarioSeed())) {
@@ -275,15 +271,8 @@ final class ExploreCommand extends BaseCommand implements Callable<Integer> {
     if (count > 0 && !isTolerated) {
       Envelope envelope = request.demo().envelope();
       throw new BadInput(
-          option
-              + ": "
-              + request.demo().name()
-              + " does not promise to tolerate them: its faults"
-              + " are '"
-              + envelope
-              + "' ("
-              + envelope.meaning()
-              + ")");
+          "%s: %s does not promise to tolerate them: its faults are '%s' (%s)"
+              .formatted(option, request.demo().name(), envelope, envelope.meaning()));
     }
   }
 

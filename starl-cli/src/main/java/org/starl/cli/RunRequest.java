@@ -270,11 +270,12 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
               .byName(name)
               .orElseThrow(() ->
                   new BadInput(
-                      where
-                          + "no app is called "
-                          + BadInput.quote(name)
-                          + NearMatches.hint(name, demos.names())
-                          + hint)));
+                      "%sno app is called %s%s%s"
+                          .formatted(
+                              where,
+                              BadInput.quote(name),
+                              NearMatches.hint(name, demos.names()),
+                              hint))));
     }
 
     /**

@@ -71,13 +71,12 @@ final class Shrinking {
     List<String> lines() {
       List<String> lines = new ArrayList<>();
       lines.add(
-          "shrunk in "
-              + result.runs()
-              + " runs: "
-              + from
-              + " -> "
-              + result.trial()
-              + (result.isSmallest() ? "" : " (a smaller one may exist)"));
+          "shrunk in %s runs: %s -> %s%s"
+              .formatted(
+                  result.runs(),
+                  from,
+                  result.trial(),
+                  result.isSmallest() ? "" : " (a smaller one may exist)"));
       lines.add(
           "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
       lines.add("replay: " + command());

@@ -71,12 +71,11 @@ final class StateExploration {
         .findFirst()
         .orElseThrow(() ->
             new BadInput(
-                "--strategy "
-                    + STRATEGY
-                    + ": "
-                    + BadInput.quote(primitive)
-                    + ": expected one of "
-                    + SPACES.stream().map(StateSpace::name).toList()));
+                "--strategy %s: %s: expected one of %s"
+                    .formatted(
+                        STRATEGY,
+                        BadInput.quote(primitive),
+                        SPACES.stream().map(StateSpace::name).toList())));
   }
 
   private void bound(String option, String name, String value) {

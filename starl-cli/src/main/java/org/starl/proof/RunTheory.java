@@ -131,16 +131,7 @@ final class RunTheory {
     String after = "s_" + n;
     addLemma(
         "step_" + n,
-        "enabled("
-            + action
-            + ", "
-            + before
-            + ") AND trans("
-            + action
-            + ", "
-            + before
-            + ") = "
-            + after,
+        "enabled(%s, %s) AND trans(%s, %s) = %s".formatted(action, before, action, before, after),
         proofOfStep(after, step.action()));
     String name = "result_" + n;
     int number = 1;

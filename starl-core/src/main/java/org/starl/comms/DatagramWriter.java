@@ -60,13 +60,9 @@ final class DatagramWriter {
     if (length > Header.MAX_BYTES) {
       out.shrink();
       throw new IllegalArgumentException(
-          "channel "
-              + from.channel.name()
-              + ": a message of "
-              + (length - payloadAt)
-              + " bytes, at most "
-              + (Header.MAX_BYTES - payloadAt)
-              + " fit a datagram");
+          String.format(
+              "channel %s: a message of %s bytes, at most %s fit a datagram",
+              from.channel.name(), length - payloadAt, Header.MAX_BYTES - payloadAt));
     }
     return end();
   }

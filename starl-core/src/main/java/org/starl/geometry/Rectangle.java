@@ -14,15 +14,9 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
             && Double.isFinite(yMaxMm);
     if (!finite || xMinMm > xMaxMm || yMinMm > yMaxMm) {
       throw new IllegalArgumentException(
-          "rectangle x "
-              + xMinMm
-              + ".."
-              + xMaxMm
-              + ", y "
-              + yMinMm
-              + ".."
-              + yMaxMm
-              + ": expected numbers, the smaller one first");
+          String.format(
+              "rectangle x %s..%s, y %s..%s: expected numbers, the smaller one first",
+              xMinMm, xMaxMm, yMinMm, yMaxMm));
     }
   }
 

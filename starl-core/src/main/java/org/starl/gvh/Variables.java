@@ -28,11 +28,10 @@ public final class Variables {
           && known.name().equals(declaration.name())
           && known.source().equals(source)) {
         throw new IllegalStateException(
-            "variable "
-                + (source + "." + declaration)
-                + (", declared at " + declaration.place())
-                + (": it has a writer already, by the declaration at " + known.declaration.place())
-                + "; expected one writer");
+            String.format(
+                "variable %s.%s, declared at %s: it has a writer already, by the declaration at %s;"
+                    + " expected one writer",
+                source, declaration, declaration.place(), known.declaration.place()));
       }
     }
     GvhCell<T> cell = new GvhCell<>(trace, source, declaration, initial);

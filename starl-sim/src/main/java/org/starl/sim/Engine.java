@@ -177,12 +177,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   private SimulationFailed failed(RuntimeException cause) {
     return new SimulationFailed(
-        plan.header().scenario()
-            + ", seed "
-            + plan.header().scenarioSeed()
-            + ": "
-            + what(cause)
-            + observers.firstViolation(),
+        "%s, seed %s: %s%s"
+            .formatted(
+                plan.header().scenario(),
+                plan.header().scenarioSeed(),
+                what(cause),
+                observers.firstViolation()),
         cause);
   }
 

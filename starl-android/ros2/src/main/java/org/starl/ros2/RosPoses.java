@@ -57,12 +57,9 @@ final class RosPoses extends StampedFeed {
     if (!measured.frame().equals(positions.frame())) {
       drop(
           FeedDrop.FOREIGN,
-          topic
-              + ": its frame is '"
-              + measured.frame()
-              + "', not positions.frame '"
-              + positions.frame()
-              + "': no position");
+          String.format(
+              "%s: its frame is '%s', not positions.frame '%s': no position",
+              topic, measured.frame(), positions.frame()));
     } else if (measured.pose() == null || measured.stampNs() == 0) {
       drop(FeedDrop.IMPLAUSIBLE, topic + ": no possible pose, or no stamp");
     } else if (hasJumped(body, measured.stampNs())) {

@@ -164,15 +164,13 @@ final class TopicWatch {
     }
     tell.accept(
         Level.WARN,
-        topic.name()
-            + ": a node is there, but not with "
-            + topic.type()
-            + ", "
-            + reliability(topic)
-            + ", "
-            + durability(topic)
-            + "; set "
-            + String.join(" and ", settings));
+        String.format(
+            "%s: a node is there, but not with %s, %s, %s; set %s",
+            topic.name(),
+            topic.type(),
+            reliability(topic),
+            durability(topic),
+            String.join(" and ", settings)));
     isTold = true;
     closeProbes();
   }

@@ -158,12 +158,9 @@ public final class LightPaintDemo implements FactoryDemo {
     List<Waypoint> starts = WaypointFiles.read(file).waypoints();
     if (starts.size() < painters) {
       throw new BadInput(
-          file
-              + ": "
-              + starts.size()
-              + " starts: expected one for each of "
-              + painters
-              + " painters");
+          String.format(
+              "%s: %s starts: expected one for each of %s painters",
+              file, starts.size(), painters));
     }
     double leastMm = 2 * radiusMm + 2;
     List<Point> points = new ArrayList<>();

@@ -79,13 +79,13 @@ final class RaceStory implements Story {
       return "not won";
     }
     Claim best = race.known.values().stream().min(Claim::compareTo).orElseThrow();
-    return best.winner()
-        + " at "
-        + Time.text(best.atNs(), 1)
-        + (best.wasKeptOff() ? ", kept off by " + best.keptOffMm() + " mm" : "")
-        + (race.arrivals > 1 ? ", of " + race.arrivals + " that arrived" : "")
-        + "; all robots knew after "
-        + Time.text(race.lastNs - race.firstNs, 1);
+    return String.format(
+        "%s at %s%s%s; all robots knew after %s",
+        best.winner(),
+        Time.text(best.atNs(), 1),
+        best.wasKeptOff() ? ", kept off by " + best.keptOffMm() + " mm" : "",
+        race.arrivals > 1 ? ", of " + race.arrivals + " that arrived" : "",
+        Time.text(race.lastNs - race.firstNs, 1));
   }
 
   @Override

@@ -212,13 +212,8 @@ public record Take(List<Snapshot> frames, int framesPerS) {
         for (int i = width; i < row.size(); i++) {
           if (!row.get(i).isEmpty()) {
             throw wrong(
-                "column "
-                    + (i + 1)
-                    + " is "
-                    + BadInput.quote(row.get(i))
-                    + "; expected "
-                    + width
-                    + " columns, as the titles have");
+                "column %s is %s; expected %s columns, as the titles have"
+                    .formatted(i + 1, BadInput.quote(row.get(i)), width));
           }
         }
         double timeS = number(row, time);

@@ -109,12 +109,8 @@ public final class TraceMerge {
       for (RecordedTrace before : traces) {
         if (trace.isSameStart(before)) {
           throw new BadInput(
-              file
-                  + ": the same start of "
-                  + trace.robot()
-                  + " as "
-                  + before.name()
-                  + "; give one");
+              "%s: the same start of %s as %s; give one"
+                  .formatted(file, trace.robot(), before.name()));
         }
         if (!isOfOneRun(trace.header(), before.header())) {
           throw new BadInput(

@@ -102,12 +102,11 @@ final class WaitsPicture {
     double neckX = endX - ux * HEAD_PX;
     double neckY = endY - uy * HEAD_PX;
     String head =
-        "M"
-            + at(neckX - uy * HEAD_PX / 2, neckY + ux * HEAD_PX / 2)
-            + "L"
-            + at(endX, endY)
-            + "L"
-            + at(neckX + uy * HEAD_PX / 2, neckY - ux * HEAD_PX / 2);
+        "M%sL%sL%s"
+            .formatted(
+                at(neckX - uy * HEAD_PX / 2, neckY + ux * HEAD_PX / 2),
+                at(endX, endY),
+                at(neckX + uy * HEAD_PX / 2, neckY - ux * HEAD_PX / 2));
     html.open("path", "d", shaft + head, "class", graph.leads(to, from) ? "wait circle" : "wait");
     html.element("title", from + " waits for " + to).close();
   }

@@ -126,12 +126,9 @@ public sealed interface Form {
               + amount.quantity().name().toLowerCase(Locale.ROOT)
               + (amount.isAboveZero() ? " above 0" : "");
       case Between between ->
-          "a "
-              + between.quantity().name().toLowerCase(Locale.ROOT)
-              + " from "
-              + between.least()
-              + " to "
-              + between.most();
+          String.format(
+              "a %s from %s to %s",
+              between.quantity().name().toLowerCase(Locale.ROOT), between.least(), between.most());
       case Choice choice -> "one of " + String.join(", ", choice.values());
       case YesNo yesNo -> "one of true, false, yes, no, on, off";
       case Text text -> "a text";

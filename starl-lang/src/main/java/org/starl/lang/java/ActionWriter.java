@@ -27,11 +27,8 @@ final class ActionWriter {
     out.doc(0, List.of("The actions of " + automaton.name() + "."), List.of());
     out.line(
         0,
-        "public sealed interface "
-            + names.action()
-            + " extends "
-            + types.use("org.starl.spec.automaton.Action")
-            + " {");
+        "public sealed interface %s extends %s {"
+            .formatted(names.action(), types.use("org.starl.spec.automaton.Action")));
     Map<String, List<Field>> records = new LinkedHashMap<>();
     for (Action action : automaton.actions()) {
       String name = types.type(action.name());

@@ -581,11 +581,8 @@ public final class Prover {
                     "is not kept by " + action.name(),
                     found.lines().isEmpty()
                         ? "is not decided for " + action.name()
-                        : "is perhaps not kept by "
-                            + action.name()
-                            + " (with numbers to "
-                            + Sorts.MOST_NUMBER
-                            + ")"));
+                        : "is perhaps not kept by %s (with numbers to %s)"
+                            .formatted(action.name(), Sorts.MOST_NUMBER)));
       }
       return worst;
     }

@@ -107,15 +107,8 @@ final class Translator {
     String text = applied(value, type, names);
     binders.subList(binders.size() - parameters.size(), binders.size()).clear();
     script.line(
-        "(define-fun "
-            + name
-            + " ("
-            + String.join(" ", parameters)
-            + ") "
-            + resultSort(type)
-            + " "
-            + text
-            + ")");
+        "(define-fun %s (%s) %s %s)"
+            .formatted(name, String.join(" ", parameters), resultSort(type), text));
     return symbol(name, List.of(), type);
   }
 

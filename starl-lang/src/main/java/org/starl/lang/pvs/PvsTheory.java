@@ -360,12 +360,8 @@ public final class PvsTheory {
     add(group(2, isKnown + "(s): bool =", LINE, new Doc.Group(Doc.of(known.toArray()))), List.of());
     add(
         Doc.of(
-            fresh(name + "_start")
-                + ": THEOREM start(s) IMPLIES "
-                + of
-                + ".start("
-                + name
-                + "(s))"),
+            "%s: THEOREM start(s) IMPLIES %s.start(%s(s))"
+                .formatted(fresh(name + "_start"), of, name)),
         List.of());
     for (Action action : automaton.actions()) {
       add(

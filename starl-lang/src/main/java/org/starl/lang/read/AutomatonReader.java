@@ -409,12 +409,11 @@ final class AutomatonReader extends PartsReader {
         if (!(type.base() instanceof Type.MapOf map)) {
           throw expressions.wrong(
               place,
-              "'"
-                  + SourceText.of(place)
-                  + "': this is of type "
-                  + type
-                  + "; expected a map before '('"
-                  + (type.base() instanceof Type.ListOf ? ", or a whole list as the value" : ""));
+              "'%s': this is of type %s; expected a map before '('%s"
+                  .formatted(
+                      SourceText.of(place),
+                      type,
+                      type.base() instanceof Type.ListOf ? ", or a whole list as the value" : ""));
         }
         List<Field> parameters =
             map.arguments().stream().map(argument -> new Field("", argument)).toList();

@@ -61,13 +61,8 @@ final class ExpressionReader {
       String expected = named(wanted, expr.type());
       throw wrong(
           at,
-          "'"
-              + text(at)
-              + "' is of type "
-              + found
-              + "; expected "
-              + expected
-              + orOption(expr.type(), at, wanted));
+          "'%s' is of type %s; expected %s%s"
+              .formatted(text(at), found, expected, orOption(expr.type(), at, wanted)));
     }
     return expr;
   }
@@ -316,13 +311,8 @@ final class ExpressionReader {
       default ->
           throw wrong(
               at,
-              "'"
-                  + text(at.expression())
-                  + "' is of type "
-                  + of.type()
-                  + " and has no field '"
-                  + name
-                  + "'; expected a record");
+              "'%s' is of type %s and has no field '%s'; expected a record"
+                  .formatted(text(at.expression()), of.type(), name));
     };
   }
 
@@ -532,14 +522,8 @@ final class ExpressionReader {
       if (argument.isEmpty()) {
         throw wrong(
             at,
-            "'"
-                + name
-                + "' has no value for "
-                + field.name()
-                + " here; expected "
-                + field.name()
-                + " := a value of "
-                + field.type());
+            "'%s' has no value for %s here; expected %s := a value of %s"
+                .formatted(name, field.name(), field.name(), field.type()));
       }
       given.remove(field.name());
       values.add(read(argument.get().expression(), field.type()));
@@ -690,15 +674,8 @@ final class ExpressionReader {
     if (!first.isA(second) && !second.isA(first)) {
       throw wrong(
           right,
-          "'"
-              + text(right)
-              + "' is of type "
-              + b.type()
-              + ", and '"
-              + text(left)
-              + "' of type "
-              + a.type()
-              + "; expected two of one type");
+          "'%s' is of type %s, and '%s' of type %s; expected two of one type"
+              .formatted(text(right), b.type(), text(left), a.type()));
     }
     return List.of(again(a, left, b), b);
   }
@@ -767,12 +744,11 @@ final class ExpressionReader {
       boolean isElement = more.type().isA(of.element());
       throw wrong(
           right,
-          "'"
-              + text(right)
-              + "' is of type "
-              + more.type()
-              + "; expected "
-              + (isElement ? "a list of it, [" + text(right) + "]" : list.type().toString()));
+          "'%s' is of type %s; expected %s"
+              .formatted(
+                  text(right),
+                  more.type(),
+                  isElement ? "a list of it, [" + text(right) + "]" : list.type().toString()));
     }
     return new Expr.Binary(Operator.JOIN, list, more, list.type(), pos);
   }
@@ -790,11 +766,8 @@ final class ExpressionReader {
     if (!(of.type().base() instanceof Type.Sum sum)) {
       throw wrong(
           at,
-          "'"
-              + text(at.expression())
-              + "' is of type "
-              + of.type()
-              + "; expected a type of several forms");
+          "'%s' is of type %s; expected a type of several forms"
+              .formatted(text(at.expression()), of.type()));
     }
     return new Expr.Is(of, constructor(sum, at.name), pos);
   }
@@ -840,11 +813,8 @@ final class ExpressionReader {
     if (!(of.type().base() instanceof Type.Sum sum)) {
       throw wrong(
           at.expression(),
-          "'"
-              + text(at.expression())
-              + "' is of type "
-              + of.type()
-              + "; expected a type of several forms");
+          "'%s' is of type %s; expected a type of several forms"
+              .formatted(text(at.expression()), of.type()));
     }
     List<Expr.Case> cases = new ArrayList<>();
     Type type = null; // the widest of the cases' types
@@ -854,12 +824,8 @@ final class ExpressionReader {
       if (names.size() != constructor.fields().size()) {
         throw wrong(
             each,
-            "'"
-                + constructor.name()
-                + "' has "
-                + names.size()
-                + " names here; expected "
-                + constructor.fields().size());
+            "'%s' has %s names here; expected %s"
+                .formatted(constructor.name(), names.size(), constructor.fields().size()));
       }
       List<Field> variables = new ArrayList<>();
       for (int i = 0; i < names.size(); i++) {

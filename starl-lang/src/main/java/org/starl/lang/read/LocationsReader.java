@@ -234,12 +234,11 @@ final class LocationsReader {
               .orElseThrow(() ->
                   expressions.wrong(
                       at.name,
-                      "'"
-                          + wanted
-                          + "' is no call of "
-                          + instance.primitive().name()
-                          + "; "
-                          + oneOf(wanted, calls.stream().map(Primitive.Call::name).toList())));
+                      "'%s' is no call of %s; %s"
+                          .formatted(
+                              wanted,
+                              instance.primitive().name(),
+                              oneOf(wanted, calls.stream().map(Primitive.Call::name).toList()))));
       problems.refer(at.used, name + ": " + instance.primitive().name(), instance.pos());
       problems.refer(
           at.name, wanted + "(" + TypeReader.list(call.parameters()) + ")", instance.pos());

@@ -133,12 +133,11 @@ class PartsReader {
         .orElseThrow(() ->
             expressions.wrong(
                 at,
-                "'"
-                    + at.getText()
-                    + "' is no action of "
-                    + automaton.name()
-                    + "; expected one of "
-                    + automaton.actions().stream().map(Action::name).toList()));
+                "'%s' is no action of %s; expected one of %s"
+                    .formatted(
+                        at.getText(),
+                        automaton.name(),
+                        automaton.actions().stream().map(Action::name).toList())));
   }
 
   final <P extends PartContext> void each(Class<P> kind, Consumer<P> read) {

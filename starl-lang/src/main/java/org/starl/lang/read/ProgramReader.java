@@ -243,12 +243,11 @@ final class ProgramReader extends PartsReader {
             });
     problems.refer(
         at.of,
-        "primitive "
-            + primitive.name()
-            + "("
-            + TypeReader.list(primitive.parameters())
-            + ") is "
-            + primitive.automaton().name(),
+        "primitive %s(%s) is %s"
+            .formatted(
+                primitive.name(),
+                TypeReader.list(primitive.parameters()),
+                primitive.automaton().name()),
         pos(at.of));
     List<Expr> arguments =
         expressions.arguments(primitive.name(), primitive.parameters(), at.expression(), at);
@@ -267,11 +266,8 @@ final class ProgramReader extends PartsReader {
     if (!isWhole || !at.unitOfTime.getText().equals("ms")) {
       throw expressions.wrong(
           at,
-          "'"
-              + number
-              + " "
-              + at.unitOfTime.getText()
-              + "' is no such time; expected a whole number from 1 to 99999, and 'ms'");
+          "'%s %s' is no such time; expected a whole number from 1 to 99999, and 'ms'"
+              .formatted(number, at.unitOfTime.getText()));
     }
     everyMs = Integer.parseInt(number);
   }

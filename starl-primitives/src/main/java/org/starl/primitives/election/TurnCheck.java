@@ -135,12 +135,9 @@ final class TurnCheck {
           ElectionSpec.TURN,
           sent.timeNs(),
           List.of(sent.robot()),
-          sent.channel()
-              + ": proposes in term "
-              + turn.term
-              + " before "
-              + before
-              + " candidates that come first");
+          String.format(
+              "%s: proposes in term %s before %s candidates that come first",
+              sent.channel(), turn.term, before));
     }
   }
 }

@@ -146,11 +146,8 @@ public abstract class AppMonitor extends LemmaMonitor {
     }
     if (!lemmas().contains(lemma)) {
       throw new IllegalArgumentException(
-          "check("
-              + lemma
-              + "): expected one of "
-              + lemmas()
-              + "; the constructor calls lemma(...)");
+          String.format(
+              "check(%s): expected one of %s; the constructor calls lemma(...)", lemma, lemmas()));
     }
     current.checked(lemma);
     if (!holds) {

@@ -214,11 +214,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
         endNs,
         (pair, sinceNs, dueNs) -> {
           String detail =
-              pair.get(0)
-                  + " waits for the dead "
-                  + pair.get(1)
-                  + " since "
-                  + Time.text(sinceNs, 3);
+              String.format(
+                  "%s waits for the dead %s since %s",
+                  pair.get(0), pair.get(1), Time.text(sinceNs, 3));
           report.overdue(MutexProgress.SERVED, dueNs, List.of(pair.get(0).robot()), detail);
         });
   }

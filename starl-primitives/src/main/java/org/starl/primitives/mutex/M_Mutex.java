@@ -260,13 +260,9 @@ public final class M_Mutex implements PipelinePrim {
     for (String section : want) {
       if (!places.add(Sections.place(section))) {
         throw new IllegalArgumentException(
-            source
-                + ": "
-                + call
-                + " of "
-                + want
-                + ": expected one mode of "
-                + Sections.place(section));
+            String.format(
+                "%s: %s of %s: expected one mode of %s",
+                source, call, want, Sections.place(section)));
       }
     }
     return want;
@@ -302,11 +298,9 @@ public final class M_Mutex implements PipelinePrim {
     for (RobotId robot : plist) {
       if (!current.excludes(robot)) {
         throw new IllegalArgumentException(
-            source
-                + ": do_mutex cannot exclude "
-                + robot
-                + ", which is not in the group "
-                + membership.view().participants());
+            String.format(
+                "%s: do_mutex cannot exclude %s, which is not in the group %s",
+                source, robot, membership.view().participants()));
       }
     }
     do_mutex(sections);

@@ -12,13 +12,8 @@ public record MutexBounds(long d1Ns, long d2Ns, long d3Ns) {
   public MutexBounds {
     if (d1Ns < 0 || d3Ns < 0 || d2Ns < d3Ns) {
       throw new IllegalArgumentException(
-          "mutex bounds "
-              + d1Ns
-              + ", "
-              + d2Ns
-              + ", "
-              + d3Ns
-              + " ns: expected d1 >= 0 and 0 <= d3 <= d2");
+          String.format(
+              "mutex bounds %s, %s, %s ns: expected d1 >= 0 and 0 <= d3 <= d2", d1Ns, d2Ns, d3Ns));
     }
   }
 

@@ -162,13 +162,9 @@ final class MutexRecord {
           lemma,
           nowNs,
           List.of(holder.who.robot()),
-          holder.who
-              + " holds "
-              + holder.held
-              + ", but in view "
-              + last
-              + " it may hold at most "
-              + atMost);
+          String.format(
+              "%s holds %s, but in view %s it may hold at most %s",
+              holder.who, holder.held, last, atMost));
     }
   }
 

@@ -138,11 +138,9 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
         run.isOver = true;
         ends(
             ProtocolAutomaton.MUTEX_PROTOCOL_DECLS,
-            action.source()
-                + ": "
-                + request.who()
-                + " asks for a sequence or in a mode at "
-                + Time.text(action.timeNs(), 3));
+            String.format(
+                "%s: %s asks for a sequence or in a mode at %s",
+                action.source(), request.who(), Time.text(action.timeNs(), 3)));
       }
       if (isReplayed(run)) {
         new Step(run, action, report).take(fact);

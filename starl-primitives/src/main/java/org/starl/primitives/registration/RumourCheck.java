@@ -127,11 +127,9 @@ final class RumourCheck {
             RegistrationSpec.RUMOUR,
             nowNs,
             List.of(key.robot()),
-            key.source()
-                + ": shows the list of view "
-                + known.view
-                + ", and has heard of "
-                + known.rumoured);
+            String.format(
+                "%s: shows the list of view %s, and has heard of %s",
+                key.source(), known.view, known.rumoured));
       }
     }
   }

@@ -59,12 +59,8 @@ public final class SuspicionCheck {
       report.checked(lemma);
       if (event.timeNs() < sinceNs + silenceNs) {
         String detail =
-            source
-                + ": suspects "
-                + peer
-                + " after "
-                + (event.timeNs() - sinceNs)
-                + " ns of silence";
+            String.format(
+                "%s: suspects %s after %s ns of silence", source, peer, event.timeNs() - sinceNs);
         report.violated(lemma, event.timeNs(), List.of(event.robot()), detail);
       }
     }

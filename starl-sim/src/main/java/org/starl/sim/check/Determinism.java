@@ -49,17 +49,14 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
     @Override
     public String toString() {
       String place = place(firstLine);
-      return "first difference at line "
-          + line
-          + (place.isEmpty() ? place(secondLine) : place)
-          + "\n  "
-          + firstRun
-          + ": "
-          + firstLine
-          + "\n  "
-          + secondRun
-          + ": "
-          + secondLine;
+      return "first difference at line %s%s\n  %s: %s\n  %s: %s"
+          .formatted(
+              line,
+              place.isEmpty() ? place(secondLine) : place,
+              firstRun,
+              firstLine,
+              secondRun,
+              secondLine);
     }
 
     private static String place(String text) {
@@ -137,13 +134,8 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
       throws IOException {
     try (TraceRecorder recorder = new TraceRecorder(out)) {
       SimResult result = scenario.get().carriers(run.carriers()).observer(recorder).build().run();
-      return "outcome: "
-          + result.events()
-          + " kernel events, unfinished "
-          + result.unfinished()
-          + ", "
-          + result.network()
-          + "\n";
+      return "outcome: %s kernel events, unfinished %s, %s\n"
+          .formatted(result.events(), result.unfinished(), result.network());
     } catch (SimulationFailed e) {
       return "outcome: " + e.getMessage() + "\n";
     }

@@ -202,12 +202,8 @@ public sealed interface Latency {
   }
 
   private static String call(String name, long first, long second) {
-    return name
-        + "("
-        + Quantities.durationText(first)
-        + ","
-        + Quantities.durationText(second)
-        + ")";
+    return "%s(%s,%s)"
+        .formatted(name, Quantities.durationText(first), Quantities.durationText(second));
   }
 
   private static void require(boolean holds, String message) {

@@ -40,11 +40,8 @@ public final class SimObjects implements ObjectSensor {
   public void require(double newRangeMm) {
     if (newRangeMm > floor.rangeMm()) {
       throw new IllegalStateException(
-          "object sensors with a range of "
-              + Math.round(floor.rangeMm())
-              + " mm: expected at least "
-              + Math.round(newRangeMm)
-              + " mm");
+          "object sensors with a range of %s mm: expected at least %s mm"
+              .formatted(Math.round(floor.rangeMm()), Math.round(newRangeMm)));
     }
     rangeMm = newRangeMm;
   }

@@ -48,13 +48,11 @@ final class StatusText {
       lines.add("Create: " + wheels(status));
       lines.add("Robot's battery: " + battery(status.wheels().sensors()));
       lines.add(
-          "Radio: "
-              + status.radio().sent()
-              + " datagrams sent, "
-              + status.radio().received()
-              + " received, "
-              + status.radio().dropped().values().stream().mapToLong(Long::longValue).sum()
-              + " dropped");
+          String.format(
+              "Radio: %s datagrams sent, %s received, %s dropped",
+              status.radio().sent(),
+              status.radio().received(),
+              status.radio().dropped().values().stream().mapToLong(Long::longValue).sum()));
       lines.add(
           "Program: held its strand for "
               + status.strand().longestPieceNs() / NS_PER_MS

@@ -160,12 +160,9 @@ abstract class DatagramFeed implements PoseFeed {
     for (Map.Entry<String, Long> each : fixedNs.entrySet()) {
       if (each.getValue() != TOLD && nowNs - each.getValue() > SILENT_NS) {
         tally.warn(
-            "no position of "
-                + printable(each.getKey())
-                + " for "
-                + SILENT_NS / NS_PER_S
-                + " s: "
-                + silence(nowNs),
+            String.format(
+                "no position of %s for %s s: %s",
+                printable(each.getKey()), SILENT_NS / NS_PER_S, silence(nowNs)),
             nowNs);
         each.setValue(TOLD);
       }

@@ -227,11 +227,9 @@ public final class NatNetServer implements AutoCloseable {
     } else {
       refuse(
           client,
-          "there are "
-              + StreamClients.MAX
-              + " clients, or "
-              + StreamClients.MAX_PER_HOST
-              + " of its host");
+          String.format(
+              "there are %s clients, or %s of its host",
+              StreamClients.MAX, StreamClients.MAX_PER_HOST));
     }
   }
 

@@ -383,11 +383,8 @@ public final class Discovery implements AutoCloseable {
       case TWIN -> {
         prove(robot, echo, Answer.NOT_STORED, source);
         listener.disowned(
-            "another machine runs "
-                + robot
-                + " too, at "
-                + source
-                + "; both stop: start one of them");
+            String.format(
+                "another machine runs %s too, at %s; both stop: start one of them", robot, source));
       }
       case REFUSES_US ->
           listener.disowned(

@@ -149,12 +149,9 @@ public final class KeyFile {
     others.retainAll(granted);
     if (!others.isEmpty()) {
       throw new IOException(
-          file
-              + ": "
-              + PosixFilePermissions.toString(granted)
-              + ": expected a key that only its owner may read ('chmod 600 "
-              + file
-              + "')");
+          String.format(
+              "%s: %s: expected a key that only its owner may read ('chmod 600 %s')",
+              file, PosixFilePermissions.toString(granted), file));
     }
   }
 

@@ -199,11 +199,9 @@ public final class UdpRadio implements Radio, AutoCloseable {
   void dropped(UdpDrop reason, SocketAddress source) {
     if (drops.add(reason) && reason.isSuspicious()) {
       log.accept(
-          "dropped a datagram from "
-              + source
-              + ": "
-              + reason.description()
-              + "; more of these are only counted");
+          String.format(
+              "dropped a datagram from %s: %s; more of these are only counted",
+              source, reason.description()));
     }
   }
 

@@ -95,11 +95,9 @@ final class BuildingMap {
     }
     if (!name.isEmpty() && !withLanes.contains(name)) {
       throw new BadInput(
-          building.file()
-              + ": level "
-              + BadInput.quote(name)
-              + ": expected one of "
-              + String.join(", ", withLanes));
+          String.format(
+              "%s: level %s: expected one of %s",
+              building.file(), BadInput.quote(name), String.join(", ", withLanes)));
     }
     return levels.at(name.isEmpty() ? withLanes.iterator().next() : name, "");
   }
@@ -156,13 +154,12 @@ final class BuildingMap {
     all.forEach(lane -> graphs.merge(graphOf(lane), 1, Integer::sum));
     if (chosen >= 0 && !graphs.containsKey(chosen)) {
       throw new BadInput(
-          level.file()
-              + ": graph '"
-              + chosen
-              + "': expected one of "
-              + graphs.keySet().stream().map(String::valueOf).collect(Collectors.joining(", "))
-              + ", the graph_idx of "
-              + level.path());
+          String.format(
+              "%s: graph '%s': expected one of %s, the graph_idx of %s",
+              level.file(),
+              chosen,
+              graphs.keySet().stream().map(String::valueOf).collect(Collectors.joining(", ")),
+              level.path()));
     }
     // Of equal ones the first, which has the lowest number.
     int most = Collections.max(graphs.entrySet(), Map.Entry.comparingByValue()).getKey();

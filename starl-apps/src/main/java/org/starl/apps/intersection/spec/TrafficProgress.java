@@ -103,10 +103,7 @@ final class TrafficProgress extends LemmaMonitor {
                 LEMMA,
                 deadlineNs,
                 List.of(robot),
-                "came at "
-                    + sinceNs / Time.NS_PER_MS
-                    + " ms, not departed within "
-                    + boundS
-                    + " s"));
+                String.format(
+                    "came at %s ms, not departed within %s s", sinceNs / Time.NS_PER_MS, boundS)));
   }
 }

@@ -166,13 +166,9 @@ final class Survey {
     }
     if (beside.size() != 2) {
       throw new IllegalArgumentException(
-          "door "
-              + door.name()
-              + " at "
-              + door.at()
-              + ": expected to divide two parts of the floor, has "
-              + beside.size()
-              + " beside it");
+          String.format(
+              "door %s at %s: expected to divide two parts of the floor, has %s beside it",
+              door.name(), door.at(), beside.size()));
     }
     return beside;
   }

@@ -104,14 +104,8 @@ final class Ends extends InstanceSpec<Ends.Search> {
                 AGREED,
                 action.timeNs(),
                 List.copyOf(new TreeSet<>(List.of(other, action.robot()))),
-                other
-                    + " ended with '"
-                    + theirs
-                    + "', "
-                    + action.robot()
-                    + " with '"
-                    + answer
-                    + "'");
+                String.format(
+                    "%s ended with '%s', %s with '%s'", other, theirs, action.robot(), answer));
           }
         });
     search().answers.put(action.robot(), answer);

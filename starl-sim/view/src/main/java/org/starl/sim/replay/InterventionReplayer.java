@@ -47,11 +47,7 @@ public final class InterventionReplayer implements StepListener {
 
   private static BadInput bad(Intervention what, String expected) {
     return new BadInput(
-        "the intervention after step "
-            + what.step()
-            + ": "
-            + BadInput.quote(what.name() + " " + what.detail())
-            + ": "
-            + expected);
+        "the intervention after step %s: %s: %s"
+            .formatted(what.step(), BadInput.quote(what.name() + " " + what.detail()), expected));
   }
 }
