@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -184,5 +185,15 @@ class TrafficConformanceTest {
     SpecReport report = with(Fault.realTime(0));
     assertThat(report.violations()).isEmpty();
     assertThat(report.inapplicable(THEORY)).contains("measured");
+  }
+
+  /** On an open road, cars ask under other ids where a list that they did not see may have had the first. */
+  @Test
+  void anIdThatNoListHasIsGivenUp() {
+    Map<String, String> open = Map.of("scenario", "open", "car", "paper", "arrivals", "12/min");
+    SpecReport report =
+        IntersectionTest.run(IntersectionTest.request(3, 0, open), Map.of("duration", "120s"))
+            .spec();
+    assertThat(report.inPart()).doesNotContainKey(THEORY);
   }
 }

@@ -28,6 +28,7 @@ import org.starl.trace.TraceEvent.Variable;
  *                                          knows list n; if an earlier id of the robot is past
  *                                          register_wait, do_register of that id
  * registration: unregister i               unregister(i)
+ * registration: give_up i                 none, while no list has i: it waits for one for ever
  * registration: view n, for the first time decide(L), if L is not the list before
  * registration: view n                     learn(i, m), m being the number of the list of view n, if
  *                                          it is a newer one; rList(i) is L
@@ -89,8 +90,9 @@ public final class TrafficConformance extends LemmaMonitor {
           ofRegistration(action, report);
       case Variable variable when variable.source().equals(registration) -> {
         View view = variable.of(RegistrationFact.VIEW);
-        if (view != null && view.number() > 0 && !run.saw(event, view, report)) {
-          end(event, "shows a list after later ones");
+        String why = view == null || view.number() == 0 ? "" : run.saw(event, view, report);
+        if (!why.isEmpty()) {
+          end(event, why);
         }
       }
       default -> {
@@ -110,7 +112,11 @@ public final class TrafficConformance extends LemmaMonitor {
     switch (action.fact()) {
       case RegistrationAction.do_register asked -> run.registers(action, asked.i(), report);
       case RegistrationAction.unregister left -> run.unregisters(action, left.i(), report);
-      case RegistrationAction.give_up id -> end(action, "gives up an id");
+      case RegistrationAction.give_up id -> {
+        if (!run.givesUp(id.i())) {
+          end(action, "gives up an id");
+        }
+      }
       case Confinement confinement -> end(action, "gives up " + confinement.who());
       default -> {
         // The acceptors.

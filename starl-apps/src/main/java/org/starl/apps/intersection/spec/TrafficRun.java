@@ -2,8 +2,10 @@ package org.starl.apps.intersection.spec;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.spec.TrafficAutomaton.Locations;
@@ -32,6 +34,8 @@ final class TrafficRun {
   private final Function<RobotId, List<String>> ways;
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, ProcessId> cars = new TreeMap<>();
+  // Those that wait for a list for ever: their robots ask under other ids.
+  private final Set<ProcessId> given = new TreeSet<>();
   // The numbers of the views that were shown, and of the lists that they have.
   private final TreeMap<Long, Long> lists = new TreeMap<>();
   private final Map<RobotId, Long> known = new TreeMap<>();
@@ -81,9 +85,18 @@ final class TrafficRun {
     }
   }
 
-  /** Returns false if it is a view that no robot has shown before views of later numbers. */
-  boolean saw(TraceEvent event, View view, Report report) {
+  /** An id that no list has acts no more; returns false if one has it. */
+  boolean givesUp(ProcessId i) {
+    given.add(i);
+    return replay.state().loc().at(i) == Locations.register_wait && !latest().contains(i);
+  }
+
+  /** Returns why the theory has no such list: empty if it has. */
+  String saw(TraceEvent event, View view, Report report) {
     SortedSet<ProcessId> list = Sets.of(view.admitted().keySet());
+    if (list.stream().anyMatch(given::contains)) {
+      return "shows a list with an id that was given up";
+    }
     if (lists.isEmpty() || view.number() > lists.lastKey()) {
       if (!list.equals(latest())) {
         step(event, new TrafficAction.decide(list), report);
@@ -92,7 +105,7 @@ final class TrafficRun {
     }
     Long number = lists.get(view.number());
     if (number == null) {
-      return false;
+      return "shows a list after later ones";
     }
     known.put(event.robot(), number);
     ProcessId i = cars.get(event.robot());
@@ -100,7 +113,7 @@ final class TrafficRun {
       learn(event, i, number, report);
       replay.result(event, "rList", i, list, replay.state().reg().rList(i), report);
     }
-    return true;
+    return "";
   }
 
   private SortedSet<ProcessId> latest() {
