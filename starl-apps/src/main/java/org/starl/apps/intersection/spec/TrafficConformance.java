@@ -46,7 +46,7 @@ import org.starl.trace.TraceEvent.Variable;
  * given back. Bodies are looked at when an action is taken, and when they move in another way; {@link
  * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
  *
- * <p>The theory has no restart. In it no car withdraws a request, and no car is removed as crashed. If one
+ * <p>The theory has no restart of a car, or of another robot that has registered. In it no car withdraws a request, and no car is removed as crashed. If one
  * of these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
  * no more, as in the theory. Runs in real time are not replayed: bodies are measured there, with errors.
  */
@@ -80,7 +80,8 @@ public final class TrafficConformance extends LemmaMonitor {
     run.observe(event, report);
     CrossingFact.trip(event).ifPresent(trip -> ways.putIfAbsent(event.robot(), trip.zones()));
     switch (event) {
-      case Fault fault when fault.name().equals(Fault.RESTART) -> end(event, "restarts");
+      case Fault fault when fault.name().equals(Fault.RESTART) && run.hasId(event.robot()) ->
+          end(event, "restarts");
       case Fault fault when fault.isRealTime() -> {
         hasEnded = true;
         never(TrafficAutomaton.TRAFFIC_DECLS, "in real time bodies are measured, with errors");
@@ -140,7 +141,8 @@ public final class TrafficConformance extends LemmaMonitor {
       }
       case MutexFact.Withdraw f when f.num() > 0 -> end(action, "withdraws a request");
       case MutexFact.Fence f -> end(action, "gives up " + f.suspect());
-      case MutexFact.StandsIn f -> end(action, "says where it stands");
+      case MutexFact.StandsIn f when run.hasId(action.robot()) ->
+          end(action, "says where it stands");
       default -> {
         // Of the protocol.
       }

@@ -66,6 +66,11 @@ final class TrafficRun {
     }
   }
 
+  /** Whether this robot has asked to be listed. */
+  boolean hasId(RobotId robot) {
+    return cars.containsKey(robot);
+  }
+
   void registers(TraceEvent event, ProcessId i, Report report) {
     ProcessId before = cars.get(i.robot());
     Locations location = before == null ? Locations.away : replay.state().loc().at(before);
