@@ -3,6 +3,7 @@ package org.starl.apps.intersection;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,6 +20,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimObserver;
@@ -113,6 +115,40 @@ class ContactTest {
       count += contacts.count;
     }
     assertThat(count).as("contacts").isPositive();
+  }
+
+  /** When a car's motion failed, and how soon after that it drove again. */
+  private static final class Retries implements SimObserver {
+    private long failedNs = -1;
+    private long soonestNs = Long.MAX_VALUE;
+
+    @Override
+    public void observed(TraceEvent event) {
+      if (event instanceof TraceEvent.Action action) {
+        if (action.fact() instanceof MotionFact.failed) {
+          failedNs = event.timeNs();
+        } else if (action.fact() instanceof MotionFact.doMove && failedNs >= 0) {
+          soonestNs = Math.min(soonestNs, event.timeNs() - failedNs);
+          failedNs = -1;
+        }
+      }
+    }
+  }
+
+  @Test
+  void aFlowingCarWaitsAfterABump() {
+    Car car = Car.on(Route.parse("A0 A C C1").orElseThrow(), 0, "bot0", 0);
+    Point debris = Crossing.centre(Zone.C);
+    List<Point> corners = Rectangle.around(debris, 60, 60).outline().vertices();
+    Obstacles floor = Floor.kerbs().plus(new Obstacle(corners, true, true, 40_000));
+    Retries retries = new Retries();
+    new IntersectionPlan(floor, settings(), CarProgram.FLOW)
+        .closed(List.of(car))
+        .simulation()
+        .observer(retries)
+        .build()
+        .run();
+    assertThat(retries.soonestNs).isBetween(Time.NS_PER_S, 10 * Time.NS_PER_S);
   }
 
   /** The car bumps where it has just released the zone behind it, less than 100 mm before its body. */

@@ -200,6 +200,14 @@ class GeocastProtocolTest {
   }
 
   @Test
+  void anAcknowledgementOfTheNumberOfAnEarlierStartDoesNotCount() {
+    GeocastReceipt receipt = protocol.do_geocast("a", AREA, 600 * MS, 0);
+    GeocastId earlier = new GeocastId(ProcessId.first(ME, 0), receipt.id().number());
+    protocol.received(BERT, new GeocastMessage.Ack<>(earlier), 7 * MS);
+    assertThat(receipt.acknowledgedBy()).isEmpty();
+  }
+
+  @Test
   void eachGeocastIsRepeatedAtItsOwnTimes() {
     protocol.do_geocast("one", AREA, 10_000 * MS, 0);
     protocol.do_geocast("two", AREA, 10_000 * MS, 60 * MS);

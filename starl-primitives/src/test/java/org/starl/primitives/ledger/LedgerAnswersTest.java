@@ -69,6 +69,22 @@ class LedgerAnswersTest {
     assertThat(stored).containsExactly(1L);
   }
 
+  @Test
+  void theHoldersInAStateThatIsTakenOverAreWatched() {
+    LedgerState later = new LedgerState();
+    TaskId task = new TaskId("t", 1);
+    later.next(1, Value.EMPTY);
+    List.of(
+            new LedgerEntry.Start(PB),
+            new LedgerEntry.Add(task, Value.EMPTY),
+            new LedgerEntry.Claim(task, 1, PB))
+        .forEach(later::apply);
+    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
+    protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes)), 0);
+    protocol.timer(10 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
+    assertThat(protocol.isSilent(B)).isTrue();
+  }
+
   /** Two robots send their states, in parts that arrive in any order. */
   @Test
   void aPartOfAnOlderStateIsNoPartOfTheNewest() {
