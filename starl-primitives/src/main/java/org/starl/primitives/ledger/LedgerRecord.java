@@ -61,6 +61,9 @@ final class LedgerRecord {
 
     // By the claim's number.
     private final Map<Long, RobotId> begun = new TreeMap<>();
+
+    // By the claim's number, the decree.
+    private final Map<Long, Long> begunIn = new TreeMap<>();
   }
 
   /** What the log says of one robot's tasks, as far as the robot has the log. */
@@ -167,6 +170,19 @@ final class LedgerRecord {
     return holders;
   }
 
+  /** Whether it ends a claim though a decree before {@code number} says that its task was begun. */
+  boolean endsBegun(List<LedgerEntry> wish, long number) {
+    for (LedgerEntry entry : wish) {
+      Task task = entry instanceof Free e ? tasks.get(e.task()) : null;
+      if (entry instanceof Free e
+          && task != null
+          && task.begunIn.getOrDefault(e.claim(), number) < number) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   boolean hasClaim(RobotId robot) {
     return tasks.values().stream().anyMatch(task -> robot.equals(task.claimant));
   }
@@ -179,7 +195,7 @@ final class LedgerRecord {
         (its, one) ->
             new long[] {Math.max(its[0], number + 1 - LedgerProtocol.KEPT_DECREES), number});
     if (decrees.isEmpty() || number > decrees.lastKey()) {
-      decree.entries().forEach(entry -> take(entry, event, report));
+      decree.entries().forEach(entry -> take(number, entry, event, report));
       decrees.put(number, new First(event.robot(), decree.entries(), unfinished));
       if (decrees.size() > KEPT_NUMBERS) {
         decrees.pollFirstEntry();
@@ -214,7 +230,7 @@ final class LedgerRecord {
         report);
   }
 
-  private void take(LedgerEntry entry, Action event, Report report) {
+  private void take(long number, LedgerEntry entry, Action event, Report report) {
     switch (entry) {
       case Start e ->
           tasks.values().stream()
@@ -239,6 +255,7 @@ final class LedgerRecord {
         task.claimant = null;
         task.worker = e.who().robot();
         task.begun.put(e.claim(), e.who().robot());
+        task.begunIn.put(e.claim(), number);
       }
       case Finish e -> {
         Task task = task(e.task(), event, report);

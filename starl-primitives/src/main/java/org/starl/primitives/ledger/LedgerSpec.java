@@ -190,7 +190,12 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
         && sent.channel().kind().equals(LedgerFact.SYNOD)
         && sent.message() instanceof Prepare asked) {
       Instance source = sent.channel().owner();
-      var suspects = instance(source).newlyFreedBy(sent.robot(), LedgerProtocol.read(asked.wish()));
+      List<LedgerEntry> wish = LedgerProtocol.read(asked.wish());
+      if (instance(source).endsBegun(wish, asked.number())) {
+        String detail = source + ": wishes to end the claim of a task that was begun: " + wish;
+        report.violated(BEGUN_BY_ONE, sent.timeNs(), List.of(sent.robot()), detail);
+      }
+      var suspects = instance(source).newlyFreedBy(sent.robot(), wish);
       suspects.forEach(id -> silence.suspects(source, sent, id, Long.MIN_VALUE, report));
       if (suspects.isEmpty()) {
         silence.suspectsNobody(report); // it could have ended claims

@@ -103,6 +103,18 @@ class LedgerSpecTest {
     }
   }
 
+  /** A vote for decree 2: the voter has decree 1. */
+  @Test
+  void aVoterThatWishesToEndTheClaimOfABegunTaskViolatesBegunByOne() {
+    sees(applies(1, A, 1, 1, START_A, ADD, CLAIM_A), applies(2, A, 2, 1, BEGIN_A));
+    sees(Seen.prepares(3, B, FREE));
+    assertThat(violations(LedgerSpec.BEGUN_BY_ONE)).isZero();
+    Monitors informed = new Monitors(List.of(new LedgerSpec(BOUND_NS, FREED_NS)));
+    informed.observe(applies(1, A, 1, 1, START_A, ADD, CLAIM_A, BEGIN_A));
+    informed.observe(Seen.prepares(3, B, FREE));
+    assertThat(informed.report().violations(LedgerSpec.BEGUN_BY_ONE)).isEqualTo(1);
+  }
+
   @Test
   void aRobotThatAsksAndIsNotToldViolatesBehind() {
     for (long number : List.of(1L, 2L)) {
