@@ -36,6 +36,9 @@ final class MotionClient extends Client {
 
   private static final long CANCEL_MS = 4_000;
 
+  /** Part of the runs in which motions have little time. */
+  private static final double HURRIED = 0.3;
+
   private static final long[] REACTIONS_MS = {0, 0, 50, 150};
 
   /** Between fixes that are this far apart a robot needs its odometry; older ones stop it. */
@@ -45,20 +48,30 @@ final class MotionClient extends Client {
   private Point home = new Point(0, 0);
   private boolean hasHome;
 
-  private MotionClient(GlobalVarHolder gvh, Setup setup) {
+  private MotionClient(GlobalVarHolder gvh, Setup setup, boolean isHurried) {
     super(gvh, setup, THINK_MS);
+    gvh.plat.moat.setParameters(paced(gvh.plat.moat.parameters(), isHurried));
     motion = new MotionControl(gvh);
   }
 
   static void setUp(Setup setup) {
-    setup.placeSilent(gvh -> new MotionClient(gvh, setup));
     // Robots bump into walls far more often than into each other.
-    boolean hasWalls = new Rng(setup.request().seed()).fork("motion/walls").nextBoolean(0.5);
+    Rng drawn = new Rng(setup.request().seed()).fork("motion/walls");
+    boolean hasWalls = drawn.nextBoolean(0.5);
+    boolean isHurried = drawn.nextBoolean(HURRIED);
     Obstacles walls = hasWalls ? setup.walls() : Obstacles.NONE;
     setup.simulation().obstacles(walls);
-    MotionParameters parameters = setup.settings().motionParameters(0);
+    MotionParameters parameters = paced(setup.settings().motionParameters(0), isHurried);
+    setup.placeSilent(gvh -> new MotionClient(gvh, setup, isHurried));
     setup.simulation().monitor(() -> new MotionSpec(parameters).located().backingOff(walls));
-    setup.promise(hasWalls ? parameters.longestMs(2 * REACH_MM) : promptMs(parameters), 0, true);
+    // Past a body or a wall that stands at its target a robot drives until its time is over.
+    boolean isLong = hasWalls || isHurried || !parameters.collisionPolicy().fails();
+    setup.promise(isLong ? parameters.longestMs(2 * REACH_MM) : promptMs(parameters), 0, true);
+  }
+
+  /** A motion in a hurry that has slow wheels fails as too slow, before the faults are over. */
+  private static MotionParameters paced(MotionParameters usual, boolean isHurried) {
+    return isHurried ? usual.toBuilder().noProgressMs(6_000).slowestMmPerS(100).build() : usual;
   }
 
   /**

@@ -102,7 +102,7 @@ public final class PrimitiveWorkloads {
           new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",
-              Envelope.PHYSICAL,
+              Envelope.UNLOCATED,
               64,
               Duration.ofSeconds(2),
               parameters(8, "20s"),

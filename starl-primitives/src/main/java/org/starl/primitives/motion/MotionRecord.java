@@ -22,6 +22,9 @@ final class MotionRecord {
   /** The time until which {@code motionflag} must report the result. */
   long deadlineNs;
 
+  /** Before this time it has not taken longer than the longest time for its way. */
+  long slowFromNs;
+
   /** Whether {@code motionflag} has not reported the result yet. */
   boolean isOpen = true;
 

@@ -57,6 +57,7 @@ public final class MotionSpec extends LemmaMonitor {
   private final MotionParameters p;
   private final double marginMm;
   private final MotionBodies bodies;
+  private final FixFaults fixes = new FixFaults();
   private final FlagCheck<MotionFlag> flag = new FlagCheck<>(MotionFact.FLAG, FLAG);
 
   // The numbers of active faults, and of active faults that affect time.
@@ -134,7 +135,10 @@ public final class MotionSpec extends LemmaMonitor {
     return this;
   }
 
-  /** Also requires that robots are where they believe to be: of fixes and wheels within their bounds. */
+  /**
+   * Also requires that robots are where they believe to be, and that a motion fails for its fixes only
+   * after a fault of them: of fixes and wheels within their bounds, but for such faults.
+   */
   public MotionSpec located() {
     lemma(LOCATED, "A robot is within its error bound of the place where it believes to be.");
     isLocated = true;
@@ -247,9 +251,25 @@ public final class MotionSpec extends LemmaMonitor {
 
   private void setDeadline(MotionRecord motion, double distanceMm, long fromNs) {
     long longestMs = p.longestMs(distanceMm + p.maxErrorMm());
-    long stepMs = 2 * p.automatonPeriodMs() + p.reactionMs();
-    motion.deadlineNs = fromNs + (longestMs + stepMs) * NS_PER_MS;
-    firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
+    motion.deadlineNs = fromNs + (longestMs + stepMs()) * NS_PER_MS;
+    double leastMm = Math.max(0, distanceMm - p.maxErrorMm());
+    motion.slowFromNs = fromNs + p.longestMs(leastMm) * NS_PER_MS;
+    firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs(motion));
+  }
+
+  private long stepMs() {
+    return 2 * p.automatonPeriodMs() + p.reactionMs();
+  }
+
+  /** Its own, or earlier: it fails if no fix comes. */
+  private long deadlineNs(MotionRecord motion) {
+    long blindNs = fixes.blindFromNs(motion.robot, NEVER);
+    if (blindNs == NEVER || !isLocated) {
+      return motion.deadlineNs;
+    }
+    long patienceMs = p.maxFixAgeMs() + p.failFixAgeMs() + stepMs();
+    long failsNs = Math.max(blindNs, motion.triesFromNs) + patienceMs * NS_PER_MS;
+    return Math.min(motion.deadlineNs, failsNs);
   }
 
   /** From then on the motion has the time for its way. */
@@ -345,6 +365,7 @@ public final class MotionSpec extends LemmaMonitor {
 
   private void failed(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
     checkPatience(motion, why, nowNs, report);
+    checkFixes(motion, why, nowNs, report);
     checkHeldUp(motion, nowNs, report);
     checkBump(motion, why, nowNs, report);
     if (motion.owesArrives && !isExternal(motion, why)) {
@@ -365,13 +386,24 @@ public final class MotionSpec extends LemmaMonitor {
   /** A motion that is held back must wait, and one that does not move must try, before it fails. */
   private void checkPatience(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
     long sinceNs = motion.startNs;
-    if (why == MotionFailure.IN_THE_WAY) {
+    if (waitsStanding(why)) {
       sinceNs = Math.max(sinceNs, bodies.standsFromNs(motion.robot, nowNs));
     }
     long leastMs = patienceMs(why) - p.reactionMs() - CLOCK_MS;
-    if (nowNs - sinceNs < leastMs * NS_PER_MS && motion.hasTrueClock && !isRealTime) {
+    boolean isEarly =
+        nowNs - sinceNs < leastMs * NS_PER_MS
+            || (why == MotionFailure.TOO_SLOW && nowNs < motion.slowFromNs - CLOCK_MS * NS_PER_MS);
+    if (isEarly && motion.hasTrueClock && !isRealTime) {
       String detail =
           "fails " + (nowNs - sinceNs) / NS_PER_MS + " ms after it began to try: " + why;
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+  }
+
+  private void checkFixes(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
+    long fixAgeNs = p.maxFixAgeMs() * NS_PER_MS;
+    if (isLocated && !fixes.allow(why, motion.robot, fixAgeNs, nowNs)) {
+      String detail = "fails, and its fixes have no such fault: " + why;
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
     }
   }
@@ -400,11 +432,20 @@ public final class MotionSpec extends LemmaMonitor {
     }
   }
 
+  private static boolean waitsStanding(MotionFailure why) {
+    return switch (why) {
+      case IN_THE_WAY, NO_FIX, CONTRADICTED, UNCERTAIN -> true;
+      default -> false;
+    };
+  }
+
   private long patienceMs(MotionFailure why) {
     return switch (why) {
       case IN_THE_WAY -> p.avoidPatienceMs();
       case NO_PROGRESS -> p.stuckAfterMs();
-      case NO_FIX, CONTRADICTED, UNCERTAIN -> p.failFixAgeMs();
+      // The age of the last good fix counts; the wheels stop a step after it is too old.
+      case NO_FIX, CONTRADICTED -> p.failFixAgeMs() - p.maxFixAgeMs() - p.automatonPeriodMs();
+      case UNCERTAIN -> p.failFixAgeMs() - p.automatonPeriodMs();
       case TARGET_FORBIDDEN, NO_WAY, BUMPED, TOO_SLOW -> 0;
     };
   }
@@ -423,6 +464,10 @@ public final class MotionSpec extends LemmaMonitor {
 
   private void failing(Fault fault) {
     isRealTime |= fault.isRealTime();
+    fixes.observe(fault);
+    for (MotionRecord motion : bodies.motions().values()) {
+      firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs(motion));
+    }
     switch (fault.name()) {
       case Fault.BEGIN -> {
         faults++;
@@ -471,14 +516,15 @@ public final class MotionSpec extends LemmaMonitor {
     }
     firstDeadlineNs = NEVER;
     for (MotionRecord motion : bodies.motions().values()) {
-      if (motion.isOpen && nowNs > motion.deadlineNs) {
+      long deadlineNs = deadlineNs(motion);
+      if (motion.isOpen && nowNs > deadlineNs) {
         motion.isOpen = false;
         report.checked(TOLD);
         String detail =
             "reports no result for " + motion.target + " since " + motion.startNs + " ns";
-        report.overdue(TOLD, motion.deadlineNs, List.of(motion.robot), detail);
+        report.overdue(TOLD, deadlineNs, List.of(motion.robot), detail);
       } else if (motion.isOpen) {
-        firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
+        firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs);
       }
     }
   }

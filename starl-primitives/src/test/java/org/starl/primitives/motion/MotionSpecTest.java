@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Circle;
@@ -108,6 +110,71 @@ class MotionSpecTest {
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
   }
 
+  /** After 22 s, and 2500 mm at 25 mm/s. */
+  @ParameterizedTest
+  @CsvSource({"122900,1", "123000,0"})
+  void aMotionThatFailsAsTooSlowBeforeItsTimeIsOverViolatesTold(long atMs, int violations) {
+    moves(1_000, new Nowhere());
+    fails(atMs, MotionFailure.TOO_SLOW);
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(violations);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"NO_FIX,dropout", "CONTRADICTED,jump", "UNCERTAIN,noise"})
+  void aMotionThatFailsForItsFixesWithoutAFaultOfThemViolatesTold(
+      MotionFailure why, String effect) {
+    for (String other : List.of("dropout", "jump", "noise", "slow")) {
+      Monitors own = located();
+      moves(own, 1_000, new Nowhere());
+      own.observe(new Fault(2_000 * MS, A, Fault.BEGIN, other, other + "(a)"));
+      own.observe(new Moved(2_300 * MS, A, HERE, 0, 0));
+      fails(own, 4_250, why);
+      assertThat(own.report().violations(MotionSpec.TOLD)).isEqualTo(other.equals(effect) ? 0 : 1);
+    }
+  }
+
+  @Test
+  void afterADropoutNoFixIsNoTrueReason() {
+    Monitors own = located();
+    moves(own, 1_000, new Nowhere());
+    own.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "dropout", "dropout(a)"));
+    own.observe(new Moved(2_300 * MS, A, HERE, 0, 0));
+    own.observe(new Fault(3_900 * MS, A, Fault.END, "dropout", "dropout(a)"));
+    fails(own, 4_250, MotionFailure.NO_FIX);
+    assertThat(own.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aMotionThatFailsForItsFixesBeforeItHasWaitedViolatesTold() {
+    Monitors own = located();
+    moves(own, 1_000, new Nowhere());
+    own.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "noise", "noise(a,2m)"));
+    own.observe(new Moved(5_000 * MS, A, HERE, 0, 0));
+    fails(own, 5_100, MotionFailure.UNCERTAIN);
+    assertThat(own.report().violations(MotionSpec.TOLD)).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"dropout,1", "jump,1", "noise,0"})
+  void aMotionWithoutAGoodFixThatDoesNotFailViolatesTold(String effect, int violations) {
+    Monitors own = located();
+    moves(own, 1_000, new Nowhere());
+    own.observe(new Fault(2_000 * MS, A, Fault.BEGIN, effect, effect + "(a)"));
+    own.observe(new Fault(4_600 * MS, A, Fault.END, effect, effect + "(a)"));
+    own.finish(5_000 * MS);
+    assertThat(own.report().violations(MotionSpec.TOLD)).isEqualTo(violations);
+  }
+
+  @Test
+  void aMotionThatHasAGoodFixInTimeNeedNotFail() {
+    Monitors own = located();
+    moves(own, 1_000, new Nowhere());
+    own.observe(new Fault(2_000 * MS, A, Fault.BEGIN, "dropout", "dropout(a)"));
+    own.observe(new Fault(4_000 * MS, A, Fault.END, "dropout", "dropout(a)"));
+    own.finish(5_000 * MS);
+    assertThat(own.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
   @Test
   void aRobotThatBumpsAndDoesNotBackOffViolatesTold() {
     Monitors backing = new Monitors(List.of(backingOff()));
@@ -131,6 +198,10 @@ class MotionSpecTest {
     backing.observe(new Joined(0, new RobotId("b"), new Pose(-340, 0, 0), 165));
     bumps(backing);
     assertThat(backing.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  private static Monitors located() {
+    return new Monitors(List.of(new MotionSpec().located()));
   }
 
   private static MotionSpec backingOff() {

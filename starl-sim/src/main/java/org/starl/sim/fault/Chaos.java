@@ -32,6 +32,14 @@ final class Chaos {
   private static final long MOST_DROPOUT_MS = 1000;
   private static final String DROPOUT = "dropout(any)";
 
+  /** By then each robot has its first fix, which it believes. */
+  private static final long FIRST_FIX_MS = 1000;
+
+  /** Bad fixes last longer than a motion waits, and end before wrong ones are believed. */
+  private static final long LEAST_BAD_MS = 2500;
+
+  private static final long MOST_BAD_MS = 10_000;
+
   private final Rng rng;
   private final long timeoutMs;
   private final long untilMs;
@@ -44,6 +52,26 @@ final class Chaos {
   }
 
   static FaultPlan draw(
+      Envelope envelope, boolean isSealed, int robots, long timeoutNs, long untilNs, Rng rng) {
+    return envelope == Envelope.UNLOCATED
+        ? drawUnlocated(isSealed, robots, timeoutNs, untilNs, rng)
+        : drawLocated(envelope, isSealed, robots, timeoutNs, untilNs, rng);
+  }
+
+  /** Where fixes are wrong, no robot crashes or misses its first fix: it would believe a wrong one. */
+  private static FaultPlan drawUnlocated(
+      boolean isSealed, int robots, long timeoutNs, long untilNs, Rng rng) {
+    boolean areWrong = rng.nextBoolean(0.5);
+    Chaos bad = new Chaos(rng, timeoutNs / Time.NS_PER_MS, untilNs / Time.NS_PER_MS);
+    bad.addBadFixes(areWrong);
+    Envelope others = areWrong ? Envelope.SPATIAL : Envelope.PHYSICAL;
+    drawLocated(others, isSealed, robots, timeoutNs, untilNs, rng).faults().stream()
+        .filter(fault -> !areWrong || !fault.effect().name().equals("dropout"))
+        .forEach(bad.faults::add);
+    return new FaultPlan(bad.faults);
+  }
+
+  private static FaultPlan drawLocated(
       Envelope envelope, boolean isSealed, int robots, long timeoutNs, long untilNs, Rng rng) {
     Chaos chaos = new Chaos(rng, timeoutNs / Time.NS_PER_MS, untilNs / Time.NS_PER_MS);
     List<Supplier<String>> kinds = chaos.kinds(envelope, isSealed);
@@ -94,6 +122,23 @@ final class Chaos {
       add(fault, atMs, Math.min(untilMs, atMs + lastingMs));
       atMs += 1 + Math.round(meanGapMs * rng.nextExponential());
     }
+  }
+
+  /** One after another: two wrong shifts could add up to a small one, which no robot notices. */
+  private void addBadFixes(boolean areWrong) {
+    long atMs = FIRST_FIX_MS + rng.nextLong(0, MOST_BAD_MS);
+    while (atMs + LEAST_BAD_MS <= untilMs) {
+      long endMs = Math.min(untilMs, atMs + rng.nextLong(LEAST_BAD_MS, MOST_BAD_MS));
+      String who = anyOr("all");
+      add(areWrong ? fault("jump", who, rng.nextLong(5, 20) + "m") : absent(who), atMs, endMs);
+      atMs = endMs + 1 + rng.nextLong(0, MOST_BAD_MS);
+    }
+  }
+
+  private String absent(String who) {
+    return isDrawn(0.5)
+        ? fault("dropout", who)
+        : fault("noise", who, rng.nextLong(2, 5) + "m", angle());
   }
 
   private boolean mayHaveOutages() {

@@ -50,7 +50,14 @@ public enum Envelope {
   SPATIAL("network, and bounded faults of clocks, positioning and wheels"),
 
   /** {@link #SPATIAL}, and crashes with restarts, slow storage: for primitives of moving robots. */
-  PHYSICAL("spatial, and crashes with restarts, slow storage");
+  PHYSICAL("spatial, and crashes with restarts, slow storage"),
+
+  /**
+   * {@link #PHYSICAL}, and up to 10 s without fixes, with fixes that may be far off and say so, or with
+   * fixes that are far off and do not say so; then without crashes, as a robot believes its first fix.
+   * For robots that must notice that they do not know where they are.
+   */
+  UNLOCATED("physical, and seconds without fixes, with vague ones or with wrong ones");
 
   private final String meaning;
 

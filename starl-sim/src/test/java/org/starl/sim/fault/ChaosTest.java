@@ -74,6 +74,10 @@ class ChaosTest {
         .containsAll(kinds(Envelope.SPATIAL))
         .contains("crash", "forget", "disk")
         .hasSize(network.size() + 9);
+    assertThat(kinds(Envelope.UNLOCATED))
+        .containsAll(kinds(Envelope.PHYSICAL))
+        .contains("jump")
+        .hasSize(network.size() + 10);
     assertThat(kinds(Envelope.SPATIAL))
         .containsAll(network)
         .contains("drift", "noise", "dropout", "skew", "slow", "stuck")
@@ -133,6 +137,27 @@ class ChaosTest {
       }
       assertThat(kinds(envelope)).as("%s", envelope).doesNotContainAnyElementsOf(attacks);
     }
+  }
+
+  @Test
+  void fixesAreWrongOnlyWhereNoRobotBelievesThem() {
+    int wrong = 0;
+    for (long seed = 1; seed <= 100; seed++) {
+      FaultPlan plan = FaultPlan.chaos(Envelope.UNLOCATED, false, 4, 2 * S, 30 * S, new Rng(seed));
+      long endNs = S;
+      for (Fault fault : plan.faults()) {
+        if (fault.effect().name().equals("jump")) {
+          wrong++;
+          assertThat(fault.span().at().leastNs()).isGreaterThanOrEqualTo(endNs);
+          endNs = fault.span().untilNs();
+          assertThat(endNs - fault.span().at().leastNs()).isLessThanOrEqualTo(10 * S);
+          assertThat(plan.faults())
+              .noneMatch(
+                  other -> Set.of("crash", "forget", "dropout").contains(other.effect().name()));
+        }
+      }
+    }
+    assertThat(wrong).isGreaterThan(50);
   }
 
   private static Set<String> kinds(Envelope envelope) {
