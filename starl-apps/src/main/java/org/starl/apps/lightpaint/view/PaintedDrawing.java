@@ -12,13 +12,13 @@ import java.util.ArrayList;
 import java.util.Formatter;
 import java.util.List;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.spec.Pass;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.sim.record.Png;
 
 /** The drawing and what was painted, by true positions, as an SVG file and as a PNG picture. */
 public final class PaintedDrawing {
@@ -100,7 +100,7 @@ public final class PaintedDrawing {
     page.translate(widthPx / pxPerMm, 0);
     painted.forEach(mark -> draw(page, mark));
     page.dispose();
-    ImageIO.write(image, "png", out);
+    Png.write(image, out);
   }
 
   private static void draw(Graphics2D page, Mark mark) {

@@ -8,7 +8,6 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.Failure;
 import org.starl.sim.SimResult;
@@ -59,7 +58,7 @@ public final class Filmstrip extends SceneRecorder {
 
     private static void write(BufferedImage image, int widthPx, OutputStream out)
         throws IOException {
-      ImageIO.write(scaled(image, widthPx), "png", out);
+      Png.write(scaled(image, widthPx), out);
     }
   }
 

@@ -3,7 +3,6 @@ package org.starl.sim.record;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.Failure;
@@ -96,6 +95,6 @@ public final class PictureRecorder extends SceneRecorder {
     if (image == null) {
       throw new IllegalStateException("no picture was taken");
     }
-    ImageIO.write(image, "png", out);
+    Png.write(image, out);
   }
 }

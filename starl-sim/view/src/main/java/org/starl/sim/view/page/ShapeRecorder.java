@@ -33,11 +33,11 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 import org.apache.xmlgraphics.java2d.AbstractGraphics2D;
 import org.apache.xmlgraphics.java2d.GraphicContext;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Painter;
+import org.starl.sim.record.Png;
 
 /**
  * Records drawing operations as {@link DrawnItem}s, in pixels of the page, so that a browser can
@@ -246,7 +246,7 @@ final class ShapeRecorder extends AbstractGraphics2D {
   private static String address(BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try {
-      ImageIO.write(image, "png", bytes);
+      Png.write(image, bytes);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
