@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.lang.prove.Claim;
+import org.starl.lang.prove.Interrupted;
 import org.starl.lang.prove.NoSolver;
 import org.starl.lang.prove.Prover;
 import org.starl.lang.prove.Report;
@@ -107,6 +108,8 @@ final class ProveCommand extends SourceCommand {
                 keep(of, title, text);
               })
           .prove();
+    } catch (Interrupted e) {
+      throw stop().signalled();
     } catch (NoSolver e) {
       throw new MissingDependencyException(String.valueOf(e.getMessage()));
     } catch (Unprovable e) {

@@ -14,6 +14,9 @@ final class UntilStopped {
 
   private static final long LIMIT_S = 10;
 
+  /** The JVM's exit status after Ctrl-C. */
+  private static final int INTERRUPTED = 130;
+
   /** Work that ends when its thread is interrupted. */
   @FunctionalInterface
   interface Work {
@@ -65,6 +68,16 @@ final class UntilStopped {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /**
+   * Ends this process as Ctrl-C does, for a library that has taken that signal. Does not return.
+   *
+   * @return nothing: for {@code throw}
+   */
+  IllegalStateException signalled() {
+    System.exit(INTERRUPTED);
+    return new IllegalStateException("goes on after the end of the process");
   }
 
   /** Whether a signal has come before the command ended. */

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardWatchEventKinds;
+import java.nio.file.WatchService;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -36,21 +38,29 @@ class InterruptedTest {
   private static Ended run(String signal, String progress, List<String> words) throws Exception {
     assumeFalse(
         signal.equals("INT") && ignoresInt(), "INT is ignored, as in a shell's background job");
-    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
-    command.remove(RobotCommand.NAME);
-    command.addAll(words);
-    Process process = new ProcessBuilder(command).start();
+    Process process = start(words);
     try (BufferedReader err = process.errorReader(StandardCharsets.UTF_8);
         BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
       String line = err.readLine();
       while (line != null && !line.matches(progress)) {
         line = err.readLine();
       }
-      new ProcessBuilder("kill", "-" + signal, "" + process.pid()).start().waitFor();
+      signal(signal, process);
       List<String> printed = out.lines().toList();
       List<String> errors = err.lines().toList();
       return new Ended(process.waitFor(), printed, errors);
     }
+  }
+
+  private static Process start(List<String> words) throws IOException {
+    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
+    command.remove(RobotCommand.NAME);
+    command.addAll(words);
+    return new ProcessBuilder(command).start();
+  }
+
+  private static void signal(String signal, Process process) throws Exception {
+    new ProcessBuilder("kill", "-" + signal, "" + process.pid()).start().waitFor();
   }
 
   /** Whether this process, and so its children, ignore the signal INT, which has the number 2. */
@@ -138,6 +148,23 @@ class InterruptedTest {
     assertThat(ended.status()).isEqualTo(130);
     assertThat(ended.err().getLast())
         .matches("starl: interrupted after [1-9]\\d* of \\d+ " + units);
+  }
+
+  @Test
+  void proveEndsThoughItsSolverTakesTheSignal() throws Exception {
+    assumeFalse(ignoresInt(), "INT is ignored, as in a shell's background job");
+    Path kept = Files.createDirectory(folder.resolve("kept"));
+    try (WatchService questions = kept.getFileSystem().newWatchService()) {
+      kept.register(questions, StandardWatchEventKinds.ENTRY_CREATE);
+      Process process =
+          start(List.of("prove", "../pvs/starl/Traffic_decls.starl", "--keep", kept.toString()));
+      questions.take(); // the solver is asked
+      signal("INT", process);
+      try (BufferedReader err = process.errorReader(StandardCharsets.UTF_8)) {
+        assertThat(err.lines()).last().asString().startsWith("starl: interrupted");
+      }
+      assertThat(process.waitFor()).isEqualTo(130);
+    }
   }
 
   @Test

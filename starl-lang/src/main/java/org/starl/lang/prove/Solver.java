@@ -76,8 +76,18 @@ final class Solver implements AutoCloseable {
     return switch (eval("(check-sat)")) {
       case "sat" -> isModel() ? Answer.SAT : Answer.UNKNOWN;
       case "unsat" -> Answer.UNSAT;
-      default -> Answer.UNKNOWN;
+      default -> {
+        requireUninterrupted();
+        yield Answer.UNKNOWN;
+      }
     };
+  }
+
+  /** While Z3 searches, it takes the signal of Ctrl-C from this process, and ends the search. */
+  private void requireUninterrupted() {
+    if (eval("(get-info :reason-unknown)").contains("interrupted")) {
+      throw new Interrupted();
+    }
   }
 
   /**
