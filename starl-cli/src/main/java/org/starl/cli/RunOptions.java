@@ -45,7 +45,7 @@ class RunOptions {
       description =
           "Any other setting or parameter; 'starl list' shows them with their defaults. May be"
               + " repeated.")
-  private Map<String, String> sets = new LinkedHashMap<>();
+  private List<String> settings = new ArrayList<>();
 
   @Option(
       names = "--as-deployed",
@@ -135,8 +135,33 @@ class RunOptions {
     return name;
   }
 
-  /** The keys and values of {@code --set}, for a command that runs no app. */
+  /**
+   * The keys and values of {@code --set}.
+   *
+   * @throws BadInput for a key that was given twice, also by an option of its own
+   */
   final Map<String, String> sets() {
+    Map<String, String> sets = new LinkedHashMap<>();
+    for (String text : settings) {
+      int end = text.indexOf('=');
+      if (end < 0) {
+        throw new BadInput("--set: " + BadInput.quote(text) + ": expected KEY=VALUE");
+      }
+      String key = text.substring(0, end);
+      if (sets.put(key, text.substring(end + 1)) != null) {
+        throw new BadInput("--set " + key + ": expected it once");
+      }
+    }
+    for (Setting<?> setting : given.keySet()) {
+      if (sets.containsKey(setting.key())) {
+        throw new BadInput(
+            "--set "
+                + setting.key()
+                + ": "
+                + option(setting)
+                + " gives it, too; expected one of them");
+      }
+    }
     return sets;
   }
 
@@ -149,7 +174,7 @@ class RunOptions {
     List<String> options = new ArrayList<>();
     given.keySet().forEach(setting -> options.add(option(setting)));
     faults.forEach(fault -> options.add("--fault"));
-    sets.forEach((key, value) -> options.add("--set"));
+    settings.forEach(text -> options.add("--set"));
     if (asDeployed != null) {
       options.add("--as-deployed");
     }
@@ -160,7 +185,7 @@ class RunOptions {
 
   /**
    * The request of the scenario file, if any, and these options, for an app of {@code demos}.
-   * A deployment replaces the file's values, options replace both, {@code --set} replaces other options; {@code --fault} adds
+   * A deployment replaces the file's values, options replace both; {@code --fault} adds
    * to the file's faults.
    *
    * @throws BadInput naming the option or the file's line, the value and the expected form
@@ -174,7 +199,7 @@ class RunOptions {
     }
     faults.forEach(request::fault);
     given.forEach((setting, text) -> request.set(option(setting) + ": ", setting.key(), text));
-    sets.forEach((key, text) -> request.set("--set: ", key, text));
+    sets().forEach((key, text) -> request.set("--set: ", key, text));
     return request.build();
   }
 

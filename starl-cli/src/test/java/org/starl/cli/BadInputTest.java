@@ -64,6 +64,10 @@ class BadInputTest {
       run mutex --processes --specs off | --specs cannot be used with --processes
       run intersection --carrier horse | --carrier | expected one of | 'horse'
       run intersection --set debris | --set | KEY=VALUE
+      run hello --set robots=2 --set robots=3 | --set robots: expected it once
+      run hello --set robots=2 --robots 3 | --set robots: --robots gives it, too; expected one of them
+      campaign hello --seeds 1..2 --set messageLoss=0 --loss 0 | --set messageLoss: --loss gives it, too
+      explore agreement --strategy states --set votes=1 --set votes=2 | --set votes: expected it once
       run intersection --set debris=9 | debris | '9' | from 0 to 8
       run intersection --set debris=much | debris | 'much' | from 0 to 8
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
@@ -158,7 +162,7 @@ class BadInputTest {
       bench | WORKLOAD
       simulated-create | starl: expected --pty=NAME or --tcp=[HOST:]PORT; | see 'starl simulated-create --help'
       deploy check | see 'starl deploy check --help'
-      run hello --set robots | --set=KEY=VALUE: 'robots': expected KEY=VALUE;
+      run hello --set robots | --set: 'robots': expected KEY=VALUE
       run hello --json=3 | starl: --json: '3': expected no value;
       completion csh | starl: SHELL: 'csh': expected one of BASH, ZSH, FISH;
       run hello --trace | starl: expected --trace=FILE;
