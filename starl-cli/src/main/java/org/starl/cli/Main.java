@@ -9,6 +9,7 @@ import java.nio.file.FileSystemException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
@@ -113,12 +114,14 @@ public final class Main implements Runnable {
   }
 
   public static void main(String[] args) {
-    PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+    Locale.setDefault(Locale.ROOT); // not all languages have the digits of traces and commands
     PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
     UntilStopped stop =
         new UntilStopped(
             done -> err.println("starl: interrupted" + (done.isEmpty() ? "" : " after " + done)));
     stop.listen();
+    PrintWriter out =
+        new PrintWriter(new StandardOutput(stop::ended), true, StandardCharsets.UTF_8);
     int status;
     try {
       status = run(stop, out, err, args);

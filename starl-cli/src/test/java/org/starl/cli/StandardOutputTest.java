@@ -2,10 +2,16 @@ package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -17,6 +23,47 @@ class StandardOutputTest {
     public void write(int b) throws IOException {
       throw new IOException("No space left on device");
     }
+  }
+
+  /** As in {@code starl list | head -1}, whose reader has ended. */
+  @Tag("realtime")
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--help",
+        "list hello",
+        "list hello --json",
+        "run hello --seed 1 --png /dev/null",
+        "campaign hello --seeds 1..2",
+        "schema",
+        "completion bash"
+      })
+  void endsQuietlyWhenItsReaderHasEnded(String words) throws Exception {
+    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
+    command.remove(RobotCommand.NAME);
+    command.addAll(List.of(words.split(" ")));
+    Process process = new ProcessBuilder(command).start();
+    process.getInputStream().close();
+    try (BufferedReader err = process.errorReader()) {
+      assertThat(err.lines())
+          .noneMatch(line -> line.contains("cannot be written") || line.startsWith("\tat "));
+    }
+    assertThat(process.waitFor()).isEqualTo(StandardOutput.STATUS);
+  }
+
+  @Tag("realtime")
+  @Test
+  void hasTheDigitsOfEveryLanguage() throws Exception {
+    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
+    command.remove(RobotCommand.NAME);
+    command.addAll(List.of("campaign", "hello", "--seeds", "1..2"));
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("JAVA_TOOL_OPTIONS", "-Duser.language=ar -Duser.country=EG");
+    Process process = builder.start();
+    try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
+      assertThat(out.lines()).anyMatch(line -> line.startsWith("bad runs: 0 of 2: "));
+    }
+    assertThat(process.waitFor()).isZero();
   }
 
   @ParameterizedTest
