@@ -87,6 +87,12 @@ final class MutantsCommand extends BaseCommand implements Callable<Integer> {
     try (BugProcess process = new BugProcess(names, words)) {
       stop().calls(process::end);
       return run(process, names, mostBugs);
+    } catch (IOException e) {
+      if (!stop().isStopped()) {
+        throw e;
+      }
+      err().println("starl: interrupted"); // the signal ended the second process
+      return ExitStatus.NOT_DECIDED;
     }
   }
 

@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.input.BadInput;
+import org.starl.input.FailureText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -158,7 +159,8 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
       Files.move(part, project, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       delete(part);
-      throw e;
+      throw new IOException(
+          BadInput.quote(shown) + ": cannot be written (" + FailureText.of(e) + ")", e);
     }
   }
 

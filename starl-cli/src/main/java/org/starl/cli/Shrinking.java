@@ -81,7 +81,13 @@ final class Shrinking {
           "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail());
       lines.add("replay: " + command());
       if (!twin.isEmpty()) {
-        lines.add("cause: " + causes() + ": without it the run is good: " + Shell.starl(twin));
+        lines.add(
+            "cause: "
+                + causes()
+                + ": without "
+                + (result.cause().size() == 1 ? "it" : "them")
+                + " the run is good: "
+                + Shell.starl(twin));
       }
       lines.addAll(why);
       return lines;

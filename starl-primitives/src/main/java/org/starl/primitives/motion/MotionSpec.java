@@ -1,4 +1,5 @@
-// Longer than 500 lines because the lemmas of a motion share its record and the bodies that they follow.
+// Longer than 500 lines because the lemmas of a motion share its record and the bodies that they
+// follow.
 package org.starl.primitives.motion;
 
 import static org.starl.time.Time.NS_PER_MS;
