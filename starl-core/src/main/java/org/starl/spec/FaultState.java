@@ -23,12 +23,15 @@ public final class FaultState {
   public static final long SETTLE_NS = 10 * Time.NS_PER_S;
 
   private static final Set<String> OF_CLOCKS = Set.of("drift", "skew", Fault.REAL_TIME);
+  private static final String FATE = "datagram";
 
   private final Set<RobotId> down = new TreeSet<>();
   // A fault may be in the list twice.
   private final List<Active> active = new ArrayList<>();
   // When a fault of the robot's clock last began or ended.
   private final Map<RobotId, Long> clockChangedNs = new TreeMap<>();
+  // Single datagrams are late or lost, at times that no event tells.
+  private boolean hasFates;
   // When the last change was; long ago at first.
   private long changedNs = Long.MIN_VALUE / 2;
 
@@ -40,6 +43,7 @@ public final class FaultState {
     copy.down.addAll(down);
     copy.active.addAll(active);
     copy.clockChangedNs.putAll(clockChangedNs);
+    copy.hasFates = hasFates;
     copy.changedNs = changedNs;
     return copy;
   }
@@ -76,10 +80,10 @@ public final class FaultState {
   /**
    * Whether no fault was active, every robot was up, and none came or left, in the {@code settleNs}
    * until {@code nowNs}: then messages that were lost before have been repeated. True before the
-   * first fault.
+   * first fault; never after a fault has given the fate of a single datagram.
    */
   public boolean isCalm(long nowNs, long settleNs) {
-    return active.isEmpty() && down.isEmpty() && nowNs - changedNs >= settleNs;
+    return !hasFates && active.isEmpty() && down.isEmpty() && nowNs - changedNs >= settleNs;
   }
 
   /**
@@ -104,6 +108,7 @@ public final class FaultState {
     if (OF_CLOCKS.contains(fault.effect())) {
       clockChangedNs.put(fault.robot(), fault.timeNs());
     }
+    hasFates |= fault.effect().equals(FATE);
     Active which = new Active(fault.robot(), fault.effect(), fault.detail());
     return switch (fault.name()) {
       case Fault.CRASH -> down.add(fault.robot());

@@ -78,6 +78,17 @@ class FaultStateTest {
   }
 
   @Test
+  void aRunWithAGivenFateOfADatagramIsNeverCalm() {
+    Fault begins = new Fault(1, A, Fault.BEGIN, "datagram", "datagram(a>b,25,lost)");
+    faults.observe(begins);
+    faults.observe(new Fault(1, A, Fault.END, begins.effect(), begins.detail()));
+    faults.observe(new Fault(1, Fault.WORLD, Fault.HEALED, ""));
+    assertThat(faults.isFaultFree()).isTrue();
+    assertThat(faults.isCalm(1_000, 10)).isFalse();
+    assertThat(faults.copy().isCalm(1_000, 10)).isFalse();
+  }
+
+  @Test
   void otherEventsChangeNothing() {
     assertThat(faults.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
   }
