@@ -253,9 +253,9 @@ final class CheckCommand extends SourceCommand {
 
   private Sizes sizes(Automaton automaton, List<Automaton> automata) {
     Map<String, Integer> opaque = new LinkedHashMap<>();
+    int first = OptionValues.whole("--robots", robots, 1, LARGEST);
     for (String type : Machine.opaqueTypes(automaton)) {
-      opaque.put(
-          type, opaque.isEmpty() ? OptionValues.whole("--robots", robots, 1, LARGEST) : USUAL_SIZE);
+      opaque.put(type, opaque.isEmpty() ? first : USUAL_SIZE);
     }
     sizeOf.forEach((type, size) -> {
       if (automata.stream().noneMatch(a -> Machine.opaqueTypes(a).contains(type))) {

@@ -246,6 +246,11 @@ class CheckTest {
     assertThat(Path.of(file)).hasContent("a note");
   }
 
+  @Test
+  void robotsAreCheckedThoughNoTypeHasThem() throws IOException {
+    assertRefused(check(RING, "--robots", "99"), "--robots: '99': expected");
+  }
+
   private static void assertRefused(Cli cli, String line) {
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err()).singleElement().asString().contains(line);
