@@ -97,6 +97,9 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     Request request = request(seed);
     SimSettings defaults = demo.defaultSettings(request).build();
     Plan plan = demo.plan(request, given(request).over(defaults));
+    if (robots().orElse(1) == 0) { // most apps say how many they take
+      throw new BadInput("robots: 0: expected at least 1");
+    }
     plan.simulation().name(demo.name()).seed(seed).commands(() -> commands(seed));
     request.parameters().forEach(plan.simulation()::parameter);
     if (request.robots().isEmpty()) {

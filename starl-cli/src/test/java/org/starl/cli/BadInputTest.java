@@ -26,6 +26,8 @@ class BadInputTest {
       run intersecton | 'intersecton' | did you mean intersection?
       run intersection hello | 'hello' | expected nothing more
       run intersection --robots -3 | --robots | expected a whole number of at least 0
+      run hello --robots 0 | robots: 0: expected at least 1
+      campaign hello --seeds 1..2 --set robots=0 | robots: 0: expected at least 1
       run intersection --robots 0 | robots: 0 | expected 1 to 12 cars
       run hello --for 10s --fault crash(bot1,at=12s) | 'crash(bot1,at=12s)' | 12s | duration=10s
       run lightpaint --gps-noise 41mm | positionNoise=41mm | at most 40mm for reach tubes
