@@ -36,7 +36,7 @@ final class RunRequestTest {
         "intersection --loss 0.1 --delay uniform(10ms,50ms) --gps-noise 2cm --ideal --chaos",
         "intersection --fault crash(bot1,at=2s) --fault loss(0.9,from=bot1) --set debris=0",
         "search --set chaos=logical --set idealMotion=no --set headingNoise=0.1deg --set rooms=3",
-        "mutex --set drawTrails=true --set trailLength=7 --set busy=3s --chaos --set chaos=off",
+        "mutex --set drawTrails=true --set trailLength=7 --set busy=3s --set chaos=off",
         "race --set faults=slow(bot0,0.5);partition(bot0|bot1,at=1s,for=2s) --set robots=2"
       })
   void itsCommandLineMakesTheSameRequest(String words) {

@@ -187,6 +187,19 @@ class ProtocolConformanceTest {
   }
 
   @Test
+  void whoAsksItselfTooMayEnterThoughItIsConfinedToWhatItAsksFor() {
+    learn(I, view(1, I, J));
+    learn(J, view(1, I, J));
+    asks(J, 1, 1, "A", I, J);
+    grants(I, J, 1);
+    fences(I, J);
+    learn(I, view(1, I, J).next().confined(J, Short.sections("A")));
+    enters(J, 1, "A");
+    assertThat(run.steps()).contains("fence(i, j)", "enter(j)");
+    isGood();
+  }
+
+  @Test
   void aFencedProcessIsGrantedNothing() {
     holds();
     fences(I, J);
