@@ -121,8 +121,8 @@ final class CheckCommand extends SourceCommand {
   @Override
   int run(Source source) throws IOException {
     List<Automaton> automata = source.automata();
-    sizeOf = named("--size", sizes, "TYPE=N");
-    valueOf = named("--value", values, "NAME=VALUE");
+    sizeOf = OptionValues.named("--size", sizes, "TYPE=N");
+    valueOf = OptionValues.named("--value", values, "NAME=VALUE");
     if (isResumed && checkpoint == null) {
       throw new BadInput("--resume needs --checkpoint FILE");
     }
@@ -282,22 +282,6 @@ final class CheckCommand extends SourceCommand {
 
   private static String oneOf(Collection<String> names, String those) {
     return names.isEmpty() ? "no such option, as there is none" : "one of " + those;
-  }
-
-  /** Texts of the form NAME=VALUE, by their names. */
-  private static Map<String, String> named(String option, List<String> given, String form) {
-    Map<String, String> named = new LinkedHashMap<>();
-    for (String each : given) {
-      int equals = each.indexOf('=');
-      if (equals < 1) {
-        throw new BadInput(option + ": " + BadInput.quote(each) + ": expected " + form);
-      }
-      String name = each.substring(0, equals).strip();
-      if (named.put(name, each.substring(equals + 1)) != null) {
-        throw new BadInput(option + " " + name + ": expected it once");
-      }
-    }
-    return named;
   }
 
   /** The values that are given for parameters in bounds of ranges. */

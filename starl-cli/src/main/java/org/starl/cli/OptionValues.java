@@ -1,7 +1,9 @@
 package org.starl.cli;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
@@ -28,6 +30,28 @@ final class OptionValues {
   /** A whole number; both ends are included. */
   static int whole(String option, String text, int min, int max) {
     return read(option, text, number -> (int) Quantities.whole(number, min, max));
+  }
+
+  /**
+   * The values of an option that is repeated, by their names, in order.
+   *
+   * @param given such as {@code robots=3}
+   * @param form what is expected: {@code KEY=VALUE}
+   * @throws BadInput if one has no name, or a name is there twice
+   */
+  static Map<String, String> named(String option, List<String> given, String form) {
+    Map<String, String> named = new LinkedHashMap<>();
+    for (String each : given) {
+      int equals = each.indexOf('=');
+      if (equals < 1) {
+        throw new BadInput(option + ": " + BadInput.quote(each) + ": expected " + form);
+      }
+      String name = each.substring(0, equals).strip();
+      if (named.put(name, each.substring(equals + 1)) != null) {
+        throw new BadInput(option + " " + name + ": expected it once");
+      }
+    }
+    return named;
   }
 
   /**

@@ -141,17 +141,7 @@ class RunOptions {
    * @throws BadInput for a key that was given twice, also by an option of its own
    */
   final Map<String, String> sets() {
-    Map<String, String> sets = new LinkedHashMap<>();
-    for (String text : settings) {
-      int end = text.indexOf('=');
-      if (end < 0) {
-        throw new BadInput("--set: " + BadInput.quote(text) + ": expected KEY=VALUE");
-      }
-      String key = text.substring(0, end);
-      if (sets.put(key, text.substring(end + 1)) != null) {
-        throw new BadInput("--set " + key + ": expected it once");
-      }
-    }
+    Map<String, String> sets = OptionValues.named("--set", settings, "KEY=VALUE");
     for (Setting<?> setting : given.keySet()) {
       if (sets.containsKey(setting.key())) {
         throw new BadInput(

@@ -35,7 +35,7 @@ final class TrafficRun {
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, ProcessId> cars = new TreeMap<>();
   // Those that wait for a list for ever: their robots ask under other ids.
-  private final Set<ProcessId> given = new TreeSet<>();
+  private final Set<ProcessId> givenUp = new TreeSet<>();
   // The numbers of the views that were shown, and of the lists that they have.
   private final TreeMap<Long, Long> lists = new TreeMap<>();
   private final Map<RobotId, Long> known = new TreeMap<>();
@@ -92,14 +92,14 @@ final class TrafficRun {
 
   /** An id that no list has acts no more; returns false if one has it. */
   boolean givesUp(ProcessId i) {
-    given.add(i);
+    givenUp.add(i);
     return replay.state().loc().at(i) == Locations.register_wait && !latest().contains(i);
   }
 
   /** Returns why the theory has no such list: empty if it has. */
   String saw(TraceEvent event, View view, Report report) {
     SortedSet<ProcessId> list = Sets.of(view.admitted().keySet());
-    if (list.stream().anyMatch(given::contains)) {
+    if (list.stream().anyMatch(givenUp::contains)) {
       return "shows a list with an id that was given up";
     }
     if (lists.isEmpty() || view.number() > lists.lastKey()) {
