@@ -14,6 +14,7 @@ import org.starl.LogicThread;
 import org.starl.Persistent;
 import org.starl.apps.fleet.logic.FleetFact.Work;
 import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
@@ -142,9 +143,11 @@ public final class FleetApp extends LogicThread {
     lane = gvh.variable(FleetFact.LANE, List.of());
     aboard = gvh.variable(FleetFact.ABOARD, 0L);
     delivered = gvh.variable(FleetFact.DELIVERED, 0L);
+    MotionParameters body = gvh.plat.moat.parameters();
     gvh.plat.moat.setParameters(
-        gvh.plat.moat.parameters().toBuilder()
+        body.toBuilder()
             .goalRadiusMm(10)
+            .linSpeedMinMmPerS(body.linSpeedMaxMmPerS())
             .enableArcing(false)
             .smallTurnAngleRad(Angles.fromDegrees(1))
             .collisionPolicy(CollisionPolicy.STOP_ON_COLLISION)
