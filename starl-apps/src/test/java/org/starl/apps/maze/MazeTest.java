@@ -61,6 +61,17 @@ class MazeTest {
     return result.results().get(new RobotId("bot" + robot));
   }
 
+  /** Its wheels slip, so it believes to have arrived too early, and a fix tells it before it answers. */
+  @Test
+  void aRobotThatLearnsOnItsArrivalThatItIsNotThereDrivesOn() {
+    for (long seed = 1; seed <= 10; seed++) {
+      Plan plan = plan(seed, 1, Map.of("hidden", "0"), Map.of("positionPeriod", "200ms"));
+      plan.simulation().fault("slow(bot0,0.4,at=1s)");
+      SimResult result = plan.simulation().build().run();
+      assertThat(result.spec().violations()).as("seed " + seed).isEmpty();
+    }
+  }
+
   private static Path shared(String what) {
     Path path =
         Path.of(System.getProperty("starl.shared", "../../shared")).resolve("data").resolve(what);

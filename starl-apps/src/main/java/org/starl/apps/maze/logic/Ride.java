@@ -62,8 +62,10 @@ final class Ride {
     contacts.clear();
     ahead = cut(path);
     toleranceMm = lastMm;
+    MotionParameters usual = gvh.plat.moat.parameters();
     gvh.plat.moat.setParameters(
-        gvh.plat.moat.parameters().toBuilder()
+        usual.toBuilder()
+            .linSpeedMinMmPerS(usual.linSpeedMaxMmPerS())
             .collisionPolicy(mode.policy())
             .robotType(own == RobotType.GOAL ? mode.robotType() : own)
             .goalRadiusMm(PASS_MM)
@@ -81,13 +83,18 @@ final class Ride {
     }
     MotionFlag flag = gvh.plat.moat.motionflag().get();
     if (flag == MotionFlag.DONE) {
-      ahead = ahead.subList(1, ahead.size());
-      if (ahead.isEmpty()) {
+      if (ahead.size() == 1 && isAt(ahead.get(0))) {
         return State.ARRIVED;
       }
+      ahead = ahead.size() == 1 ? ahead : ahead.subList(1, ahead.size());
       toNext();
     }
     return flag == MotionFlag.FAIL ? State.HELD_UP : State.UNDER_WAY;
+  }
+
+  /** A fix since the arrival may tell that the robot is not there yet. */
+  private boolean isAt(Point end) {
+    return gvh.gps.pose().at().distanceMm(end) <= toleranceMm + gvh.gps.errorMm();
   }
 
   void stop() {

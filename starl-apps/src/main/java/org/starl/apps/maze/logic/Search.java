@@ -32,8 +32,11 @@ record Search(
 
   // Parts of the margin; less than all for a robot that is where a wider body does not fit.
   private static final List<Double> PARTS = List.of(1.0, 0.5, 0.0);
-  private static final List<Double> WIDE = PARTS.subList(0, 1);
   private static final List<Double> NARROWER = PARTS.subList(1, 3);
+
+  // A wall is longer than what was felt of it: of ways that fit the margin, one that stays three
+  // margins away from what was touched comes first.
+  private static final List<Double> WIDE = List.of(3.0, 1.0);
 
   Search {
     marks = List.copyOf(marks);
@@ -103,7 +106,7 @@ record Search(
   private PlanTask planTask(Point start, double part, List<Polygon> forbidden) {
     List<Polygon> keepOut = new ArrayList<>(Mark.places(marks, part));
     keepOut.addAll(forbidden);
-    double clearanceMm = Math.max(0, part * MazeTask.MARGIN_MM - PLANNER_MM);
+    double clearanceMm = Math.max(0, Math.min(1, part) * MazeTask.MARGIN_MM - PLANNER_MM);
     return new PlanTask(
         start, goal, task.floor(), map, task.others(), keepOut, bodyMm, clearanceMm);
   }
