@@ -7,6 +7,7 @@ import static org.starl.lang.read.Problems.pos;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,6 +38,19 @@ import org.starl.lang.tree.Type.Num;
  */
 final class ExpressionReader {
 
+  /** What functions of other languages are called here. */
+  private static final Map<String, String> OF_OTHERS =
+      Map.of(
+          "size", "card",
+          "count", "card",
+          "len", "length",
+          "keys", "{k: K | k in m} for the keys of m",
+          "dom", "{k: K | k in m} for the keys of m",
+          "domain", "{k: K | k in m} for the keys of m");
+
+  /** Java's {@code long}, and the numbers of {@code check}, have no more. */
+  private static final int MOST_DIGITS = 18;
+
   private final Scope scope;
   private final Problems problems;
   private final TypeReader types;
@@ -62,13 +76,19 @@ final class ExpressionReader {
       throw wrong(
           at,
           "'%s' is of type %s; expected %s%s"
-              .formatted(text(at), found, expected, orOption(expr.type(), at, wanted)));
+              .formatted(text(at), found, expected, cure(expr.type(), at, wanted)));
     }
     return expr;
   }
 
-  /** How a value becomes an option, or an option its value; empty if that is no cure. */
-  private static String orOption(Type type, ExpressionContext at, Type wanted) {
+  /** How a value becomes one of the type that is expected; empty if it does not. */
+  private static String cure(Type type, ExpressionContext at, Type wanted) {
+    if (wanted == Num.REAL && type.base() instanceof Type.SetOf) {
+      return "; sets have union, minus and intersect";
+    }
+    if (wanted == Num.REAL && at instanceof StarlParser.ComparisonContext) {
+      return "; two comparisons are joined by 'and'";
+    }
     if (wanted.base() instanceof Type.OptionOf option && type.isA(option.element())) {
       return ": some(" + text(at) + ")";
     }
@@ -214,8 +234,13 @@ final class ExpressionReader {
     return switch (text) {
       case "true" -> new Expr.Bool(true, pos);
       case "false" -> new Expr.Bool(false, pos);
-      default ->
-          new Expr.Numeral(new BigDecimal(text), text.contains(".") ? Num.TIME : Num.NAT, pos);
+      default -> {
+        BigDecimal value = new BigDecimal(text);
+        if (value.precision() > MOST_DIGITS) {
+          throw wrong(at, text + " is too long; expected at most " + MOST_DIGITS + " digits");
+        }
+        yield new Expr.Numeral(value, text.contains(".") ? Num.TIME : Num.NAT, pos);
+      }
     };
   }
 
@@ -674,10 +699,20 @@ final class ExpressionReader {
     if (!first.isA(second) && !second.isA(first)) {
       throw wrong(
           right,
-          "'%s' is of type %s, and '%s' of type %s; expected two of one type"
-              .formatted(text(right), b.type(), text(left), a.type()));
+          "'%s' is of type %s, and '%s' of type %s; expected two of one type%s"
+              .formatted(text(right), b.type(), text(left), a.type(), alikeBy(a, b, text(right))));
     }
     return List.of(again(a, left, b), b);
+  }
+
+  /** How the right one of two becomes like the left one; empty if it does not. */
+  private static String alikeBy(Expr left, Expr right, String text) {
+    if (left.type().base() instanceof Type.SetOf set && right.type().isA(set.element())) {
+      return ": {" + text + "}";
+    }
+    return isPartialMap(left.type()) && right.type().base() instanceof Type.SetOf
+        ? "; the keys of a map m change by m(k) := some(v) and m(k) := none"
+        : "";
   }
 
   /** What is read for the numbers of a type: a difference of naturals may be an {@code int}. */
@@ -791,6 +826,9 @@ final class ExpressionReader {
     Expr value = any(at.expression(0), null);
     scope.places.put(name, pos(at.name));
     Expr body = under(List.of(new Field(name, value.type())), () -> any(at.expression(1), hint));
+    if (!Expansion.isSmall(body, name, value)) {
+      throw wrong(at, "'" + name + "' stands " + Expansion.TOO_LARGE);
+    }
     return new Substitution().replace(body, Map.of(name, value));
   }
 
@@ -845,8 +883,16 @@ final class ExpressionReader {
             .map(Constructor::name)
             .filter(name -> cases.stream().noneMatch(c -> c.constructor().name().equals(name)))
             .toList();
-    if (!missing.isEmpty() || cases.size() != sum.constructors().size()) {
+    if (!missing.isEmpty()) {
       throw wrong(at, "this match has not each form of " + sum + " once; missing: " + missing);
+    }
+    Set<Constructor> seen = new HashSet<>();
+    for (int i = 0; i < cases.size(); i++) {
+      if (!seen.add(cases.get(i).constructor())) {
+        StarlParser.IdContext again = at.matchCase(i).name;
+        throw wrong(
+            again, "'" + again.getText() + "' is here twice; expected one case of each form");
+      }
     }
     return new Expr.Match(of, List.copyOf(cases), type == null ? sum : type, pos);
   }
@@ -889,7 +935,8 @@ final class ExpressionReader {
     if (scope.wrong.contains(name)) {
       return new Wrong();
     }
-    List<String> near = NearMatches.of(name, known);
+    String other = OF_OTHERS.getOrDefault(name, "");
+    List<String> near = other.isEmpty() ? NearMatches.of(name, known) : List.of(other);
     return wrong(
         at,
         "'"

@@ -106,6 +106,10 @@ class PartsReader {
     List<StarlParser.FunPartContext> parts = signatures();
     each(parts, StarlParser.FunPartContext.class, at -> functions.add(function(at)));
     requireNoCircles(parts);
+    Expansion.tooLarge(functions)
+        .ifPresent(each ->
+            problems.add(
+                each.pos(), "'" + each.signature().name() + "' stands " + Expansion.TOO_LARGE));
     return List.copyOf(functions);
   }
 

@@ -174,18 +174,28 @@ public final class SourceReader {
 
     private void add(ParseTree unit, SourceText source) {
       if (unit instanceof StarlParser.UnitContext at) {
+        requireNew(at.name);
         automata.add(new AutomatonReader(at, source, problems, this::find, this::isOpen).read());
       } else if (unit instanceof StarlParser.PrimitiveContext at) {
         new PrimitiveReader(at, source, problems, this::find, known())
             .read()
             .ifPresent(primitives::add);
       } else if (unit instanceof StarlParser.ProgramContext at) {
+        requireNew(at.name);
         ProgramReader reader = new ProgramReader(at, source, problems, known());
         Program program = reader.read();
         if (problems.isEmpty()) {
           programs.add(program);
           automata.add(reader.automaton(program));
         }
+      }
+    }
+
+    /** A second one would be found by no name, and its files would replace those of the first. */
+    private void requireNew(StarlParser.IdContext name) {
+      String text = name.getText();
+      if (automata.stream().anyMatch(each -> each.name().equals(text))) {
+        problems.add(name, "'" + text + "' is here twice; expected different names");
       }
     }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Type;
@@ -69,6 +70,17 @@ class SourceReaderTest {
           type Color = red | green ~ type Color = Color ~ 3:14: 'Color' is no type; expected one of bool, nat, int, time, real, PIDS
           automaton Lamp[PIDS] ~ automaton Lamp[PIDS, first: first] assume A: first = none ~ 2:29: 'first' is no type; expected one of bool, nat, int, time, real, PIDS, Color
           type Color = red ~ -- a type ~ 3:1: found '-'; expected '//' before a comment, or a value before '-'
+          type Color = red ~ type Half = 0..4 / 2 type Color = red ~ 3:18: found '/'; expected '//' before a comment, or a value before '/'; bounds of types have no '/'
+          pre free? ~ pre i not in {i} ~ 11:9: found 'not'; expected 'not' before the whole condition, as in 'not i in s', or in parentheses
+          pre free? ~ pre free? ∧ true ~ 11:13: found '∧'; expected 'and'
+          pre free? ~ pre ∃ j: PIDS :: free? ~ 11:7: found '∃'; expected 'exists'
+          pre free? ~ pre size({1}) = 1 ~ 11:7: 'size' is not known here; expected card, or another of 14 names
+          pre free? ~ pre 0 <= 1 <= 2 ~ 11:7: '0 <= 1' is of type bool; expected real; two comparisons are joined by 'and'
+          pre free? ~ pre {1} + {2} = {3} ~ 11:7: '{1}' is of type set[nat]; expected real; sets have union, minus and intersect
+          pre free? ~ pre {i} union i = {i} ~ 11:17: 'i' is of type PIDS, and '{i}' of type set[PIDS]; expected two of one type: {i}
+          pre free? ~ pre 1234567890123456789 = 1 ~ 11:7: 1234567890123456789 is too long; expected at most 18 digits
+          fun free?: bool = by = none ~ fun free?: bool = match shows { red -> true, red -> true, green -> true } ~ 8:46: 'red' is here twice; expected one case of each form
+          fun free?: bool = by = none ~ fun f(m: map[PIDS, bool], i: PIDS): map[PIDS, bool] = m minus {i} fun free?: bool = true ~ 8:63: '{i}' is of type set[PIDS], and 'm' of type [PIDS -> option[bool]]; expected two of one type; the keys of a map m change by m(k) := some(v) and m(k) := none
           """)
   void commonMistakeIsToldWithItsCureAlone(String instead, String mistake, String told) {
     SourceErrors errors =
@@ -174,6 +186,31 @@ class SourceReaderTest {
         .isEqualTo("lamp.starl:10:1" + told);
     assertThat(errors(LAMP.replace("by = none\n", "by = none and " + wide + "\n")).getMessage())
         .isEqualTo("lamp.starl:8:1" + told);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void expressionThatDoublesFortyTimesIsTold(boolean isOfFunctions) {
+    StringBuilder doubled = new StringBuilder(isOfFunctions ? "" : "fun all(x0: nat): nat = ");
+    for (int i = 1; i <= 40; i++) {
+      doubled.append(
+          isOfFunctions
+              ? "fun x%d(k: nat): nat = %s\n"
+                  .formatted(i, i == 1 ? "k" : "x%d(k) + x%d(k)".formatted(i - 1, i - 1))
+              : "let x%d = x%d + x%d :: ".formatted(i, i - 1, i - 1));
+    }
+    doubled.append(isOfFunctions ? "" : "x40");
+    assertThat(errors(LAMP + doubled).errors())
+        .singleElement()
+        .extracting(SourceError::message)
+        .asString()
+        .matches("'x\\d+' stands for more than 100,000 operations, .*; expected fewer uses");
+  }
+
+  @Test
+  void unitsHaveDifferentNames() {
+    assertThat(errors(LAMP + "\n" + LAMP).errors())
+        .hasToString("[lamp.starl:18:11: 'Lamp' is here twice; expected different names]");
   }
 
   @Test
