@@ -2,6 +2,7 @@
 // bound.
 package org.starl.lang.java;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +23,8 @@ import org.starl.lang.tree.Type.Field;
 
 /** Makes Java of expressions. */
 final class ExpressionWriter {
+
+  private static final BigDecimal MOST_INT = BigDecimal.valueOf(Integer.MAX_VALUE);
 
   private final Automaton automaton;
   private final JavaTypes types;
@@ -463,9 +466,10 @@ final class ExpressionWriter {
         : Code.infix(at.operator().text(), left, right);
   }
 
-  /** A literal needs no suffix beside an operator, unless both sides are literals. */
+  /** An {@code int} needs no suffix beside an operator, unless both sides are literals. */
   private Code number(Expr at) {
-    return at instanceof Expr.Numeral e ? Code.name(e.value().toPlainString()) : of(at);
+    boolean isInt = at instanceof Expr.Numeral e && e.value().compareTo(MOST_INT) <= 0;
+    return isInt ? Code.name(((Expr.Numeral) at).value().toPlainString()) : of(at);
   }
 
   private Code equal(Expr left, Expr right) {

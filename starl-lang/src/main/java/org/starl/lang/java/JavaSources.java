@@ -37,11 +37,26 @@ public final class JavaSources {
     for (Program program : source.programs()) {
       files.putAll(of(program, file));
     }
+    requireClasses(automata, file);
     List<String> here = source.automata().stream().map(Automaton::name).toList();
     for (Automaton automaton : automata) {
       files.putAll(of(automaton, here, file));
     }
     return files;
+  }
+
+  /** Each has its own: the files of the second would replace those of the first. */
+  private static void requireClasses(List<Automaton> automata, String file) throws SourceErrors {
+    Map<String, Automaton> owners = new TreeMap<>();
+    for (Automaton each : automata) {
+      Automaton owner = owners.putIfAbsent(each.javaClass(), each);
+      if (owner != null && !each.javaClass().isEmpty()) {
+        String message =
+            "'%s' is the Java class of '%s' already; expected another one"
+                .formatted(each.javaClass(), owner.name());
+        throw new SourceErrors(List.of(new SourceError(file, each.pos(), message)));
+      }
+    }
   }
 
   /**

@@ -7,7 +7,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.lang.model.SourceVersion;
 import org.jspecify.annotations.Nullable;
+import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.JavaType;
 import org.starl.lang.tree.Bound;
@@ -57,6 +60,9 @@ final class JavaTypes {
   /** Full names of the classes used so far, by simple name. */
   private final Map<String, String> imports = new TreeMap<>();
 
+  /** Simple names of classes that the source declares. */
+  private final Set<String> declared;
+
   private final Names names;
   private final boolean isOutside;
 
@@ -73,9 +79,36 @@ final class JavaTypes {
         Uses.all(automaton)
             .filter(each -> !each.javaClass().isEmpty())
             .collect(Collectors.toMap(Automaton::name, Names::of, (one, same) -> one));
+    declared = declared(automaton).collect(Collectors.toUnmodifiableSet());
+    automaton.javaTypes().forEach((type, java) -> requireClass(type, java, automaton.pos()));
     given =
         automaton.javaTypes().entrySet().stream()
             .collect(Collectors.toUnmodifiableMap(e -> e.getKey().base(), Map.Entry::getValue));
+  }
+
+  private static Stream<String> declared(Automaton automaton) {
+    Stream<String> types =
+        automaton.types().stream()
+            .map(Automaton.Declared::type)
+            .flatMap(each ->
+                each instanceof Type.Sum sum
+                    ? Stream.concat(
+                        Stream.of(sum.name()),
+                        sum.constructors().stream().map(Type.Constructor::name))
+                    : Stream.of(each.toString()));
+    return Stream.concat(types, automaton.actions().stream().map(Action::name))
+        .map(JavaTypes::name);
+  }
+
+  /** Java would not compile with another name, in a place that is not of the source. */
+  private static void requireClass(Type type, JavaType java, Pos pos) {
+    String name = java.name();
+    if (!SourceVersion.isName(name) && !name.equals("long") && !name.equals("double")) {
+      throw new NotExecutable(
+          pos,
+          "'%s' is no class; expected one that has no parameters, as in: java %s = \"String\""
+              .formatted(name, type));
+    }
   }
 
   /** The form of sets of one type. */
@@ -96,9 +129,12 @@ final class JavaTypes {
     return Optional.ofNullable(given.get(type.base()));
   }
 
-  /** Uses a class; returns its simple name. */
+  /** Uses a class; returns its simple name, or the full one if the source declares another of it. */
   String use(String full) {
     String simple = full.substring(full.lastIndexOf('.') + 1);
+    if (declared.contains(simple) && !full.startsWith(names.packageName() + ".")) {
+      return full.contains(".") ? full : "java.lang." + full;
+    }
     boolean isHere = full.equals(names.packageName() + "." + simple);
     if (full.contains(".") && !isHere) {
       imports.put(simple, full);
@@ -197,12 +233,32 @@ final class JavaTypes {
       case Type.MapOf map -> {
         String whole = boxed(map.result(), pos);
         for (Type argument : map.arguments().reversed()) {
+          requireOrder(argument, pos);
           whole = use(FUN) + "<" + boxed(argument, pos) + ", " + whole + ">";
         }
         yield whole;
       }
       case Type.StateOf state -> automaton(state.automaton()) + ".States";
     };
+  }
+
+  /** The arguments of a map are found by their order. */
+  private void requireOrder(Type argument, Pos pos) {
+    boolean hasOrder =
+        switch (argument.base()) {
+          case Type.SetOf set -> false;
+          case Type.ListOf list -> false;
+          case Type.OptionOf option -> false;
+          case Type.MapOf map -> false;
+          default -> true;
+        };
+    if (!hasOrder && !isGiven(argument)) {
+      throw new NotExecutable(
+          pos,
+          "in Java a map has no arguments of type "
+              + argument
+              + "; expected numbers, an opaque type, a record or a type of forms");
+    }
   }
 
   /** The class of a used automaton. */

@@ -2,6 +2,7 @@ package org.starl.lang.java;
 
 import java.util.Locale;
 import java.util.stream.Stream;
+import javax.lang.model.SourceVersion;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Program;
 import org.starl.lang.tree.Type.Field;
@@ -21,10 +22,15 @@ record Names(String packageName, String automaton, String action, String constan
 
   private static final String CLASS = "[a-z]\\w*(\\.[a-z]\\w*)*\\.[A-Z]\\w*";
 
+  /** Also no word of Java is in it. */
+  private static boolean isClass(String full) {
+    return full.matches(CLASS) && SourceVersion.isName(full);
+  }
+
   static Names of(Program program) {
     String full = program.javaClass();
     int dot = full.lastIndexOf('.');
-    if (!full.matches(CLASS)) {
+    if (!isClass(full)) {
       throw new NotExecutable(
           program.pos(),
           (full.isEmpty()
@@ -38,7 +44,7 @@ record Names(String packageName, String automaton, String action, String constan
   static Names of(Automaton automaton) {
     String full = automaton.javaClass();
     int dot = full.lastIndexOf('.');
-    if (!full.endsWith(SUFFIX) || !full.matches(CLASS)) {
+    if (!full.endsWith(SUFFIX) || !isClass(full)) {
       throw new NotExecutable(
           automaton.pos(),
           (full.isEmpty()
