@@ -127,8 +127,7 @@ public final class PvsTheory {
     for (Invariant each : automaton.assumptions()) {
       each.comment().forEach(line -> lines.add("    " + comment(line)));
       lines.add(
-          group(2, PvsNames.id(each.name()) + ": ASSUMPTION", LINE, assumed.of(each.condition()))
-              .text(4));
+          group(2, assumption(each) + ": ASSUMPTION", LINE, assumed.of(each.condition())).text(4));
     }
     for (Expr each : automaton.maybeEmpty()) {
       // No name of a source has a '?' inside.
@@ -372,6 +371,16 @@ public final class PvsTheory {
               theorem(refinement, action, isKnown, mapping)),
           List.of());
     }
+  }
+
+  /** The name of one of a used automaton may be that of a declaration: that keeps it. */
+  private String assumption(Invariant each) {
+    String name = each.name();
+    while (automaton.function(name).isPresent()
+        || automaton.invariants().stream().map(Invariant::name).anyMatch(name::equals)) {
+      name += "_";
+    }
+    return fresh(name);
   }
 
   /** {@code name}, or a longer one if a declaration has it. */

@@ -225,6 +225,32 @@ class PvsTheoryTest {
   }
 
   @Test
+  void assumptionOfWhatIsUsedHasNoNameOfADeclaration() throws SourceErrors {
+    String theory =
+        theory(
+            """
+            automaton Count[N: nat]
+            assume Pos: N > 0
+            assume Few: N < 9
+            state c: nat
+            start c = 0
+            action zero eff c := 0
+            automaton Both[N: nat]
+            assume Pos: N > 1
+            assume Few: N < 8
+            uses k: Count[N]
+            start k.start?
+            action zero eff k.zero()
+            fun k_Few: nat = 1
+            invariant k_Pos: k_Few = 1
+            """);
+    assertThat(theory)
+        .containsOnlyOnce(" k_Pos_: ASSUMPTION N > 0")
+        .containsOnlyOnce(" k_Few_: ASSUMPTION N < 9")
+        .contains(" k_Few: nat = 1", " k_Pos(s): bool = k_Few = 1");
+  }
+
+  @Test
   void usesOfATheoryProveItsAssumptions() throws SourceErrors {
     String theory =
         theory(
