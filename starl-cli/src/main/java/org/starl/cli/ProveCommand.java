@@ -113,7 +113,8 @@ final class ProveCommand extends SourceCommand {
     } catch (NoSolver e) {
       throw new MissingDependencyException(String.valueOf(e.getMessage()));
     } catch (Unprovable e) {
-      throw new BadInput(file() + ": " + automaton.name() + ": " + e.getMessage());
+      throw new BadInput(
+          file() + ":" + automaton.pos() + ": " + automaton.name() + ": " + e.getMessage());
     } catch (IOException | UncheckedIOException e) {
       throw new BadInput(
           "--keep: %s: cannot be written (%s); expected a folder"

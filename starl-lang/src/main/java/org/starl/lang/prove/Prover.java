@@ -270,7 +270,9 @@ public final class Prover {
                     name,
                     Verdict.UNDECIDED,
                     "may not end: its measure may not become smaller",
-                    List.of()));
+                    List.of(),
+                    Optional.empty(),
+                    Optional.of(function.measure().get().pos())));
         claims.addAll(
             undefined(name, (n, t) -> new Question(of, n, t), at -> at.obligations(function)));
       }
