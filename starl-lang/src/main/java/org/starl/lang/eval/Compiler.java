@@ -202,12 +202,8 @@ final class Compiler {
   }
 
   private Code constant(Expr.Numeral numeral) {
-    try {
-      Num value = Num.of(numeral.value());
-      return frame -> value;
-    } catch (ArithmeticException e) {
-      throw error(numeral.pos(), numeral.value() + " is too long; expected at most 18 digits");
-    }
+    Num value = Num.of(numeral.value());
+    return frame -> value;
   }
 
   Code[] codes(List<Expr> all, Scope scope) {

@@ -132,7 +132,8 @@ final class JavaTypes {
   /** Uses a class; returns its simple name, or the full one if the source declares another of it. */
   String use(String full) {
     String simple = full.substring(full.lastIndexOf('.') + 1);
-    if (declared.contains(simple) && !full.startsWith(names.packageName() + ".")) {
+    String own = names.packageName() + "." + names.automaton() + ".";
+    if (declared.contains(simple) && !full.startsWith(own)) {
       return full.contains(".") ? full : "java.lang." + full;
     }
     boolean isHere = full.equals(names.packageName() + "." + simple);
@@ -244,14 +245,9 @@ final class JavaTypes {
 
   /** The arguments of a map are found by their order. */
   private void requireOrder(Type argument, Pos pos) {
-    boolean hasOrder =
-        switch (argument.base()) {
-          case Type.SetOf set -> false;
-          case Type.ListOf list -> false;
-          case Type.OptionOf option -> false;
-          case Type.MapOf map -> false;
-          default -> true;
-        };
+    Type of = argument.base();
+    boolean isData = of instanceof Type.SetOf || of instanceof Type.ListOf;
+    boolean hasOrder = !isData && !(of instanceof Type.OptionOf || of instanceof Type.MapOf);
     if (!hasOrder && !isGiven(argument)) {
       throw new NotExecutable(
           pos,

@@ -22,15 +22,10 @@ record Names(String packageName, String automaton, String action, String constan
 
   private static final String CLASS = "[a-z]\\w*(\\.[a-z]\\w*)*\\.[A-Z]\\w*";
 
-  /** Also no word of Java is in it. */
-  private static boolean isClass(String full) {
-    return full.matches(CLASS) && SourceVersion.isName(full);
-  }
-
   static Names of(Program program) {
     String full = program.javaClass();
     int dot = full.lastIndexOf('.');
-    if (!isClass(full)) {
+    if (!full.matches(CLASS) || !SourceVersion.isName(full)) {
       throw new NotExecutable(
           program.pos(),
           (full.isEmpty()
@@ -44,7 +39,7 @@ record Names(String packageName, String automaton, String action, String constan
   static Names of(Automaton automaton) {
     String full = automaton.javaClass();
     int dot = full.lastIndexOf('.');
-    if (!full.endsWith(SUFFIX) || !isClass(full)) {
+    if (!full.endsWith(SUFFIX) || !full.matches(CLASS) || !SourceVersion.isName(full)) {
       throw new NotExecutable(
           automaton.pos(),
           (full.isEmpty()

@@ -7,7 +7,6 @@ import static org.starl.lang.read.Problems.pos;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,11 +44,7 @@ final class ExpressionReader {
           "count", "card",
           "len", "length",
           "keys", "{k: K | k in m} for the keys of m",
-          "dom", "{k: K | k in m} for the keys of m",
-          "domain", "{k: K | k in m} for the keys of m");
-
-  /** Java's {@code long}, and the numbers of {@code check}, have no more. */
-  private static final int MOST_DIGITS = 18;
+          "dom", "{k: K | k in m} for the keys of m");
 
   private final Scope scope;
   private final Problems problems;
@@ -83,9 +78,6 @@ final class ExpressionReader {
 
   /** How a value becomes one of the type that is expected; empty if it does not. */
   private static String cure(Type type, ExpressionContext at, Type wanted) {
-    if (wanted == Num.REAL && type.base() instanceof Type.SetOf) {
-      return "; sets have union, minus and intersect";
-    }
     if (wanted == Num.REAL && at instanceof StarlParser.ComparisonContext) {
       return "; two comparisons are joined by 'and'";
     }
@@ -95,7 +87,9 @@ final class ExpressionReader {
     return type.base() instanceof Type.OptionOf option
             && Type.plain(option.element()).isA(Type.plain(wanted))
         ? ": the(" + text(at) + ")"
-        : "";
+        : wanted == Num.REAL && type.base() instanceof Type.SetOf
+            ? "; sets have union, minus and intersect"
+            : "";
   }
 
   /** A number where one of a range is expected: asked for when it is evaluated, if it is no constant. */
@@ -236,8 +230,8 @@ final class ExpressionReader {
       case "false" -> new Expr.Bool(false, pos);
       default -> {
         BigDecimal value = new BigDecimal(text);
-        if (value.precision() > MOST_DIGITS) {
-          throw wrong(at, text + " is too long; expected at most " + MOST_DIGITS + " digits");
+        if (Math.max(value.precision(), value.scale()) > 18) { // those of a long
+          throw wrong(at, text + " is too long; expected at most 18 digits");
         }
         yield new Expr.Numeral(value, text.contains(".") ? Num.TIME : Num.NAT, pos);
       }
@@ -858,6 +852,9 @@ final class ExpressionReader {
     Type type = null; // the widest of the cases' types
     for (StarlParser.MatchCaseContext each : at.matchCase()) {
       Constructor constructor = constructor(sum, each.name);
+      if (cases.stream().anyMatch(before -> before.constructor().equals(constructor))) {
+        throw wrong(each, "'%s' is here twice; expected it once".formatted(constructor.name()));
+      }
       List<StarlParser.IdContext> names = each.id().subList(1, each.id().size());
       if (names.size() != constructor.fields().size()) {
         throw wrong(
@@ -885,14 +882,6 @@ final class ExpressionReader {
             .toList();
     if (!missing.isEmpty()) {
       throw wrong(at, "this match has not each form of " + sum + " once; missing: " + missing);
-    }
-    Set<Constructor> seen = new HashSet<>();
-    for (int i = 0; i < cases.size(); i++) {
-      if (!seen.add(cases.get(i).constructor())) {
-        StarlParser.IdContext again = at.matchCase(i).name;
-        throw wrong(
-            again, "'" + again.getText() + "' is here twice; expected one case of each form");
-      }
     }
     return new Expr.Match(of, List.copyOf(cases), type == null ? sum : type, pos);
   }

@@ -79,7 +79,7 @@ class SourceReaderTest {
           pre free? ~ pre {1} + {2} = {3} ~ 11:7: '{1}' is of type set[nat]; expected real; sets have union, minus and intersect
           pre free? ~ pre {i} union i = {i} ~ 11:17: 'i' is of type PIDS, and '{i}' of type set[PIDS]; expected two of one type: {i}
           pre free? ~ pre 1234567890123456789 = 1 ~ 11:7: 1234567890123456789 is too long; expected at most 18 digits
-          fun free?: bool = by = none ~ fun free?: bool = match shows { red -> true, red -> true, green -> true } ~ 8:46: 'red' is here twice; expected one case of each form
+          fun free?: bool = by = none ~ fun free?: bool = match shows { red -> true, red -> true, green -> true } ~ 8:46: 'red' is here twice; expected it once
           fun free?: bool = by = none ~ fun f(m: map[PIDS, bool], i: PIDS): map[PIDS, bool] = m minus {i} fun free?: bool = true ~ 8:63: '{i}' is of type set[PIDS], and 'm' of type [PIDS -> option[bool]]; expected two of one type; the keys of a map m change by m(k) := some(v) and m(k) := none
           """)
   void commonMistakeIsToldWithItsCureAlone(String instead, String mistake, String told) {
