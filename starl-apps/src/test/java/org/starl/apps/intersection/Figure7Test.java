@@ -8,9 +8,9 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.spec.HeldZones;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
 import org.starl.sim.SimObserver;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
@@ -25,7 +25,7 @@ class Figure7Test {
   /** Notes which two cars are inside, or hold zones, at the same time. */
   private static final class Together implements SimObserver {
     private final Bodies bodies = new Bodies();
-    private final HeldZones zones = new HeldZones();
+    private final HeldSections zones = new HeldSections();
 
     @Override
     public void observed(TraceEvent event) {

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.Instance;
@@ -37,7 +38,7 @@ public final class ListCrit extends LemmaMonitor {
 
   private final SortedMap<RobotId, State> states = new TreeMap<>();
   private final Instance mutex;
-  private final HeldZones zones = new HeldZones();
+  private final HeldSections zones = new HeldSections();
   private @Nullable TraceEvent last;
 
   private static final class State {

@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
@@ -36,7 +37,7 @@ final class TrafficProgress extends LemmaMonitor {
   private final Set<RobotId> cars = new TreeSet<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
   private final Collection<RobotId> stray;
-  private final HeldZones held = new HeldZones();
+  private final HeldSections held = new HeldSections();
 
   /**
    * @param stray cars that leave their way: they may hold their zones for long

@@ -11,6 +11,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.HeldSections;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
@@ -53,7 +54,7 @@ final class TrafficSafety extends LemmaMonitor {
   private final List<Zone> zones = new ArrayList<>();
   private final Bodies bodies = new Bodies();
   private final SortedMap<RobotId, Clearance> clearances = new TreeMap<>();
-  private final HeldZones held = new HeldZones();
+  private final HeldSections held = new HeldSections();
   private final SortedSet<String> reported = new TreeSet<>();
   private long checkedNs;
 

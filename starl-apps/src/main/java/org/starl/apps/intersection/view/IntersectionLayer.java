@@ -14,12 +14,12 @@ import java.util.TreeMap;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.apps.intersection.logic.Trip;
-import org.starl.apps.intersection.spec.HeldZones;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -36,11 +36,11 @@ public final class IntersectionLayer implements Layer {
 
   private final Map<RobotId, Trip> trips;
   private final Participants units;
-  private final HeldZones zones;
+  private final HeldSections zones;
 
   /** For a fixed set of cars. */
   public IntersectionLayer(Map<RobotId, Trip> trips) {
-    this(trips, Participants.of(), new HeldZones());
+    this(trips, Participants.of(), new HeldSections());
   }
 
   /**
@@ -49,10 +49,10 @@ public final class IntersectionLayer implements Layer {
    * @param units the roadside units
    */
   public IntersectionLayer(Participants units) {
-    this(Map.of(), units, new HeldZones());
+    this(Map.of(), units, new HeldSections());
   }
 
-  private IntersectionLayer(Map<RobotId, Trip> trips, Participants units, HeldZones zones) {
+  private IntersectionLayer(Map<RobotId, Trip> trips, Participants units, HeldSections zones) {
     this.trips = new TreeMap<>(trips);
     this.units = units;
     this.zones = zones;

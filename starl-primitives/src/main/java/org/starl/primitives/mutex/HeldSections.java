@@ -1,4 +1,4 @@
-package org.starl.apps.intersection.spec;
+package org.starl.primitives.mutex;
 
 import java.util.Collection;
 import java.util.Collections;
@@ -10,16 +10,15 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.mutex.MutexFact;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * The zones and places that each robot holds (crit_set), read from the mutexes' events in a trace. No
- * section belongs to two mutexes.
+ * The sections that each robot holds (crit_set), read from the mutexes' events in a trace. No section
+ * belongs to two mutexes.
  */
-public final class HeldZones {
+public final class HeldSections {
 
   private final Map<RobotId, SortedMap<String, Hold>> held = new TreeMap<>();
 
@@ -30,9 +29,9 @@ public final class HeldZones {
   }
 
   /** An independent copy of the present state. */
-  public HeldZones copy() {
-    HeldZones copy = new HeldZones();
-    held.forEach((robot, zones) -> copy.held.put(robot, new TreeMap<>(zones)));
+  public HeldSections copy() {
+    HeldSections copy = new HeldSections();
+    held.forEach((robot, sections) -> copy.held.put(robot, new TreeMap<>(sections)));
     return copy;
   }
 
@@ -44,32 +43,32 @@ public final class HeldZones {
   }
 
   private void observe(Instance mutex, MutexFact event) {
-    SortedMap<String, Hold> zones =
+    SortedMap<String, Hold> sections =
         held.computeIfAbsent(event.who().robot(), robot -> new TreeMap<>());
     switch (event) {
       case MutexFact.OdMutex grant -> {
-        zones.values().removeIf(hold -> hold.isOf(mutex, grant.who()));
-        grant.held().forEach(zone -> zones.put(zone, new Hold(mutex, grant.who())));
+        sections.values().removeIf(hold -> hold.isOf(mutex, grant.who()));
+        grant.held().forEach(section -> sections.put(section, new Hold(mutex, grant.who())));
       }
       case MutexFact.Release release ->
-          zones
+          sections
               .entrySet()
-              .removeIf(zone ->
-                  release.given().contains(zone.getKey())
-                      && zone.getValue().isOf(mutex, release.who()));
+              .removeIf(section ->
+                  release.given().contains(section.getKey())
+                      && section.getValue().isOf(mutex, release.who()));
       // The robot keeps only those sections of its earlier processes that it is in.
       case MutexFact.StandsIn declared ->
-          zones
+          sections
               .entrySet()
-              .removeIf(zone ->
-                  zone.getValue().mutex.equals(mutex)
-                      && zone.getValue().process.boot() < declared.who().boot()
-                      && !declared.sections().contains(zone.getKey()));
+              .removeIf(section ->
+                  section.getValue().mutex.equals(mutex)
+                      && section.getValue().process.boot() < declared.who().boot()
+                      && !declared.sections().contains(section.getKey()));
       default -> {
         // Neither grants nor releases a section.
       }
     }
-    if (zones.isEmpty()) {
+    if (sections.isEmpty()) {
       held.remove(event.who().robot());
     }
   }
@@ -79,18 +78,18 @@ public final class HeldZones {
     return new TreeSet<>(held.getOrDefault(robot, Collections.emptySortedMap()).keySet());
   }
 
-  /** Whether {@code robot} has access to {@code zone}. */
-  boolean holds(RobotId robot, String zone) {
-    return held.getOrDefault(robot, Collections.emptySortedMap()).containsKey(zone);
+  /** Whether {@code robot} has access to {@code section}. */
+  public boolean holds(RobotId robot, String section) {
+    return held.getOrDefault(robot, Collections.emptySortedMap()).containsKey(section);
   }
 
-  /** Whether {@code robot} has access to all of {@code zones}. */
-  boolean holdsAll(RobotId robot, Collection<String> zones) {
-    return held.getOrDefault(robot, Collections.emptySortedMap()).keySet().containsAll(zones);
+  /** Whether {@code robot} has access to all of {@code sections}. */
+  public boolean holdsAll(RobotId robot, Collection<String> sections) {
+    return held.getOrDefault(robot, Collections.emptySortedMap()).keySet().containsAll(sections);
   }
 
   /** All robots that hold something, in order. */
-  Set<RobotId> holders() {
+  public Set<RobotId> holders() {
     return held.keySet();
   }
 }
