@@ -168,7 +168,7 @@ public final class FleetDemo implements FactoryDemo {
       Pose start = new Pose(home.xMm(), home.yMm(), 0);
       simulation.robot(new RobotSpec(id, start, true, program.app()));
     }
-    simulation.monitor(() -> new FleetSpec(roads.graph(), deliveries, boundNs));
+    simulation.monitor(() -> new FleetSpec(roads, deliveries, boundNs));
     program.monitors().forEach(simulation::monitor);
   }
 }

@@ -216,7 +216,8 @@ class FleetTest {
         Simulation.builder()
             .seed(1)
             .settings(SimSettings.builder().set("duration", "1000s").build())
-            .monitor(() -> new FleetSpec(graph, BOTH_WAYS, 60 * Time.NS_PER_S));
+            .monitor(
+                () -> new FleetSpec(new Roads(graph, BODY_MM, 2), BOTH_WAYS, 60 * Time.NS_PER_S));
     for (int i = 0; i < 2; i++) {
       Pose start = new Pose(graph.vertices().get(4 * i).at().xMm(), 0, 0);
       simulation.robot(new RobotSpec(new RobotId("bot" + i), start, true, app));
@@ -229,6 +230,7 @@ class FleetTest {
     "unasked, fleet.apart",
     "unasked, fleet.one_way",
     "unasked, fleet.group",
+    "unasked, fleet.held",
     "unasked, fleet.in_time",
     "liar, fleet.on_lane",
     "liar, fleet.once",

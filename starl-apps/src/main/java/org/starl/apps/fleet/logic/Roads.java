@@ -305,12 +305,17 @@ public final class Roads {
 
   /** The sections that a robot needs on a line, those at its beginning first. */
   private List<String> needs(Segment line, Collection<Integer> own) {
-    Set<String> some = new TreeSet<>();
-    squares(line, 0).forEach(at -> some.addAll(near.getOrDefault(at, Set.of())));
-    List<String> its = new ArrayList<>(some);
+    List<String> its = new ArrayList<>(near(line));
     its.removeIf(section -> distanceMm(section, line, own) >= gapMm);
     Segment start = new Segment(line.from(), line.from());
     its.sort(Comparator.comparingDouble(section -> distanceMm(section, start, own)));
+    return its;
+  }
+
+  /** All sections whose star may be within a gap of this line. */
+  private Set<String> near(Segment line) {
+    Set<String> its = new TreeSet<>();
+    squares(line, 0).forEach(at -> its.addAll(near.getOrDefault(at, Set.of())));
     return its;
   }
 
@@ -342,6 +347,13 @@ public final class Roads {
     List<String> occupied = new ArrayList<>(stars.keySet());
     occupied.removeIf(section -> isClear(section, at, errorMm, own));
     return occupied;
+  }
+
+  /** The sections that every robot holds whose middle is here, whatever private vertices it uses. */
+  public Set<String> around(Point at) {
+    Set<String> its = near(new Segment(at, at));
+    its.removeIf(section -> isClear(section, at, 0, closed));
+    return its;
   }
 
   /** The sections for the drive along a way, vertex by vertex. */

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -14,15 +15,19 @@ import java.util.TreeSet;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.FleetFact;
 import org.starl.apps.fleet.logic.NavGraph;
+import org.starl.apps.fleet.logic.Roads;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
 import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -38,6 +43,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       directions.
  *   <li>{@code fleet.group}: no two true bodies are on lanes of one group: farther than {@link #END_MM} from
  *       their ends, or at an end of the group that is no parking place or charger.
+ *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is: why the
+ *       three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
  *   <li>{@code fleet.once}: each delivery is put down once.
  *   <li>{@code fleet.charged}: no battery is empty.
  *   <li>{@code fleet.none_lost}: at the end each delivery has been put down.
@@ -51,12 +58,15 @@ public final class FleetSpec extends LemmaMonitor {
   static final String ON_LANE = "fleet.on_lane";
   static final String ONE_WAY = "fleet.one_way";
   static final String GROUP = "fleet.group";
+  static final String HELD = "fleet.held";
   static final String ONCE = "fleet.once";
   static final String CHARGED = "fleet.charged";
   static final String NONE_LOST = "fleet.none_lost";
   static final String IN_TIME = "fleet.in_time";
 
   private static final long STEP_NS = 40 * Time.NS_PER_MS;
+
+  private static final int HELD_STEPS = 10;
 
   private static final double LANE_MM = 50;
 
@@ -66,6 +76,7 @@ public final class FleetSpec extends LemmaMonitor {
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
   private static final double TOUCHING_MM = 2;
 
+  private final Roads roads;
   private final NavGraph graph;
   private final List<Delivery> deliveries;
   private final Bodies bodies = new Bodies();
@@ -77,9 +88,11 @@ public final class FleetSpec extends LemmaMonitor {
       new TreeMap<>(); // also of stopped ones
   private final Map<List<Integer>, SortedSet<String>> groups =
       new LinkedHashMap<>(); // of lanes, in both directions
+  private final HeldSections held = new HeldSections();
   private final SortedMap<Long, RobotId> delivered = new TreeMap<>();
   private int asked;
   private long nextCheckNs;
+  private long nextHeldNs;
 
   private record Body(RobotId robot, Point at, double radiusMm) {}
 
@@ -87,8 +100,9 @@ public final class FleetSpec extends LemmaMonitor {
    * @param deliveries in the order of their times
    * @param boundNs within which each is done, all others included
    */
-  public FleetSpec(NavGraph graph, List<Delivery> deliveries, long boundNs) {
-    this.graph = graph;
+  public FleetSpec(Roads roads, List<Delivery> deliveries, long boundNs) {
+    this.roads = roads;
+    graph = roads.graph();
     this.deliveries = List.copyOf(deliveries);
     open = new Within<>(boundNs);
     graph.lanes().forEach(lane -> groups.put(List.of(lane.from(), lane.to()), graph.groups(lane)));
@@ -99,6 +113,7 @@ public final class FleetSpec extends LemmaMonitor {
     lemma(ON_LANE, "The middle of a robot that drives is on its lane, 50 mm at most beside it.");
     lemma(ONE_WAY, "No two robots on one lane drive in opposite directions.");
     lemma(GROUP, "No two robots are on lanes of one group.");
+    lemma(HELD, "A robot holds each section that its middle is in.");
     lemma(ONCE, "Each delivery is put down at most once.");
     lemma(CHARGED, "No battery is empty.");
     lemma(NONE_LOST, "At the end of the run each delivery has been put down.");
@@ -117,6 +132,12 @@ public final class FleetSpec extends LemmaMonitor {
     }
     if (event instanceof Variable variable) {
       changed(variable, report);
+    }
+    held.observe(event);
+    if (event instanceof Action action
+        && (action.fact() instanceof MutexFact.StandsIn
+            || action.fact() instanceof MutexFact.Release)) {
+      checkHeld(action.robot(), action.timeNs(), report);
     }
   }
 
@@ -210,6 +231,10 @@ public final class FleetSpec extends LemmaMonitor {
         checkApart(nextCheckNs, report);
         checkOnLane(report);
         checkGroups(report);
+        if (nextCheckNs >= nextHeldNs) {
+          nextHeldNs = nextCheckNs + HELD_STEPS * STEP_NS;
+          bodies.robots().forEach(robot -> checkHeld(robot, nextCheckNs, report));
+        }
         nextCheckNs += STEP_NS;
       } else {
         nextCheckNs = timeNs + STEP_NS - timeNs % STEP_NS;
@@ -246,6 +271,22 @@ public final class FleetSpec extends LemmaMonitor {
         }
       }
     });
+  }
+
+  private void checkHeld(RobotId robot, long timeNs, Report report) {
+    report.checked(HELD);
+    if (!bodies.isOnFloor(robot)) {
+      return;
+    }
+    Set<String> missing = roads.around(bodies.poseAt(robot, timeNs).at());
+    missing.removeIf(section -> held.holds(robot, section));
+    String key = robot + " without";
+    if (missing.isEmpty()) {
+      reported.remove(key);
+    } else if (reported.add(key)) {
+      String detail = "is in " + missing + " and holds " + held.held(robot);
+      report.violated(HELD, timeNs, List.of(robot), detail);
+    }
   }
 
   private boolean isIn(String group, List<Integer> lane, Point at) {
