@@ -9,8 +9,10 @@ import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
+import org.starl.spec.FlagCheck;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -19,16 +21,24 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of {@link SetAgreement}: {@code Agreement}, one value for each instance; {@code
- * Validity}, only a proposed value; and, where a bound is given, {@code Decided}: a robot that proposes
- * is served in time, and once it has given up, asks no more.
+ * Validity}, only a proposed value; {@code failed}: the variable is false after a proposal, and does not
+ * become true once the robot knows the decision. Where a bound is given, also {@code Decided}: a robot that
+ * proposes is served in time, and once it has given up, asks no more; and {@code Informed}: a robot that
+ * decides tells all acceptors at once.
  */
 public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   static final String AGREEMENT = "agreement.Agreement";
   static final String VALIDITY = "agreement.Validity";
   static final String DECIDED = "agreement.Decided";
+  static final String INFORMED = "agreement.Informed";
+  static final String FAILED = "agreement.failed";
 
   private final Deadlines progress;
+  private final FlagCheck<Boolean> failed = flag(AgreementFact.FAILED, FAILED);
+  private final TellCheck tells = new TellCheck(INFORMED);
+  private final LastVote lastVote = new LastVote();
+  private long nowNs;
 
   /** Safety only. */
   public AgreementSpec() {
@@ -52,6 +62,11 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
             "A robot that proposes learns of a decision within the bound; one that gives up asks no more.",
             decidedWithinNs,
             sinceNs -> "knows no decision of what it proposed by " + sinceNs + " ns");
+    lemma(FAILED, "The variable failed says whether the latest proposal was given up.");
+    if (progress.isBounded()) {
+      lemma(INFORMED, "A robot that decides sends the decision at once to all acceptors.");
+      tells.begin();
+    }
   }
 
   /** One agreement. */
@@ -83,6 +98,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   @Override
   protected void acted(Action action, Report report) {
+    nowNs = action.timeNs();
     Run run = instance(action.source());
     switch (action.fact()) {
       case AgreementFact.Acceptors acceptors -> {
@@ -93,9 +109,12 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
       case AgreementAction.propose proposal -> {
         run.proposals.add(proposal.v());
         run.givenUp.remove(action.robot());
-        if (!run.knowing.contains(action.robot())) {
-          progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
+        ProcessKey key = new ProcessKey(action.source(), action.robot());
+        boolean isOpen = !run.knowing.contains(action.robot());
+        if (isOpen) {
+          progress.start(key, action.timeNs());
         }
+        failed.says(key, action, is -> !is || (isOpen && nowNs > action.timeNs()), report);
       }
       default -> {}
     }
@@ -103,6 +122,8 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   @Override
   protected void changed(Variable variable, Report report) {
+    nowNs = variable.timeNs();
+    failed.shows(variable, report);
     boolean isOver = Boolean.TRUE.equals(variable.of(AgreementFact.FAILED));
     if (isOver) {
       instance(variable.source()).givenUp.add(variable.robot());
@@ -112,9 +133,27 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
       decided(run, decision.toString(), variable, report); // as in the proposal
       run.knowing.add(variable.robot());
       isOver = true;
+      boolean hasGivenUp = run.givenUp.contains(variable.robot());
+      ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+      failed.says(key, variable, is -> !is || hasGivenUp, report);
+      if (lastVote.decides(variable, 1)) {
+        mustInform(run, variable);
+      }
     }
     if (isOver) {
       progress.meet(new ProcessKey(variable.source(), variable.robot()), report);
+    }
+  }
+
+  private void mustInform(Run run, Variable variable) {
+    for (RobotId acceptor : run.acceptors) {
+      if (!acceptor.equals(variable.robot())) {
+        tells.owes(
+            variable,
+            acceptor.name(),
+            "the decision",
+            told -> told instanceof SynodMessage.Decided);
+      }
     }
   }
 
@@ -144,6 +183,8 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Run> {
 
   @Override
   protected void happened(TraceEvent event, Report report) {
+    tells.observe(event, report);
+    lastVote.observe(event);
     if (progress.isBounded()
         && event instanceof Sent sent
         && (sent.message() instanceof Prepare || sent.message() instanceof Accept)

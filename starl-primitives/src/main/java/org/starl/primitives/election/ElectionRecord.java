@@ -183,6 +183,11 @@ final class ElectionRecord {
     return shown.getOrDefault(robot, Leader.NONE);
   }
 
+  /** Whether the robot knows that the present start of its program leads. */
+  boolean leads(RobotId robot) {
+    return shownBy(robot) instanceof Leader.Name name && name.id().equals(ids.get(robot));
+  }
+
   /** Every robot seen so far, in order. */
   Set<RobotId> robots() {
     return seen;

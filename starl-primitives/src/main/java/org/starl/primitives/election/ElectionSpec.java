@@ -2,10 +2,14 @@ package org.starl.primitives.election;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.LastVote;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodSpec;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
@@ -42,6 +46,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String BEHIND = "election.Behind";
   static final String LEADER = "election.Leader";
 
+  private static final String SAYS_SAYS =
+      "Who stands, leads or decides broadcasts it at once, and candidates and leaders in each period; who hears of a later term, or that its leader began anew, stands.";
+
   private boolean leaderStays;
   private final TurnCheck turns = new TurnCheck(faults);
   private final LastVote lastVote = new LastVote();
@@ -49,8 +56,12 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   private final TellCheck tells = new TellCheck(BEHIND);
   private final TellCheck says = new TellCheck(SAYS);
   private final FlagCheck<Leader> shown = flag(ElectionFact.LEADER, LEADER);
+  // Robots whose election has failed, until they stand again.
+  private final Set<ProcessKey> failed = new LinkedHashSet<>();
   private final Deadlines elected;
   private final Deadlines told;
+  private Deadlines leads = new Deadlines(SAYS, Deadlines.NO_BOUND, sinceNs -> "");
+  private Deadlines stands = new Deadlines(SAYS, Deadlines.NO_BOUND, sinceNs -> "");
 
   /** Safety only. */
   public ElectionSpec() {
@@ -106,9 +117,18 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(
         BEHIND,
         "Who hears a robot of an earlier term, or without its leader, or a new candidate, tells it at once.");
-    lemma(
-        SAYS,
-        "Who stands or decides broadcasts it at once; who hears of a later term, or that its leader began anew, stands.");
+    leads =
+        progress(
+            SAYS,
+            SAYS_SAYS,
+            2 * settings.heartbeatMs() * NS_PER_MS,
+            sinceNs -> "leads, and does not say so since " + sinceNs + " ns");
+    stands =
+        progress(
+            SAYS,
+            SAYS_SAYS,
+            2 * settings.deltaMs() * NS_PER_MS,
+            sinceNs -> "stands, and does not say so since " + sinceNs + " ns");
     lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
     tells.begin();
     says.begin();
@@ -145,6 +165,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         if (ballots.shownBy(action.robot()) instanceof Leader.Fail) {
           turns.stands(key(action), ballots.term(action.robot()), action.timeNs());
         }
+        failed.remove(key(action));
         ballots.called(action.robot());
         allow(ballots, action, action.source(), 0, report);
       }
@@ -158,6 +179,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         } else {
           silence.suspectsNobody(report); // it knows no leader of the term before
         }
+        failed.remove(key(action));
         ballots.stood(stands.n(), stands.i());
         turns.stands(key(action), stands.n(), action.timeNs());
         says.owes(
@@ -178,6 +200,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       ElectionRecord ballots = instance(variable.source());
       ballots.shown(variable, leader, report);
       shown.shows(variable, report);
+      if (leader instanceof Leader.Fail) {
+        failed.add(new ProcessKey(variable.source(), variable.robot()));
+      }
       if (leader instanceof Leader.Name name) {
         silence.heard(variable.source(), variable, name.id());
         if (lastVote.decides(variable, name.term())) {
@@ -206,6 +231,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
             && got.message() instanceof ElectionMessage message
             && turns.isNew(got, message);
     turns.observe(event, report);
+    if (event instanceof Sent sent) {
+      sent(sent, report);
+    }
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
       ElectionRecord ballots = instance(got.channel());
@@ -225,6 +253,39 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
             "its candidacy in term " + called,
             told -> told instanceof Candidacy m && m.term() >= called);
       }
+    }
+  }
+
+  private void sent(Sent sent, Report report) {
+    if (sent.message() instanceof ElectionMessage message && sent.to().equals(Sent.ALL)) {
+      ProcessKey key = new ProcessKey(sent.channel(), sent.robot());
+      (message instanceof Elected ? leads : stands).meet(key, report);
+      saysAgain(key, instance(sent.channel()), sent.timeNs());
+    } else if (told.isBounded()
+        && (sent.message() instanceof Prepare || sent.message() instanceof Accept)
+        && sent.channel().kind().equals(ElectionFact.SYNOD)
+        && failed.contains(new ProcessKey(sent.channel().owner(), sent.robot()))) {
+      String detail = sent.channel() + ": " + sent.message() + " after it has failed";
+      report.violated(TOLD, sent.timeNs(), List.of(sent.robot()), detail);
+    }
+  }
+
+  /** Candidates and leaders repeat what they say. */
+  private void saysAgain(ProcessKey key, ElectionRecord ballots, long nowNs) {
+    await(leads, key, ballots.leads(key.robot()), nowNs);
+    boolean isCandidate = ballots.standing(key.robot()) == ElectionRecord.Standing.WAITING;
+    await(stands, key, isCandidate, nowNs);
+    // A clock that was set back delays the next period.
+    boolean isOwed =
+        faults.isFaultFree() && faults.isClockRight(key.robot(), nowNs - FaultState.SETTLE_NS);
+    List.of(leads, stands).forEach(each -> each.assume(key, isOwed, nowNs));
+  }
+
+  private static void await(Deadlines deadlines, ProcessKey key, boolean isDue, long nowNs) {
+    if (isDue) {
+      deadlines.start(key, nowNs);
+    } else {
+      deadlines.stop(key);
     }
   }
 
@@ -254,6 +315,10 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     instances().values().forEach(ballots -> ballots.ended(robot));
     silence.ended(robot);
     turns.ended(robot);
+    failed.removeIf(key -> key.robot().equals(robot));
+    for (Instance source : instances().keySet()) {
+      List.of(leads, stands).forEach(each -> each.stop(new ProcessKey(source, robot)));
+    }
   }
 
   @Override
@@ -264,6 +329,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
           for (RobotId robot : ballots.robots()) {
             review(new ProcessKey(source, robot), ballots.standing(robot), nowNs, report);
             elected.assume(new ProcessKey(source, robot), assumed, nowNs);
+            saysAgain(new ProcessKey(source, robot), ballots, nowNs);
           }
         });
   }

@@ -7,8 +7,10 @@ import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
@@ -128,6 +130,50 @@ class AgreementSpecTest {
     sees(Seen.proposes(5, A, "x", "01"));
     asks(6);
     assertThat(late()).isEqualTo(1);
+  }
+
+  @Test
+  void failedThatIsNotResetOrComesAfterTheDecisionViolatesFailed() {
+    sees(Seen.proposes(1, A, "x", "01"));
+    fails(2, true);
+    sees(Seen.proposes(3, A, "x", "01"));
+    fails(3, false);
+    fails(4, true);
+    sees(Seen.decides(5, A, "x", "01")); // it stays true
+    asks(6);
+    assertThat(bounded.report().violations(AgreementSpec.FAILED)).isZero();
+    sees(Seen.proposes(7, A, "x", "01"));
+    asks(8);
+    assertThat(bounded.report().violations(AgreementSpec.FAILED)).as("not reset").isEqualTo(1);
+    fails(9, false);
+    fails(10, true);
+    assertThat(bounded.report().violations(AgreementSpec.FAILED)).as("it knows").isEqualTo(2);
+  }
+
+  private void fails(long timeNs, boolean isFailed) {
+    sees(new Variable(timeNs, A, Seen.agreement("x"), AgreementFact.FAILED, isFailed));
+  }
+
+  @Test
+  void whoDecidesAndTellsNotAllAcceptorsViolatesInformed() {
+    assertThat(uninformed(1)).isZero();
+    assertThat(uninformed(2)).as("a step later").isEqualTo(1);
+  }
+
+  /** The acceptor A hears the last vote and decides at 1 ns, and tells B at this time. */
+  private static long uninformed(long atNs) {
+    Monitors monitors = new Monitors(List.of(new AgreementSpec(BOUND_NS)));
+    Ballot ballot = new Ballot(1, new ProcessId(A, 1));
+    Instance x = Seen.agreement("x");
+    SynodMessage vote = new SynodMessage.Accepted(1, ballot);
+    SynodMessage decided = new SynodMessage.Decided(1, Value.EMPTY);
+    monitors.observe(serves(0, A));
+    monitors.observe(Seen.decides(0, B, "y", "01")); // of another agreement
+    monitors.observe(new Delivered(1, A, B, x, 1, SynodMessage.SHAPE, vote));
+    monitors.observe(Seen.decides(1, A, "x", "01"));
+    monitors.observe(new Sent(atNs, A, "b", x, 2, 1, SynodMessage.SHAPE, decided));
+    monitors.observe(fault(3, B, Fault.CRASH, ""));
+    return monitors.report().violations(AgreementSpec.INFORMED);
   }
 
   private void asks(long timeNs) {

@@ -1,6 +1,7 @@
 package org.starl.primitives.election;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -240,6 +241,36 @@ class ElectionSpecTest {
       boolean isSaid = then.equals(Seen.says(5, A, new ElectionMessage.Candidacy(id(A), 2, 1)));
       assertThat(says(patient, then)).as(then.toString()).isEqualTo(isSaid ? 0 : 1);
     }
+  }
+
+  @Test
+  void aLeaderThatDoesNotRepeatThatItLeadsViolatesSays() {
+    long periodNs = NS_PER_MS;
+    for (long pauseNs : List.of(periodNs, 3 * periodNs)) {
+      Monitors patient = patient();
+      for (RobotId robot : List.of(A, B, C)) {
+        patient.observe(Seen.shows(2, robot, leader(1, A)));
+      }
+      for (long atNs = 5; atNs < 10 * periodNs; atNs += pauseNs) {
+        patient.observe(Seen.says(atNs, A, new ElectionMessage.Elected(id(A), 1, id(A))));
+      }
+      long violations = patient.report().violations(ElectionSpec.SAYS);
+      assertThat(violations > 0).as("%s ns", pauseNs).isEqualTo(pauseNs > 2 * periodNs);
+    }
+  }
+
+  @Test
+  void whoHasFailedAndProposesViolatesTold() {
+    monitors.observe(Seen.exists(0, 3, id(A)));
+    monitors.observe(Seen.calls(1, A, id(A)));
+    monitors.observe(Seen.prepares(2, A, 1));
+    monitors.observe(Seen.shows(301, A, Leader.FAIL));
+    assertThat(monitors.report().violations(ElectionSpec.TOLD)).isZero();
+    monitors.observe(Seen.prepares(302, A, 1));
+    assertThat(monitors.report().violations(ElectionSpec.TOLD)).isEqualTo(1);
+    monitors.observe(Seen.calls(303, A, id(A)));
+    monitors.observe(Seen.prepares(304, A, 1));
+    assertThat(monitors.report().violations(ElectionSpec.TOLD)).isEqualTo(1);
   }
 
   @Test
