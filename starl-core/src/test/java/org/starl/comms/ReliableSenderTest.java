@@ -15,6 +15,7 @@ class ReliableSenderTest {
 
   private static final RobotId TO = new RobotId("to");
 
+  private final List<Long> transmitted = new ArrayList<>();
   private final List<String> timerCalls = new ArrayList<>();
   private Runnable expiry = () -> {};
   private long nowNs;
@@ -26,7 +27,7 @@ class ReliableSenderTest {
             expiry = action;
             return new NotedTimer();
           },
-          outgoing -> {});
+          outgoing -> transmitted.add(outgoing.order));
 
   private final class NotedTimer implements Timer {
     @Override
@@ -45,9 +46,18 @@ class ReliableSenderTest {
     }
   }
 
+  private final OpenEndpoint<String> talk = endpoint("talk");
+
+  private static OpenEndpoint<String> endpoint(String kind) {
+    Channel<String> channel = new Channel<>(kind, "1", new NoCodec());
+    return new OpenEndpoint<>(null, channel, (from, message) -> {});
+  }
+
   private Receipt send() {
-    Channel<String> channel = new Channel<>("talk", "1", new NoCodec());
-    OpenEndpoint<String> endpoint = new OpenEndpoint<>(null, channel, (from, message) -> {});
+    return send(talk);
+  }
+
+  private Receipt send(OpenEndpoint<String> endpoint) {
     return sender.send(TO, new RetainedMessage(endpoint, "x", 1, new byte[0]), Reliability.DEFAULT);
   }
 
@@ -79,5 +89,27 @@ class ReliableSenderTest {
     expiry.run();
 
     assertThat(timerCalls).containsExactly("set 250", "set 625");
+  }
+
+  @Test
+  void aMessageIsSettledOnce() {
+    send(); // keeps the window open
+    send();
+    assertThat(sender.acknowledged(TO, 2)).isTrue();
+    assertThat(sender.acknowledged(TO, 2)).as("again").isFalse();
+  }
+
+  /** Messages that wait for room in the window follow when the ones before them have failed. */
+  @Test
+  void messagesThatAreHeldBackFollowWhenAnEndpointCloses() {
+    OpenEndpoint<String> other = endpoint("other");
+    for (int i = 0; i < InboundWindows.WINDOW; i++) {
+      send(other);
+    }
+    send();
+    long last = InboundWindows.WINDOW + 1;
+    assertThat(transmitted).doesNotContain(last);
+    sender.fail(other);
+    assertThat(transmitted).contains(last);
   }
 }

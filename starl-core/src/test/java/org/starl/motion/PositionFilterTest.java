@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
@@ -261,6 +262,15 @@ class PositionFilterTest {
     assertThat(fix(100, 100 + 24, 0, 700, 1062)).isTrue();
   }
 
+  /** Driving and turning may fail each on its own: the body drives straight on, away from the arc. */
+  @Test
+  void aBodyThatDoesNotTurnIsWithinTheBound() {
+    fix(0, 0, 0, 0, 0);
+    drive(100, StrictMath.PI / 2, 0);
+    Location.Known known = at(2_000);
+    assertThat(known.pose().distanceMm(new Point(200, 0))).isBetween(200.0, known.errorMm());
+  }
+
   @Property(tries = 500)
   void theTruePositionIsAlwaysWithinTheBound(@ForAll long seed) {
     Rng rng = new Rng(seed);
@@ -271,13 +281,14 @@ class PositionFilterTest {
     Wheels wheels = new Wheels(speedError, reactionMs * MS, rng.fork("wheels"));
     Pose truth = new Pose(0, 0, rng.nextDouble());
     double noiseMm = 40 * rng.nextDouble();
-    double noiseRad = 0.2 * rng.nextDouble();
+    double noiseRad = (rng.nextBoolean(0.7) ? 0.2 : 3) * rng.nextDouble();
+    double fixes = rng.nextBoolean(0.7) ? 0.5 : 0.02;
     long nowNs = 0;
     for (int i = 0; i < 300; i++) {
       long stepNs = rng.nextLong(0, 40 * MS);
       truth = wheels.drive(truth, nowNs, nowNs + stepNs);
       nowNs += stepNs;
-      if (rng.nextBoolean(0.5)) {
+      if (rng.nextBoolean(fixes)) {
         any.fixed(noisy(truth, noiseMm, noiseRad, nowNs, rng), nowNs);
       } else {
         WheelCommand command =
