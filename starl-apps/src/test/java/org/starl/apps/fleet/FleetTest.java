@@ -133,7 +133,8 @@ class FleetTest {
             .set(Setting.DURATION.key(), "1500s")
             .build();
     Plan plan = DEMO.plan(request, settings);
-    plan.simulation().name("fleet").seed(12).build().run();
+    SimResult result = plan.simulation().name("fleet").seed(12).build().run();
+    assertThat(result.spec().violations("fleet.held")).isZero();
     return plan.story().measures().completed();
   }
 

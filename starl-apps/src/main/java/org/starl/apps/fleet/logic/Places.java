@@ -42,7 +42,7 @@ final class Places {
     return place < 0 ? -1 : place % mutexes.size();
   }
 
-  private static String section(int vertex) {
+  static String section(int vertex) {
     return "p" + vertex;
   }
 

@@ -353,6 +353,9 @@ public final class Roads {
   public Set<String> around(Point at) {
     Set<String> its = near(new Segment(at, at));
     its.removeIf(section -> isClear(section, at, 0, closed));
+    shared.stream()
+        .filter(vertex -> at(vertex).distanceMm(at) < AT_END_MM)
+        .forEach(vertex -> its.add(Places.section(vertex)));
     return its;
   }
 

@@ -43,8 +43,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       directions.
  *   <li>{@code fleet.group}: no two true bodies are on lanes of one group: farther than {@link #END_MM} from
  *       their ends, or at an end of the group that is no parking place or charger.
- *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is: why the
- *       three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
+ *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is, and
+ *       the station or charger where it stands: why the three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
  *   <li>{@code fleet.once}: each delivery is put down once.
  *   <li>{@code fleet.charged}: no battery is empty.
  *   <li>{@code fleet.none_lost}: at the end each delivery has been put down.
