@@ -29,4 +29,15 @@ class PeersTest {
     assertThat(peers.hear(request)).as("a copy of the request").isNull();
     assertThat(peers.open(PEER)).isEmpty();
   }
+
+  @Test
+  void aNewRequestReplacesADeferredOne() {
+    Peers peers = new Peers();
+    Req request = new Req(PEER, ME, 1, 1, 1, BOTH);
+    peers.hear(request);
+    peers.defer(request);
+    assertThat(peers.pending()).containsExactly(request);
+    peers.hear(new Req(PEER, ME, 2, 1, 2, BOTH));
+    assertThat(peers.pending()).isEmpty();
+  }
 }

@@ -1,0 +1,25 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
+
+import org.junit.jupiter.api.Test;
+
+class RequestTimersTest {
+
+  /** What the request before has waited for does not slow down the next one. */
+  @Test
+  void eachRequestIsRepeatedSoonAtFirst() {
+    RequestTimers timers = new RequestTimers(MutexTimes.DEFAULT);
+    long firstNs = MutexTimes.DEFAULT.resendMs() * NS_PER_MS;
+    timers.begin(0);
+    assertThat(timers.resends(firstNs - 1)).isFalse();
+    long atNs = firstNs;
+    for (int i = 0; i < 5; i++) {
+      assertThat(timers.resends(atNs)).isTrue();
+      atNs = timers.wakeAtNs();
+    }
+    timers.begin(atNs);
+    assertThat(timers.wakeAtNs()).isEqualTo(atNs + firstNs);
+  }
+}
