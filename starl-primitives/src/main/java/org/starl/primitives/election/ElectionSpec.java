@@ -260,7 +260,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     if (sent.message() instanceof ElectionMessage message && sent.to().equals(Sent.ALL)) {
       ProcessKey key = new ProcessKey(sent.channel(), sent.robot());
       (message instanceof Elected ? leads : stands).meet(key, report);
-      saysAgain(key, instance(sent.channel()), sent.timeNs());
+      ElectionRecord ballots = instance(sent.channel());
+      RobotId robot = sent.robot();
+      saysAgain(key, ballots.standing(robot), ballots.leads(robot), sent.timeNs());
     } else if (told.isBounded()
         && (sent.message() instanceof Prepare || sent.message() instanceof Accept)
         && sent.channel().kind().equals(ElectionFact.SYNOD)
@@ -271,14 +273,15 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   }
 
   /** Candidates and leaders repeat what they say. */
-  private void saysAgain(ProcessKey key, ElectionRecord ballots, long nowNs) {
-    await(leads, key, ballots.leads(key.robot()), nowNs);
-    boolean isCandidate = ballots.standing(key.robot()) == ElectionRecord.Standing.WAITING;
-    await(stands, key, isCandidate, nowNs);
+  private void saysAgain(
+      ProcessKey key, ElectionRecord.Standing standing, boolean isLeader, long nowNs) {
+    await(leads, key, isLeader, nowNs);
+    await(stands, key, standing == ElectionRecord.Standing.WAITING, nowNs);
     // A clock that was set back delays the next period.
     boolean isOwed =
         faults.isFaultFree() && faults.isClockRight(key.robot(), nowNs - FaultState.SETTLE_NS);
-    List.of(leads, stands).forEach(each -> each.assume(key, isOwed, nowNs));
+    leads.assume(key, isOwed, nowNs);
+    stands.assume(key, isOwed, nowNs);
   }
 
   private static void await(Deadlines deadlines, ProcessKey key, boolean isDue, long nowNs) {
@@ -327,9 +330,11 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         .forEach((source, ballots) -> {
           boolean assumed = faults.isFaultFree() && ballots.hasMajorityUp();
           for (RobotId robot : ballots.robots()) {
-            review(new ProcessKey(source, robot), ballots.standing(robot), nowNs, report);
-            elected.assume(new ProcessKey(source, robot), assumed, nowNs);
-            saysAgain(new ProcessKey(source, robot), ballots, nowNs);
+            ProcessKey key = new ProcessKey(source, robot);
+            ElectionRecord.Standing standing = ballots.standing(robot);
+            review(key, standing, nowNs, report);
+            elected.assume(key, assumed, nowNs);
+            saysAgain(key, standing, ballots.leads(robot), nowNs);
           }
         });
   }
