@@ -34,9 +34,11 @@ record Search(
   private static final List<Double> PARTS = List.of(1.0, 0.5, 0.0);
   private static final List<Double> NARROWER = PARTS.subList(1, 3);
 
+  private static final List<Double> WIDE = PARTS.subList(0, 1);
+
   // A wall is longer than what was felt of it: of ways that fit the margin, one that stays three
   // margins away from what was touched comes first.
-  private static final List<Double> WIDE = List.of(3.0, 1.0);
+  private static final List<Double> FAR_FIRST = List.of(3.0, 1.0);
 
   Search {
     marks = List.copyOf(marks);
@@ -57,7 +59,7 @@ record Search(
 
   /** A way, or the proof that there is none. */
   Outcome anywhere() {
-    Outcome wide = search(List.of(), WIDE);
+    Outcome wide = search(List.of(), wide());
     if (wide instanceof Outcome.Way) {
       return wide;
     }
@@ -65,9 +67,14 @@ record Search(
     return isCutOff() ? new Outcome.NoWay() : search(List.of(), NARROWER);
   }
 
+  /** A robot that drives along what it has touched is too near to it to keep away. */
+  private List<Double> wide() {
+    return task.mode() == CollisionMode.DISCOVER ? WIDE : FAR_FIRST;
+  }
+
   /** A way outside of {@code forbidden}; if there is none, a way anywhere, or the proof. */
   Outcome onward(List<Polygon> forbidden) {
-    Outcome inside = search(forbidden, WIDE);
+    Outcome inside = search(forbidden, wide());
     return inside instanceof Outcome.Way ? inside : anywhere();
   }
 
