@@ -61,6 +61,14 @@ class MazeTest {
     return result.results().get(new RobotId("bot" + robot));
   }
 
+  /** With these seeds obstacles lead to where another robot rests. */
+  @ParameterizedTest
+  @ValueSource(longs = {17, 18, 20})
+  @Tag("long")
+  void aRobotThatDrivesAlongAnObstacleStopsBeforeOneThatRests(long seed) {
+    run(seed, 3, Map.of("collision", "discover"), Map.of());
+  }
+
   /** Its wheels slip, so it believes to have arrived too early, and a fix tells it before it answers. */
   @Test
   void aRobotThatLearnsOnItsArrivalThatItIsNotThereDrivesOn() {

@@ -70,7 +70,7 @@ final class Knowledge {
   /** Whether the robot has learned all from the bump; call it once a period until then. */
   boolean hasLearned(long periodMs) {
     feltMs += periodMs;
-    if (gvh.plat.moat.inMotion() && feltMs < task.mode().feelMs()) {
+    if (gvh.plat.moat.inMotion() && feltMs < task.mode().feelMs() && !isNearOther()) {
       return false;
     }
     ride.stop();
@@ -79,6 +79,12 @@ final class Knowledge {
     }
     ride.contacts().forEach(this::learn);
     return true;
+  }
+
+  /** Along an obstacle it may come to where another robot rests: the blocks do not keep them apart. */
+  private boolean isNearOther() {
+    double reachMm = bodyMm + gvh.gps.errorMm() + MazeTask.MARGIN_MM;
+    return task.mode() == CollisionMode.DISCOVER && task.isNearOther(gvh.gps.pose().at(), reachMm);
   }
 
   private void learn(Contact contact) {

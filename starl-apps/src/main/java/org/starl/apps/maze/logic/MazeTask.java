@@ -48,8 +48,11 @@ public record MazeTask(
    * @param bodyMm radius of the body that was stopped
    */
   boolean mayBeOther(Contact contact, double bodyMm) {
-    Point at = contact.at().pose().at();
-    double reachMm = bodyMm + contact.at().errorMm() + NEAR_MM;
+    return isNearOther(contact.at().pose().at(), bodyMm + contact.at().errorMm() + NEAR_MM);
+  }
+
+  /** Whether another robot may stand within this distance, holding no block. */
+  boolean isNearOther(Point at, double reachMm) {
     return others.stream()
         .anyMatch(other -> other.axis().distanceMm(at) <= reachMm + other.radiusMm());
   }
