@@ -59,7 +59,7 @@ class SpecConventionTest {
   @Test
   void boundsAddLemmasOfProgress() {
     assertThat(lemmasAdded(new AgreementSpec(), new AgreementSpec(1)))
-        .containsExactly("agreement.Decided");
+        .containsExactly("agreement.Decided", "agreement.Informed");
     assertThat(lemmasAdded(new BarrierSpec(), new BarrierSpec(1, 1)))
         .containsExactly("barrier.NotHung");
     assertThat(lemmasAdded(new ElectionSpec(), new ElectionSpec(1, 1)))
