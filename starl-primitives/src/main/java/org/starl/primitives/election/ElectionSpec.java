@@ -47,7 +47,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   static final String LEADER = "election.Leader";
 
   private static final String SAYS_SAYS =
-      "Who stands, leads or decides broadcasts it at once, and candidates and leaders in each period; who hears of a later term, or that its leader began anew, stands.";
+      "Who stands, leads or decides says so, at once and again; who hears of a later term, or a new start, stands.";
 
   private boolean leaderStays;
   private final TurnCheck turns = new TurnCheck(faults);
