@@ -117,18 +117,8 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(
         BEHIND,
         "Who hears a robot of an earlier term, or without its leader, or a new candidate, tells it at once.");
-    leads =
-        progress(
-            SAYS,
-            SAYS_SAYS,
-            2 * settings.heartbeatMs() * NS_PER_MS,
-            sinceNs -> "leads, and does not say so since " + sinceNs + " ns");
-    stands =
-        progress(
-            SAYS,
-            SAYS_SAYS,
-            2 * settings.deltaMs() * NS_PER_MS,
-            sinceNs -> "stands, and does not say so since " + sinceNs + " ns");
+    leads = repeats("leads", settings.heartbeatMs());
+    stands = repeats("stands", settings.deltaMs());
     lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
     tells.begin();
     says.begin();
@@ -270,6 +260,14 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       String detail = sent.channel() + ": " + sent.message() + " after it has failed";
       report.violated(TOLD, sent.timeNs(), List.of(sent.robot()), detail);
     }
+  }
+
+  private Deadlines repeats(String what, long periodMs) {
+    return progress(
+        SAYS,
+        SAYS_SAYS,
+        2 * periodMs * NS_PER_MS,
+        sinceNs -> what + ", and does not say so since " + sinceNs + " ns");
   }
 
   /** Candidates and leaders repeat what they say. */
