@@ -274,10 +274,10 @@ public final class FleetSpec extends LemmaMonitor {
   }
 
   private void checkHeld(RobotId robot, long timeNs, Report report) {
-    report.checked(HELD);
     if (!bodies.isOnFloor(robot)) {
       return;
     }
+    report.checked(HELD);
     Set<String> missing = roads.around(bodies.poseAt(robot, timeNs).at());
     missing.removeIf(section -> held.holds(robot, section));
     String key = robot + " without";
