@@ -27,6 +27,7 @@ class PrimitivesProofTest {
       strings = {
         "Mutex_decls",
         "Mutex_group_decls",
+        "MutexProtocol_decls",
         "Pipeline_decls",
         "Modes_decls",
         "Registration_decls",
@@ -51,18 +52,24 @@ class PrimitivesProofTest {
     assertThat(report.claim("Peers").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
   }
 
-  /** What {@code pvs/MutexProtocol_safety} says for any number of processes, Z3 says for few. */
+  /** Of requests for sets, as in {@code pvs/MutexProtocol_safety}. */
   private static final String PROTOCOL_IS_A_MUTEX =
       """
 
+      invariant Of_sets_alone: parts = {}
+
+      invariant Whole:
+        forall i: PIDS, y, z: Zones ::
+          y in crit_set(i) and z in want(i) => z in crit_set(i)
+
       refines group: Mutex_group_decls[PIDS, Zones] by
-        mux.crit_set := [i: PIDS -> if phase(i) = critical then want(i) else {}],
-        mux.req_set := [i: PIDS -> if phase(i) = trying then want(i) else {}],
+        mux.crit_set := crit_set,
+        mux.req_set := [i: PIDS -> want(i) minus crit_set(i)],
         mux.rest_set := [i: PIDS -> {}],
         plist := plist,
-        request(i, RS, P) is do_mutex(i, RS, P),
+        request(i, RS, P, in_parts) is do_mutex(i, RS, P),
         known(i, P) is known(i, P),
-        enter(i) is od_mutex(i, want(i)),
+        enter(i, G) is od_mutex(i, G),
         release(i, RS) is release(i, RS),
         withdraw(i) is withdraw(i)
       """;
@@ -74,7 +81,10 @@ class PrimitivesProofTest {
       Files.copy(source(name), folder.resolve(name + ".starl"));
     }
     Path protocol = folder.resolve("MutexProtocol_decls.starl");
-    Files.writeString(protocol, Files.readString(protocol) + PROTOCOL_IS_A_MUTEX);
+    String ofSets =
+        Files.readString(protocol)
+            .replace("pre not active?(i), RS != {}", "pre not in_parts, not active?(i), RS != {}");
+    Files.writeString(protocol, ofSets + PROTOCOL_IS_A_MUTEX);
     Report report = prove(new SourceReader().read(protocol).getLast());
     assertThat(report.isProved()).isTrue();
     assertThat(report.claim("Inv_heard").orElseThrow().verdict()).isEqualTo(Verdict.PROVED);
@@ -97,7 +107,7 @@ class PrimitivesProofTest {
   void statesThatCannotBeMadeSmallAreToldAll() throws IOException, SourceErrors {
     String wrong =
         Files.readString(source("MutexProtocol_decls"))
-            .replace("pre phase(i) = trying,\n      forall j", "pre forall j");
+            .replace("(j in plist(i) or j in heard(i))", "j in plist(i)");
     Report report = prove(new SourceReader().read("wrong.starl", wrong).getLast());
     assertThat(report.claim("Exclusive").orElseThrow().isGood()).isFalse();
   }

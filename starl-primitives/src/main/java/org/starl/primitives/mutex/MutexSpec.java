@@ -141,9 +141,9 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     return this;
   }
 
-  /** Of mutexes with sequences, which are replayed on the theory of these. */
+  /** Of mutexes with sequences, which are replayed on the theory of these, and on the protocol's. */
   public MutexSpec withSequences() {
-    conformance = () -> List.of(new PipelineConformance());
+    conformance = () -> List.of(new PipelineConformance(), new ProtocolConformance());
     return this;
   }
 

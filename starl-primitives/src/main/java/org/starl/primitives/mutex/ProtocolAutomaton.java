@@ -16,12 +16,14 @@ import org.starl.spec.automaton.Sets;
  *
  * <p>Mutual exclusion by messages, among processes whose lists change: Ricart and Agrawala's
  * algorithm ("An optimal algorithm for mutual exclusion in computer networks", CACM 1981) on sets
- * of zones, where each process asks those on its list.
+ * and on sequences of zones, where each process asks those on its list.
  *
  * <p>A request carries a logical time. All on the list of the requester have to grant it, and so
  * have those whose requests it has granted before: they may be on a later list than its own. A
- * process keeps its grant back while it holds a zone that is asked for, or waits for one with an
- * earlier time.
+ * process keeps back its grant of a zone that it holds, or that it waits for with an earlier time.
+ *
+ * <p>A request for a set enters all its zones at once. One for a sequence enters some of them, and
+ * waits for the others while it holds these.
  *
  * <p>The network is the set of all messages ever sent. A message may be acted on at any later time,
  * in any order, more than once, or never: so delay, loss, duplication, reordering and partition are
@@ -30,12 +32,13 @@ import org.starl.spec.automaton.Sets;
  *
  * <p>A process that has crashed, or seems to have, answers nobody. Another one fences it: it grants
  * it nothing any more, and the fenced process cannot enter without. So whoever has fenced it knows
- * the most that it may hold, now and later: what it has granted it. It vouches for it to all who
- * ask for other zones. A new process of a robot fences the robot's earlier ones.
+ * the most that it may hold, now and later: what it holds, and what it has granted it. It vouches
+ * for it to all who ask for other zones. A new process of a robot fences the robot's earlier ones.
  *
  * <p>Assumed: what Mutex_group_decls assumes of its caller (connects?), and that a process leaves
  * out of its lists only who holds and waits for nothing (forget). Both follow from Keeps of
- * Registration_decls. Not here: modes and sequences.
+ * Registration_decls. Not here: modes; the order of a sequence, and what a robot asks for that
+ * resumes one after a restart.
  *
  * <p>Java: org.starl.primitives.mutex.MutexProtocol and Fences; each run is replayed on this
  * automaton: ProtocolConformance.
@@ -53,28 +56,22 @@ public final class ProtocolAutomaton
     this.before = before;
   }
 
-  public enum Phase {
-    idle,
-    trying,
-    critical
-  }
-
-  public record Request(ProcessId asker, long at, SortedSet<String> zones)
-      implements Comparable<Request> {
+  public record Request(ProcessId asker, long at) implements Comparable<Request> {
 
     @Override
     public int compareTo(Request that) {
-      return Sets.compare(
-          List.of(this.asker, this.at, this.zones), List.of(that.asker, that.at, that.zones));
+      return Sets.compare(List.of(this.asker, this.at), List.of(that.asker, that.at));
     }
   }
 
-  public record Grant(ProcessId giver, ProcessId asker, long at) implements Comparable<Grant> {
+  public record Grant(ProcessId giver, ProcessId asker, long at, String zone)
+      implements Comparable<Grant> {
 
     @Override
     public int compareTo(Grant that) {
       return Sets.compare(
-          List.of(this.giver, this.asker, this.at), List.of(that.giver, that.asker, that.at));
+          List.of(this.giver, this.asker, this.at, this.zone),
+          List.of(that.giver, that.asker, that.at, that.zone));
     }
   }
 
@@ -83,6 +80,8 @@ public final class ProtocolAutomaton
    *
    * @param ts of its newest request
    * @param want waits for, or holds
+   * @param crit_set holds
+   * @param parts its newest request is for a sequence
    * @param plist its list
    * @param heard whose requests it has granted
    * @param fencers who grants it nothing any more
@@ -90,9 +89,10 @@ public final class ProtocolAutomaton
    */
   public record States(
       Fun<ProcessId, Long> clock,
-      Fun<ProcessId, Phase> phase,
       Fun<ProcessId, Long> ts,
       Fun<ProcessId, SortedSet<String>> want,
+      Fun<ProcessId, SortedSet<String>> crit_set,
+      SortedSet<ProcessId> parts,
       Fun<ProcessId, SortedSet<ProcessId>> plist,
       Fun<ProcessId, SortedSet<ProcessId>> heard,
       SortedSet<Request> reqs,
@@ -100,25 +100,27 @@ public final class ProtocolAutomaton
       Fun<ProcessId, SortedSet<ProcessId>> fencers,
       SortedSet<Grant> vouched) {
 
-    /** j has granted i's request of time t. */
-    public boolean isGranted(ProcessId j, ProcessId i, long t) {
-      return oks.contains(new Grant(j, i, t));
+    /** j has granted z to i's request of time t. */
+    public boolean isGranted(ProcessId j, ProcessId i, long t, String z) {
+      return oks.contains(new Grant(j, i, t, z));
     }
 
     /** Somebody has vouched for j to i. */
-    public boolean isVouched(ProcessId j, ProcessId i, long t) {
-      return vouched.contains(new Grant(j, i, t));
+    public boolean isVouched(ProcessId j, ProcessId i, long t, String z) {
+      return vouched.contains(new Grant(j, i, t, z));
     }
 
-    /** What i may hold at most until its next request, as f knows that has fenced it. */
-    public SortedSet<String> at_most(ProcessId i, ProcessId f) {
-      return phase.at(i) == Phase.trying && !isGranted(f, i, ts.at(i))
-          ? Sets.emptyset()
-          : want.at(i);
+    /** i holds z at most until its next request, as f knows that has fenced it. */
+    public boolean isMayHold(ProcessId i, ProcessId f, String z) {
+      return crit_set.at(i).contains(z) || (want.at(i).contains(z) && isGranted(f, i, ts.at(i), z));
     }
 
     public boolean isActive(ProcessId i) {
-      return phase.at(i) != Phase.idle;
+      return !want.at(i).isEmpty();
+    }
+
+    public boolean isWaits(ProcessId i) {
+      return !crit_set.at(i).containsAll(want.at(i));
     }
 
     public boolean isPeer(ProcessId i, ProcessId j) {
@@ -130,50 +132,65 @@ public final class ProtocolAutomaton
       return Finite.forAll(
               j -> !(!i.equals(j) && isActive(j)) || P.contains(j) || plist.at(j).contains(i),
               List.of(i),
-              phase.arguments(),
+              want.arguments(),
               P,
               plist.arguments())
-          && (phase.defaultValue() == Phase.idle || plist.defaultValue().contains(i));
+          && (want.defaultValue().isEmpty() || plist.defaultValue().contains(i));
     }
 
     private States with_clock(Fun<ProcessId, Long> clock) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
-    }
-
-    private States with_phase(Fun<ProcessId, Phase> phase) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_ts(Fun<ProcessId, Long> ts) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_want(Fun<ProcessId, SortedSet<String>> want) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_crit_set(Fun<ProcessId, SortedSet<String>> crit_set) {
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
+    }
+
+    private States with_parts(SortedSet<ProcessId> parts) {
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_plist(Fun<ProcessId, SortedSet<ProcessId>> plist) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_heard(Fun<ProcessId, SortedSet<ProcessId>> heard) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_reqs(SortedSet<Request> reqs) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_oks(SortedSet<Grant> oks) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_fencers(Fun<ProcessId, SortedSet<ProcessId>> fencers) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
 
     private States with_vouched(SortedSet<Grant> vouched) {
-      return new States(clock, phase, ts, want, plist, heard, reqs, oks, fencers, vouched);
+      return new States(
+          clock, ts, want, crit_set, parts, plist, heard, reqs, oks, fencers, vouched);
     }
   }
 
@@ -186,9 +203,10 @@ public final class ProtocolAutomaton
   public States start() {
     return new States(
         Fun.always(0L),
-        Fun.always(Phase.idle),
         Fun.always(0L),
         Fun.always(Sets.emptyset()),
+        Fun.always(Sets.emptyset()),
+        Sets.emptyset(),
         Fun.always(Sets.emptyset()),
         Fun.always(Sets.emptyset()),
         Sets.emptyset(),
@@ -202,11 +220,10 @@ public final class ProtocolAutomaton
     return t < u || (t == u && before.test(i, j));
   }
 
-  /** j does not grant now the request of time t by i for RS. */
-  public boolean isKeepsBack(ProcessId j, ProcessId i, long t, SortedSet<String> RS, States s) {
-    return s.phase.at(j) != Phase.idle
-        && Finite.exists(z -> s.want.at(j).contains(z) && RS.contains(z), s.want.at(j))
-        && (s.phase.at(j) == Phase.critical || isFirst(s.ts.at(j), j, t, i));
+  /** j does not grant z now to the request of time t by i. */
+  public boolean isKeepsBack(ProcessId j, ProcessId i, long t, String z, States s) {
+    return s.want.at(j).contains(z)
+        && (s.crit_set.at(j).contains(z) || isFirst(s.ts.at(j), j, t, i));
   }
 
   @Override
@@ -214,9 +231,9 @@ public final class ProtocolAutomaton
     return switch (action) {
       case ProtocolAction.request a ->
           Enabled.when(
-                  "phase(i) = idle",
-                  s.phase.at(a.i()) == Phase.idle,
-                  () -> "phase(" + a.i() + ") = " + s.phase.at(a.i()))
+                  "not active?(i)",
+                  !s.isActive(a.i()),
+                  () -> "want(" + a.i() + ") = " + s.want.at(a.i()))
               .and("RS != {}", !a.RS().isEmpty(), () -> "RS = " + a.RS())
               .and(
                   "connects?(i, P)",
@@ -229,17 +246,20 @@ public final class ProtocolAutomaton
                                   || s.plist.at(j).contains(a.i())),
                           j ->
                               String.format(
-                                  "phase(%s) = %s, plist(%s) = %s",
-                                  j, s.phase.at(j), j, s.plist.at(j)),
+                                  "want(%s) = %s, plist(%s) = %s",
+                                  j, s.want.at(j), j, s.plist.at(j)),
                           List.of(a.i()),
-                          s.phase.arguments(),
+                          s.want.arguments(),
                           a.P(),
                           s.plist.arguments()));
       case ProtocolAction.known a ->
           Enabled.when(
-                  "phase(i) = trying",
-                  s.phase.at(a.i()) == Phase.trying,
-                  () -> "phase(" + a.i() + ") = " + s.phase.at(a.i()))
+                  "waits?(i)",
+                  s.isWaits(a.i()),
+                  () ->
+                      String.format(
+                          "want(%s) = %s, crit_set(%s) = %s",
+                          a.i(), s.want.at(a.i()), a.i(), s.crit_set.at(a.i())))
               .and(
                   "connects?(i, P)",
                   s.isConnects(a.i(), a.P()),
@@ -251,52 +271,75 @@ public final class ProtocolAutomaton
                                   || s.plist.at(j).contains(a.i())),
                           j ->
                               String.format(
-                                  "phase(%s) = %s, plist(%s) = %s",
-                                  j, s.phase.at(j), j, s.plist.at(j)),
+                                  "want(%s) = %s, plist(%s) = %s",
+                                  j, s.want.at(j), j, s.plist.at(j)),
                           List.of(a.i()),
-                          s.phase.arguments(),
+                          s.want.arguments(),
                           a.P(),
-                          s.plist.arguments()));
+                          s.plist.arguments()))
+              .and(
+                  "crit_set(i) = {} or P subset plist(i)",
+                  s.crit_set.at(a.i()).isEmpty() || s.plist.at(a.i()).containsAll(a.P()),
+                  () ->
+                      String.format(
+                          "crit_set(%s) = %s, plist(%s) = %s",
+                          a.i(), s.crit_set.at(a.i()), a.i(), s.plist.at(a.i())));
       case ProtocolAction.forget a ->
           Enabled.when(
               "not active?(j)",
               !s.isActive(a.j()),
-              () -> "phase(" + a.j() + ") = " + s.phase.at(a.j()));
+              () -> "want(" + a.j() + ") = " + s.want.at(a.j()));
       case ProtocolAction.grant a ->
           Enabled.when("not i = j", !a.i().equals(a.j()), () -> "i = " + a.i() + ", j = " + a.j())
               .and(
-                  "Request(asker := i, at := t, zones := RS) in reqs",
-                  s.reqs.contains(new Request(a.i(), a.t(), a.RS())),
+                  "Request(asker := i, at := t) in reqs",
+                  s.reqs.contains(new Request(a.i(), a.t())),
                   () -> "reqs = " + s.reqs)
               .and(
                   "not j in fencers(i)",
                   !s.fencers.at(a.i()).contains(a.j()),
                   () -> "fencers(" + a.i() + ") = " + s.fencers.at(a.i()))
               .and(
-                  "not keeps_back?(j, i, t, RS)",
-                  !isKeepsBack(a.j(), a.i(), a.t(), a.RS(), s),
+                  "not keeps_back?(j, i, t, z)",
+                  !isKeepsBack(a.j(), a.i(), a.t(), a.z(), s),
                   () ->
                       String.format(
-                          "phase(%s) = %s, %s",
+                          "want(%s) = %s, %s",
                           a.j(),
-                          s.phase.at(a.j()),
-                          s.phase.at(a.j()) == Phase.critical
-                              ? "phase(" + a.j() + ") = " + s.phase.at(a.j())
+                          s.want.at(a.j()),
+                          s.crit_set.at(a.j()).contains(a.z())
+                              ? "crit_set(" + a.j() + ") = " + s.crit_set.at(a.j())
                               : "ts(" + a.j() + ") = " + s.ts.at(a.j())));
       case ProtocolAction.enter a ->
           Enabled.when(
-                  "phase(i) = trying",
-                  s.phase.at(a.i()) == Phase.trying,
-                  () -> "phase(" + a.i() + ") = " + s.phase.at(a.i()))
+                  "waits?(i)",
+                  s.isWaits(a.i()),
+                  () ->
+                      String.format(
+                          "want(%s) = %s, crit_set(%s) = %s",
+                          a.i(), s.want.at(a.i()), a.i(), s.crit_set.at(a.i())))
               .and(
-                  "forall j: PIDS :: not i = j and (j in plist(i) or j in heard(i)) => granted?(j, i, ts(i)) or vouched?(j, i, ts(i))",
+                  "G subset want(i)",
+                  s.want.at(a.i()).containsAll(a.G()),
+                  () -> "want(" + a.i() + ") = " + s.want.at(a.i()))
+              .and(
+                  "i in parts or G = want(i)",
+                  s.parts.contains(a.i()) || a.G().equals(s.want.at(a.i())),
+                  () ->
+                      String.format("parts = %s, want(%s) = %s", s.parts, a.i(), s.want.at(a.i())))
+              .and(
+                  "forall j: PIDS :: not i = j and (j in plist(i) or j in heard(i)) => forall z: Zones :: z in G => granted?(j, i, ts(i), z) or vouched?(j, i, ts(i), z)",
                   Finite.forAll(
                       j ->
                           !(!a.i().equals(j)
                                   && (s.plist.at(a.i()).contains(j)
                                       || s.heard.at(a.i()).contains(j)))
-                              || s.isGranted(j, a.i(), s.ts.at(a.i()))
-                              || s.isVouched(j, a.i(), s.ts.at(a.i())),
+                              || Finite.forAll(
+                                  z ->
+                                      !a.G().contains(z)
+                                          || s.isGranted(j, a.i(), s.ts.at(a.i()), z)
+                                          || s.isVouched(j, a.i(), s.ts.at(a.i()), z),
+                                  a.G()),
                       s.plist.at(a.i()),
                       s.heard.at(a.i())),
                   () ->
@@ -305,51 +348,80 @@ public final class ProtocolAutomaton
                               !(!(!a.i().equals(j)
                                       && (s.plist.at(a.i()).contains(j)
                                           || s.heard.at(a.i()).contains(j)))
-                                  || s.isGranted(j, a.i(), s.ts.at(a.i()))
-                                  || s.isVouched(j, a.i(), s.ts.at(a.i()))),
+                                  || Finite.forAll(
+                                      z ->
+                                          !a.G().contains(z)
+                                              || s.isGranted(j, a.i(), s.ts.at(a.i()), z)
+                                              || s.isVouched(j, a.i(), s.ts.at(a.i()), z),
+                                      a.G())),
                           j ->
                               String.format(
-                                  "j = %s, %s, ts(%s) = %s, oks = %s, vouched = %s",
+                                  "j = %s, %s, %s",
                                   j,
                                   s.plist.at(a.i()).contains(j)
                                       ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
                                       : "heard(" + a.i() + ") = " + s.heard.at(a.i()),
-                                  a.i(),
-                                  s.ts.at(a.i()),
-                                  s.oks,
-                                  s.vouched),
+                                  Finite.first(
+                                      z ->
+                                          !(!a.G().contains(z)
+                                              || s.isGranted(j, a.i(), s.ts.at(a.i()), z)
+                                              || s.isVouched(j, a.i(), s.ts.at(a.i()), z)),
+                                      z ->
+                                          String.format(
+                                              "z = %s, ts(%s) = %s, oks = %s, vouched = %s",
+                                              z, a.i(), s.ts.at(a.i()), s.oks, s.vouched),
+                                      a.G())),
                           s.plist.at(a.i()),
                           s.heard.at(a.i())))
               .and(
-                  "forall f: PIDS :: f in fencers(i) => granted?(f, i, ts(i))",
+                  "forall f: PIDS :: f in fencers(i) => forall z: Zones :: z in G => granted?(f, i, ts(i), z)",
                   Finite.forAll(
                       f ->
-                          !s.fencers.at(a.i()).contains(f) || s.isGranted(f, a.i(), s.ts.at(a.i())),
+                          !s.fencers.at(a.i()).contains(f)
+                              || Finite.forAll(
+                                  z ->
+                                      !a.G().contains(z)
+                                          || s.isGranted(f, a.i(), s.ts.at(a.i()), z),
+                                  a.G()),
                       s.fencers.at(a.i())),
                   () ->
                       Finite.first(
                           f ->
                               !(!s.fencers.at(a.i()).contains(f)
-                                  || s.isGranted(f, a.i(), s.ts.at(a.i()))),
+                                  || Finite.forAll(
+                                      z ->
+                                          !a.G().contains(z)
+                                              || s.isGranted(f, a.i(), s.ts.at(a.i()), z),
+                                      a.G())),
                           f ->
                               String.format(
-                                  "f = %s, fencers(%s) = %s, ts(%s) = %s, oks = %s",
-                                  f, a.i(), s.fencers.at(a.i()), a.i(), s.ts.at(a.i()), s.oks),
+                                  "f = %s, fencers(%s) = %s, %s",
+                                  f,
+                                  a.i(),
+                                  s.fencers.at(a.i()),
+                                  Finite.first(
+                                      z ->
+                                          !(!a.G().contains(z)
+                                              || s.isGranted(f, a.i(), s.ts.at(a.i()), z)),
+                                      z ->
+                                          String.format(
+                                              "z = %s, ts(%s) = %s, oks = %s",
+                                              z, a.i(), s.ts.at(a.i()), s.oks),
+                                      a.G())),
                           s.fencers.at(a.i())));
       case ProtocolAction.release a ->
           Enabled.when(
-                  "phase(i) = critical",
-                  s.phase.at(a.i()) == Phase.critical,
-                  () -> "phase(" + a.i() + ") = " + s.phase.at(a.i()))
-              .and(
-                  "RS subset want(i)",
-                  s.want.at(a.i()).containsAll(a.RS()),
-                  () -> "want(" + a.i() + ") = " + s.want.at(a.i()));
+              "RS subset crit_set(i)",
+              s.crit_set.at(a.i()).containsAll(a.RS()),
+              () -> "crit_set(" + a.i() + ") = " + s.crit_set.at(a.i()));
       case ProtocolAction.withdraw a ->
           Enabled.when(
-              "phase(i) = trying",
-              s.phase.at(a.i()) == Phase.trying,
-              () -> "phase(" + a.i() + ") = " + s.phase.at(a.i()));
+              "waits?(i)",
+              s.isWaits(a.i()),
+              () ->
+                  String.format(
+                      "want(%s) = %s, crit_set(%s) = %s",
+                      a.i(), s.want.at(a.i()), a.i(), s.crit_set.at(a.i())));
       case ProtocolAction.fence a -> Enabled.TRUE;
       case ProtocolAction.vouch a ->
           Enabled.when(
@@ -357,14 +429,18 @@ public final class ProtocolAutomaton
                   s.fencers.at(a.j()).contains(a.f()),
                   () -> "fencers(" + a.j() + ") = " + s.fencers.at(a.j()))
               .and(
-                  "Request(asker := i, at := t, zones := RS) in reqs",
-                  s.reqs.contains(new Request(a.i(), a.t(), a.RS())),
+                  "Request(asker := i, at := t) in reqs",
+                  s.reqs.contains(new Request(a.i(), a.t())),
                   () -> "reqs = " + s.reqs)
               .and(
-                  "RS disjoint at_most(j, f)",
-                  Sets.disjoint(a.RS(), s.at_most(a.j(), a.f())),
+                  "not may_hold?(j, f, z)",
+                  !s.isMayHold(a.j(), a.f(), a.z()),
                   () ->
-                      String.format("at_most(%s, %s) = %s", a.j(), a.f(), s.at_most(a.j(), a.f())));
+                      s.crit_set.at(a.j()).contains(a.z())
+                          ? "crit_set(" + a.j() + ") = " + s.crit_set.at(a.j())
+                          : String.format(
+                              "want(%s) = %s, ts(%s) = %s, oks = %s",
+                              a.j(), s.want.at(a.j()), a.j(), s.ts.at(a.j()), s.oks));
       case ProtocolAction.witness a -> Enabled.TRUE;
     };
   }
@@ -374,31 +450,28 @@ public final class ProtocolAutomaton
     return switch (action) {
       case ProtocolAction.request a ->
           s.with_clock(s.clock.with(a.i(), s.clock.at(a.i()) + 1))
-              .with_phase(s.phase.with(a.i(), Phase.trying))
               .with_ts(s.ts.with(a.i(), s.clock.at(a.i()) + 1))
               .with_want(s.want.with(a.i(), a.RS()))
+              .with_parts(a.in_parts() ? Sets.add(a.i(), s.parts) : Sets.remove(a.i(), s.parts))
               .with_plist(s.plist.with(a.i(), a.P()))
-              .with_reqs(Sets.add(new Request(a.i(), s.clock.at(a.i()) + 1, a.RS()), s.reqs));
+              .with_reqs(Sets.add(new Request(a.i(), s.clock.at(a.i()) + 1), s.reqs));
       case ProtocolAction.known a -> s.with_plist(s.plist.with(a.i(), a.P()));
       case ProtocolAction.forget a ->
           s.with_heard(s.heard.with(a.i(), Sets.remove(a.j(), s.heard.at(a.i()))));
       case ProtocolAction.grant a ->
           s.with_clock(s.clock.with(a.j(), s.clock.at(a.j()) < a.t() ? a.t() : s.clock.at(a.j())))
               .with_heard(s.heard.with(a.j(), Sets.add(a.i(), s.heard.at(a.j()))))
-              .with_oks(Sets.add(new Grant(a.j(), a.i(), a.t()), s.oks));
-      case ProtocolAction.enter a -> s.with_phase(s.phase.with(a.i(), Phase.critical));
+              .with_oks(Sets.add(new Grant(a.j(), a.i(), a.t(), a.z()), s.oks));
+      case ProtocolAction.enter a ->
+          s.with_crit_set(s.crit_set.with(a.i(), Sets.union(s.crit_set.at(a.i()), a.G())));
       case ProtocolAction.release a ->
-          s.with_phase(
-                  s.phase.with(
-                      a.i(), a.RS().containsAll(s.want.at(a.i())) ? Phase.idle : Phase.critical))
-              .with_want(s.want.with(a.i(), Sets.difference(s.want.at(a.i()), a.RS())));
-      case ProtocolAction.withdraw a ->
-          s.with_phase(s.phase.with(a.i(), Phase.idle))
-              .with_want(s.want.with(a.i(), Sets.emptyset()));
+          s.with_want(s.want.with(a.i(), Sets.difference(s.want.at(a.i()), a.RS())))
+              .with_crit_set(s.crit_set.with(a.i(), Sets.difference(s.crit_set.at(a.i()), a.RS())));
+      case ProtocolAction.withdraw a -> s.with_want(s.want.with(a.i(), s.crit_set.at(a.i())));
       case ProtocolAction.fence a ->
           s.with_fencers(s.fencers.with(a.i(), Sets.add(a.f(), s.fencers.at(a.i()))));
       case ProtocolAction.vouch a ->
-          s.with_vouched(Sets.add(new Grant(a.j(), a.i(), a.t()), s.vouched));
+          s.with_vouched(Sets.add(new Grant(a.j(), a.i(), a.t(), a.z()), s.vouched));
       case ProtocolAction.witness a ->
           s.with_clock(s.clock.with(a.i(), s.clock.at(a.i()) < a.t() ? a.t() : s.clock.at(a.i())));
     };

@@ -9,7 +9,6 @@ import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
-import org.starl.primitives.mutex.ProtocolAutomaton.Phase;
 import org.starl.primitives.mutex.ProtocolAutomaton.Request;
 import org.starl.primitives.mutex.ProtocolAutomaton.States;
 import org.starl.spec.automaton.AutomatonListener;
@@ -30,12 +29,15 @@ import org.starl.trace.TraceEvent.Sent;
  * <pre>
  * fact          actions, where i is the participant
  * do_mutex      witness(i, the time before its own), since i hears times in all messages of its robot;
- *               request(i, want, known and all that are removed)
- * known         known(i, known and all that are removed), if i waits
- * grant         grant(i, to, its time, its sections), if that request is open; else none: it has no effect.
- *               Also a message Ok, the first: a participant that has retired grants without a fact
+ *               request(i, want, known and all that are removed, whether it is for a sequence)
+ * known         known(i, these and all that are removed), if i waits; of these, while it holds
+ *               sections, those that it has asked before
+ * grant         grant(i, to, its time, z) for each section z that it waits for, if that request is open;
+ *               else none: it has no effect. Also a message Ok, the first: a participant that has
+ *               retired grants without a fact
  * od_mutex      release(j, what i enters) for earlier participants j of i's robot, whose body it is;
- *               vouch(f, j, i, ...) for each j that is removed and whose grant i needs; enter(i)
+ *               vouch(f, j, i, its time, z) for each j that is removed and whose grant i needs;
+ *               enter(i, what it enters)
  * release       release(i, given)
  * withdraw      withdraw(i), if i waits
  * stands_in     withdraw(j), or release(j, all but the sections), for i's earlier starts j
@@ -45,8 +47,9 @@ import org.starl.trace.TraceEvent.Sent;
  * </pre>
  *
  * <p>The theory keeps all messages. Here those of a request are dropped when its participant makes the
- * next one. A mutex is replayed until its first request for a sequence, or in a mode; all are until a
- * process is killed in real time, because the end of its trace may be missing. The report says so.
+ * next one. A mutex is replayed until the first request in a mode, or that resumes a sequence after a
+ * restart; all are until a process is killed in real time, because the end of its trace may be missing. The
+ * report says so.
  */
 public final class ProtocolConformance extends Conformance<ProtocolConformance.Run> {
 
@@ -91,8 +94,13 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
       return replay.state();
     }
 
-    private boolean isTrying(ProcessId i) {
-      return state().phase().at(i) == Phase.trying;
+    private SortedSet<String> heldBy(ProcessId i) {
+      return state().crit_set().at(i);
+    }
+
+    /** What it waits for. */
+    private SortedSet<String> waiting(ProcessId i) {
+      return Sections.without(state().want().at(i), heldBy(i));
     }
 
     private boolean isNewest(ProcessId i, long num) {
@@ -113,9 +121,10 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
     private States withoutMessages(States s, ProcessId i) {
       return new States(
           s.clock(),
-          s.phase(),
           s.ts(),
           s.want(),
+          s.crit_set(),
+          s.parts(),
           s.plist(),
           s.heard(),
           Finite.suchThat(each -> !each.asker().equals(i), s.reqs()),
@@ -139,8 +148,11 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
         ends(
             ProtocolAutomaton.MUTEX_PROTOCOL_DECLS,
             String.format(
-                "%s: %s asks for a sequence or in a mode at %s",
-                action.source(), request.who(), Time.text(action.timeNs(), 3)));
+                "%s: %s %s at %s",
+                action.source(),
+                request.who(),
+                request.resumes() ? "resumes a sequence" : "asks in a mode",
+                Time.text(action.timeNs(), 3)));
       }
       if (isReplayed(run)) {
         new Step(run, action, report).take(fact);
@@ -153,7 +165,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
   }
 
   private static boolean isOther(MutexFact.DoMutex request) {
-    return !request.sequence().isEmpty() || request.resumes() || Sections.haveMode(request.want());
+    return request.resumes() || Sections.haveMode(request.want());
   }
 
   @Override
@@ -162,7 +174,8 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
       case Sent sent when sent.message() instanceof MutexMessage.Ok ok -> {
         Run run = instance(sent.channel());
         if (isReplayed(run)) {
-          new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num());
+          SortedSet<String> its = run.state().want().at(ok.to());
+          new Step(run, sent, report).grant(ok.from(), ok.to(), ok.num(), ok.granted(its));
         }
       }
       case Fault fault when isRealTime && fault.name().equals(Fault.CRASH) -> {
@@ -188,12 +201,11 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
       run.seen.add(i);
       switch (fact) {
         case MutexFact.DoMutex request -> request(i, request);
-        case MutexFact.Known later -> {
-          if (run.isTrying(i)) {
-            take(new ProtocolAction.known(i, run.withRemoved(later.known())));
-          }
+        case MutexFact.Known later -> known(i, run.withRemoved(later.known()));
+        case MutexFact.Grant grant -> {
+          SortedSet<String> its = run.state().want().at(grant.to());
+          grant(i, grant.to(), grant.num(), grant.part().isEmpty() ? its : grant.part());
         }
-        case MutexFact.Grant grant -> grant(i, grant.to(), grant.num());
         case MutexFact.OdMutex access -> enter(i, access.held());
         case MutexFact.Release release -> release(i, release.given());
         case MutexFact.Withdraw end -> {
@@ -210,61 +222,81 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private void request(ProcessId i, MutexFact.DoMutex request) {
       run.replay.reduce(s -> run.withoutMessages(s, i));
-      Request message = new Request(i, request.ts(), request.want());
+      Request message = new Request(i, request.ts());
       run.requests.put(i, new Asked(request.num(), message));
       if (run.state().clock().at(i) < request.ts() - 1) {
         take(new ProtocolAction.witness(i, request.ts() - 1));
       }
-      take(new ProtocolAction.request(i, request.want(), run.withRemoved(request.known())));
+      take(
+          new ProtocolAction.request(
+              i, request.want(), run.withRemoved(request.known()), !request.sequence().isEmpty()));
       run.replay.result(event, "ts", i, request.ts(), run.state().ts().at(i), report);
     }
 
-    private void grant(ProcessId i, ProcessId to, long num) {
-      Asked asked = run.requests.get(to);
-      if (asked != null
-          && asked.num == num
-          && run.state().isActive(to)
-          && !run.state().isGranted(i, to, asked.message.at())) {
-        take(new ProtocolAction.grant(i, to, asked.message.at(), asked.message.zones()));
+    private void known(ProcessId i, SortedSet<ProcessId> list) {
+      if (!run.waiting(i).isEmpty()) {
+        boolean holds = !run.heldBy(i).isEmpty();
+        take(
+            new ProtocolAction.known(
+                i, holds ? Sets.intersection(list, run.state().plist().at(i)) : list));
       }
     }
 
-    private void enter(ProcessId i, SortedSet<String> sections) {
+    private void grant(ProcessId i, ProcessId to, long num, SortedSet<String> sections) {
+      Asked asked = run.requests.get(to);
+      if (asked != null && asked.num == num) {
+        long at = asked.message.at();
+        for (String z : Sections.common(sections, run.waiting(to))) {
+          if (!run.state().isGranted(i, to, at, z)) {
+            take(new ProtocolAction.grant(i, to, at, z));
+          }
+        }
+      }
+    }
+
+    private void enter(ProcessId i, SortedSet<String> held) {
+      SortedSet<String> sections = Sections.without(held, run.heldBy(i));
       for (ProcessId earlier : List.copyOf(run.requests.keySet())) {
         if (earlier.robot().equals(i.robot()) && !earlier.equals(i)) {
           release(earlier, sections);
         }
       }
-      long ts = run.state().ts().at(i);
       for (ProcessId j : Sets.union(run.state().plist().at(i), run.state().heard().at(i))) {
         // It may be removed itself, by a view that counts on what it asks for.
-        if (!j.equals(i) && run.isRemoved(j) && !run.state().isGranted(j, i, ts)) {
-          take(new ProtocolAction.vouch(fencer(j, sections), j, i, ts, sections));
+        if (!j.equals(i) && run.isRemoved(j)) {
+          sections.forEach(z -> vouch(j, i, z));
         }
       }
-      take(new ProtocolAction.enter(i));
-      run.replay.result(event, "want", i, sections, run.state().want().at(i), report);
+      take(new ProtocolAction.enter(i, sections));
+      run.replay.result(event, "crit_set", i, held, run.heldBy(i), report);
     }
 
-    /** One that knows that {@code j} holds none of these sections, if there is one. */
-    private ProcessId fencer(ProcessId j, SortedSet<String> sections) {
+    private void vouch(ProcessId j, ProcessId i, String z) {
+      long ts = run.state().ts().at(i);
+      if (!run.state().isGranted(j, i, ts, z)) {
+        take(new ProtocolAction.vouch(fencer(j, z), j, i, ts, z));
+      }
+    }
+
+    /** One that knows that {@code j} does not hold this section, if there is one. */
+    private ProcessId fencer(ProcessId j, String z) {
       SortedSet<ProcessId> all = run.state().fencers().at(j);
       return all.stream()
-          .filter(f -> Sets.disjoint(sections, run.state().at_most(j, f)))
+          .filter(f -> !run.state().isMayHold(j, f, z))
           .findFirst()
           .orElseGet(() -> all.iterator().next());
     }
 
     /** Gives back these, as far as {@code i} holds them. */
     private void release(ProcessId i, SortedSet<String> sections) {
-      SortedSet<String> given = Sections.common(sections, run.state().want().at(i));
-      if (!given.isEmpty() && !run.isTrying(i)) {
+      SortedSet<String> given = Sections.common(sections, run.heldBy(i));
+      if (!given.isEmpty()) {
         take(new ProtocolAction.release(i, given));
       }
     }
 
     private void withdraw(ProcessId i) {
-      if (run.isTrying(i)) {
+      if (!run.waiting(i).isEmpty()) {
         take(new ProtocolAction.withdraw(i));
       }
     }

@@ -40,7 +40,8 @@
  * While it waits for another body itself, it lets other resumed sequences go first.
  * {@link org.starl.primitives.mutex.PipelineConformance} replays runs on the automaton of the
  * theory {@code Pipeline_decls}. Its proofs cover exclusion of all requests, and the absence of
- * circles for requests that neither are late nor resume. The order after a restart is tested, not
+ * circles for requests that neither are late nor resume. Until a request resumes, runs are replayed on
+ * {@code MutexProtocol_decls} as well: exclusion is proved of its messages, too. The order after a restart is tested, not
  * proved; of how long a request waits, or how often it is late, nothing is proved.
  *
  * <p><b>Modes.</b> A section's name may end in a mode and a capacity ({@code aisle/east*2}, see {@link

@@ -49,20 +49,21 @@ final class MutantReplay {
   /**
    * The demo and the conformance monitor of an automaton with Java.
    *
+   * @param parameters in turn, seed by seed
    * @param settings in place of chaos, if there are any
    * @param argument of the monitor's constructor; null for none, or the default one of its type
    * @param vocabulary the constant of the class {@code words}
    */
   private record Twin(
       String demo,
-      Map<String, String> parameters,
+      List<Map<String, String>> parameters,
       Map<String, String> settings,
       String monitor,
       @Nullable String argument,
       String words,
       String vocabulary) {
 
-    static Twin of(String workload, Map<String, String> parameters, String monitor) {
+    static Twin of(String workload, List<Map<String, String>> parameters, String monitor) {
       return new Twin(
           workload,
           parameters,
@@ -74,17 +75,20 @@ final class MutantReplay {
     }
 
     static Twin of(String workload, String monitor) {
-      return of(workload, Map.of(), monitor);
+      return of(workload, List.of(Map.of()), monitor);
     }
   }
+
+  private static final Map<String, String> SEQUENCES = Map.of("order", "sequence");
 
   private static final Map<String, Twin> TWINS =
       Map.ofEntries(
           Map.entry("Mutex_decls", Twin.of("mutex", "mutex.MutexConformance")),
-          Map.entry("MutexProtocol_decls", Twin.of("mutex", "mutex.ProtocolConformance")),
           Map.entry(
-              "Pipeline_decls",
-              Twin.of("mutex", Map.of("order", "sequence"), "mutex.PipelineConformance")),
+              "MutexProtocol_decls",
+              Twin.of("mutex", List.of(Map.of(), SEQUENCES), "mutex.ProtocolConformance")),
+          Map.entry(
+              "Pipeline_decls", Twin.of("mutex", List.of(SEQUENCES), "mutex.PipelineConformance")),
           Map.entry("Modes_decls", Twin.of("mutex", "mutex.ModesConformance")),
           Map.entry(
               "Registration_decls",
@@ -101,7 +105,7 @@ final class MutantReplay {
               "Traffic_decls",
               new Twin(
                   "intersection",
-                  Map.of("car", "paper"),
+                  List.of(Map.of("car", "paper")),
                   Map.of("messageLoss", "0.2"),
                   INTERSECTION + "spec.TrafficConformance",
                   IntersectionFactory.XID,
@@ -240,7 +244,8 @@ final class MutantReplay {
   /** Simulates the automaton's demo with faults, each of {@code replays} with a look at all of it. */
   static void run(Automaton automaton, long seed, List<MutantReplay> replays) {
     Twin twin = twin(automaton);
-    Map<String, String> parameters = new HashMap<>(twin.parameters);
+    int turn = (int) (seed % twin.parameters.size());
+    Map<String, String> parameters = new HashMap<>(twin.parameters.get(turn));
     replays.forEach(each -> each.monitors = each.fresh());
     parameters.putAll(
         twin.settings.isEmpty()
