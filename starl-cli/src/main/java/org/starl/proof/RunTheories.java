@@ -49,7 +49,7 @@ public final class RunTheories implements SimObserver, Closeable {
     monitors =
         new Monitors(
             List.of(
-                new MutexConformance(steps(new MutexAutomaton(), robots, zones)),
+                new MutexConformance(steps(new MutexAutomaton(), ids, zones)),
                 new RegistrationConformance(steps(new RegistrationAutomaton(), ids)),
                 new AgreementConformance(steps(new AgreementAutomaton(), robots, values)),
                 new ElectionConformance(steps(new ElectionAutomaton(), ids))));

@@ -3,27 +3,27 @@ package org.starl.primitives.mutex;
 
 import java.util.List;
 import java.util.SortedSet;
-import org.starl.id.RobotId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Action;
 
 /** The actions of Mutex_decls. */
 public sealed interface MutexAction extends Action {
 
-  record do_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
+  record do_mutex(ProcessId i, SortedSet<String> RS) implements MutexAction {}
 
   /** access is granted */
-  record od_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
+  record od_mutex(ProcessId i, SortedSet<String> RS) implements MutexAction {}
 
-  record release(RobotId i, SortedSet<String> RS) implements MutexAction {}
+  record release(ProcessId i, SortedSet<String> RS) implements MutexAction {}
 
   /** the request ends without access: failed */
-  record withdraw(RobotId i) implements MutexAction {}
+  record withdraw(ProcessId i) implements MutexAction {}
 
   /** i's program begins anew, after a crash */
-  record restart(RobotId i) implements MutexAction {}
+  record restart(ProcessId i) implements MutexAction {}
 
   /** the program says where its body stands */
-  record stands_in(RobotId i, SortedSet<String> RS) implements MutexAction {}
+  record stands_in(ProcessId i, SortedSet<String> RS) implements MutexAction {}
 
   @Override
   default List<Object> args() {

@@ -3,7 +3,7 @@ package org.starl.primitives.mutex;
 
 import java.util.List;
 import java.util.SortedSet;
-import org.starl.id.RobotId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Finite;
@@ -38,16 +38,16 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
    * @param rest_set held by earlier starts of i's program
    */
   public record States(
-      Fun<RobotId, SortedSet<String>> crit_set,
-      Fun<RobotId, SortedSet<String>> req_set,
-      Fun<RobotId, SortedSet<String>> rest_set) {
+      Fun<ProcessId, SortedSet<String>> crit_set,
+      Fun<ProcessId, SortedSet<String>> req_set,
+      Fun<ProcessId, SortedSet<String>> rest_set) {
 
-    public SortedSet<String> held(RobotId i) {
+    public SortedSet<String> held(ProcessId i) {
       return Sets.union(crit_set.at(i), rest_set.at(i));
     }
 
     /** Nobody else holds a zone of RS. */
-    public boolean isFreeFor(RobotId i, SortedSet<String> RS) {
+    public boolean isFreeFor(ProcessId i, SortedSet<String> RS) {
       return Finite.forAll(
               j -> i.equals(j) || Sets.disjoint(RS, held(j)),
               List.of(i),

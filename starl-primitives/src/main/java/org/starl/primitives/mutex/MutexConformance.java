@@ -28,7 +28,7 @@ import org.starl.trace.TraceEvent.Fault;
  * all others           none
  * </pre>
  *
- * <p>All participants of one start of a robot's program are one process of the theory. An older
+ * <p>All participants of a robot are one process of the theory, named by the robot's first id. An older
  * participant may still hold sections; its {@code crit_set(i)} remains, and the robot requests
  * nothing until it has released them. Time per step, and memory, grow with the robots that hold or
  * wait.
@@ -68,7 +68,8 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
     // An instance without events yet has no replay; there a restart would change nothing.
     instances()
         .values()
-        .forEach(replay -> replay.step(event, new MutexAction.restart(event.robot()), report));
+        .forEach(
+            replay -> replay.step(event, new MutexAction.restart(process(event.robot())), report));
   }
 
   @Override
@@ -94,7 +95,11 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
   private void holds(
       TraceEvent.Action action, ProcessId who, SortedSet<String> held, Report report) {
     Replay<States, MutexAction> replay = instance(action.source());
-    RobotId i = who.robot();
+    ProcessId i = process(who.robot());
     replay.result(action, "crit_set", i, held, replay.state().crit_set().at(i), report);
+  }
+
+  static ProcessId process(RobotId robot) {
+    return ProcessId.first(robot, 1);
   }
 }

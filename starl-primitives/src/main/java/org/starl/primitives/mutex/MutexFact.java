@@ -43,11 +43,16 @@ public sealed interface MutexFact {
   default Optional<MutexAction> action() {
     return Optional.ofNullable(
         switch (this) {
-          case DoMutex f -> new MutexAction.do_mutex(f.who.robot(), f.want);
-          case OdMutex f -> new MutexAction.od_mutex(f.who.robot(), f.held);
-          case Release f -> new MutexAction.release(f.who.robot(), f.given);
-          case Withdraw f -> f.num == 0 ? null : new MutexAction.withdraw(f.who.robot());
-          case StandsIn f -> new MutexAction.stands_in(f.who.robot(), f.sections);
+          case DoMutex f ->
+              new MutexAction.do_mutex(MutexConformance.process(f.who.robot()), f.want);
+          case OdMutex f ->
+              new MutexAction.od_mutex(MutexConformance.process(f.who.robot()), f.held);
+          case Release f ->
+              new MutexAction.release(MutexConformance.process(f.who.robot()), f.given);
+          case Withdraw f ->
+              f.num == 0 ? null : new MutexAction.withdraw(MutexConformance.process(f.who.robot()));
+          case StandsIn f ->
+              new MutexAction.stands_in(MutexConformance.process(f.who.robot()), f.sections);
           case Grant f -> null;
           case Known f -> null;
           case Learned f -> null;

@@ -30,11 +30,10 @@ public final class MutexGroupAutomaton
   /** The theory's name. */
   public static final String MUTEX_GROUP_DECLS = "Mutex_group_decls";
 
-  private final MutexGroupMutexAutomaton muxAutomaton = new MutexGroupMutexAutomaton();
+  private final MutexAutomaton muxAutomaton = new MutexAutomaton();
 
   /** The states. */
-  public record States(
-      Fun<ProcessId, SortedSet<ProcessId>> plist, MutexGroupMutexAutomaton.States mux) {
+  public record States(Fun<ProcessId, SortedSet<ProcessId>> plist, MutexAutomaton.States mux) {
 
     /** i holds or waits for something. */
     public boolean isActive(ProcessId i) {
@@ -80,7 +79,7 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.do_mutex a ->
           Enabled.when(
                   "mux.do_mutex(i, RS)",
-                  muxAutomaton.enabled(new MutexGroupMutexAction.do_mutex(a.i(), a.RS()), s.mux))
+                  muxAutomaton.enabled(new MutexAction.do_mutex(a.i(), a.RS()), s.mux))
               .and(
                   "connects?(i, P)",
                   s.isConnects(a.i(), a.P()),
@@ -182,11 +181,10 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.release a ->
           Enabled.when(
               "mux.release(i, RS)",
-              muxAutomaton.enabled(new MutexGroupMutexAction.release(a.i(), a.RS()), s.mux));
+              muxAutomaton.enabled(new MutexAction.release(a.i(), a.RS()), s.mux));
       case MutexGroupAction.withdraw a ->
           Enabled.when(
-              "mux.withdraw(i)",
-              muxAutomaton.enabled(new MutexGroupMutexAction.withdraw(a.i()), s.mux));
+              "mux.withdraw(i)", muxAutomaton.enabled(new MutexAction.withdraw(a.i()), s.mux));
     };
   }
 
@@ -201,7 +199,7 @@ public final class MutexGroupAutomaton
                       "Mutex_group_decls.starl:37:7",
                       "mux",
                       muxAutomaton,
-                      new MutexGroupMutexAction.do_mutex(a.i(), a.RS()),
+                      new MutexAction.do_mutex(a.i(), a.RS()),
                       s.mux))
               : s;
       case MutexGroupAction.known a -> new States(s.plist.with(a.i(), a.P()), s.mux);
@@ -213,7 +211,7 @@ public final class MutexGroupAutomaton
                       "Mutex_group_decls.starl:46:7",
                       "mux",
                       muxAutomaton,
-                      new MutexGroupMutexAction.od_mutex(a.i(), a.RS()),
+                      new MutexAction.od_mutex(a.i(), a.RS()),
                       s.mux))
               : s;
       case MutexGroupAction.release a ->
@@ -224,7 +222,7 @@ public final class MutexGroupAutomaton
                       "Mutex_group_decls.starl:50:7",
                       "mux",
                       muxAutomaton,
-                      new MutexGroupMutexAction.release(a.i(), a.RS()),
+                      new MutexAction.release(a.i(), a.RS()),
                       s.mux))
               : s;
       case MutexGroupAction.withdraw a ->
@@ -235,7 +233,7 @@ public final class MutexGroupAutomaton
                       "Mutex_group_decls.starl:54:7",
                       "mux",
                       muxAutomaton,
-                      new MutexGroupMutexAction.withdraw(a.i()),
+                      new MutexAction.withdraw(a.i()),
                       s.mux))
               : s;
     };

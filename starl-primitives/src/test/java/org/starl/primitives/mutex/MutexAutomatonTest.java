@@ -9,7 +9,7 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.Short;
@@ -19,10 +19,10 @@ import org.starl.random.Rng;
 /** The executable form of {@code Mutex_decls}, without runs. */
 class MutexAutomatonTest {
 
-  private static final List<RobotId> PIDS =
-      List.of(new RobotId("i"), new RobotId("j"), new RobotId("k"));
-  private static final RobotId I = PIDS.get(0);
-  private static final RobotId J = PIDS.get(1);
+  private static final List<ProcessId> PIDS =
+      List.of(ProcessId.parse("i"), ProcessId.parse("j"), ProcessId.parse("k"));
+  private static final ProcessId I = PIDS.get(0);
+  private static final ProcessId J = PIDS.get(1);
   private static final List<String> ZONES = List.of("A", "B", "C");
 
   private final MutexAutomaton automaton = new MutexAutomaton();
@@ -41,8 +41,8 @@ class MutexAutomatonTest {
   }
 
   private static boolean isExclusive(States s) {
-    for (RobotId i : PIDS) {
-      for (RobotId j : PIDS) {
+    for (ProcessId i : PIDS) {
+      for (ProcessId j : PIDS) {
         if (!i.equals(j) && Sections.meet(s.held(i), s.held(j))) {
           return false;
         }
@@ -57,7 +57,7 @@ class MutexAutomatonTest {
   }
 
   private static MutexAction any(Rng rng, States s) {
-    RobotId i = PIDS.get(rng.nextInt(PIDS.size()));
+    ProcessId i = PIDS.get(rng.nextInt(PIDS.size()));
     SortedSet<String> some = some(rng);
     return switch (rng.nextInt(8)) {
       case 0, 1 -> new MutexAction.do_mutex(i, some);
