@@ -10,7 +10,7 @@ public sealed interface Plan {
   record NoPath() implements Plan {}
 
   /** The planner found no path within its limit; there may be one. */
-  record GaveUp(int iterations) implements Plan {}
+  record GaveUp() implements Plan {}
 
   /** One end is not free: outside the floor, in an obstacle, or too close to one. */
   record Blocked(End end) implements Plan {}

@@ -61,7 +61,7 @@ public final class RrtPlanner implements PathPlanner {
           return found(newest);
         }
       }
-      return new Plan.GaveUp(settings.maxIterations());
+      return new Plan.GaveUp();
     }
 
     private int draw(int least, int most) {

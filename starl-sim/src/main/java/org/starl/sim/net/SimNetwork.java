@@ -282,8 +282,7 @@ public final class SimNetwork {
       SimRadio from, RobotId to, Packet packet, long datagram, long sharedNs) {
     // Rules have their own generator: a rule that draws and passes does not change the base delay.
     Rng rng = root.withSeed(~from.copySeed(key(to), datagram));
-    Transmission copy =
-        new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
+    Transmission copy = new Transmission(from.id(), to, kernel.nowNs(), datagram, rng);
     long laterNs = 0;
     long exactNs = LOST;
     List<Long> againNs = new ArrayList<>(0);

@@ -9,8 +9,6 @@ import org.starl.random.Rng;
  * @param sentAtNs the time at which the radio sent it
  * @param datagram its number among the sender's datagrams of this run, from 0; the copies of a
  *     broadcast share it
- * @param bytes its length
  * @param rng a generator for this copy only: draws from it do not affect other copies
  */
-public record Transmission(
-    RobotId from, RobotId to, long sentAtNs, long datagram, int bytes, Rng rng) {}
+public record Transmission(RobotId from, RobotId to, long sentAtNs, long datagram, Rng rng) {}

@@ -26,7 +26,8 @@ final class FrameParser {
 
   /** The frame in the payload {@code in}, by this version. */
   static MocapFrame parse(LittleEndianReader in, NatNetVersion version) {
-    int number = in.i32();
+    int numberBytes = 4;
+    in.skip(numberBytes);
     List<RigidBodyState> bodies = new ArrayList<>();
     if (version.tellsSizes()) {
       boolean isExtensible = version.compareTo(NatNetVersion.V4_2) > 0;
@@ -45,11 +46,11 @@ final class FrameParser {
       skipAnalog(in);
       skipAnalog(in);
     }
-    return suffix(in, version, number, bodies);
+    return suffix(in, version, bodies);
   }
 
   private static MocapFrame suffix(
-      LittleEndianReader in, NatNetVersion version, int number, List<RigidBodyState> bodies) {
+      LittleEndianReader in, NatNetVersion version, List<RigidBodyState> bodies) {
     int timecodeBytes = 8;
     int timestampBytes = 8;
     in.skip(timecodeBytes + timestampBytes);
@@ -61,8 +62,7 @@ final class FrameParser {
       in.skip(precisionTimestampBytes);
     }
     boolean hasNewModels = (in.u16() & MODELS_CHANGED) != 0;
-    return new MocapFrame(
-        number, bodies, exposedTicks, collectedTicks, transmittedTicks, hasNewModels);
+    return new MocapFrame(bodies, exposedTicks, collectedTicks, transmittedTicks, hasNewModels);
   }
 
   private static void readBodies(LittleEndianReader in, int count, List<RigidBodyState> bodies) {

@@ -12,7 +12,6 @@ import java.util.List;
  * @param hasNewModels whether the list of models has changed
  */
 record MocapFrame(
-    int number,
     List<RigidBodyState> bodies,
     long exposedTicks,
     long collectedTicks,

@@ -48,7 +48,7 @@ class StreamTest {
   void bodiesAreFoundAmongAllPartsOfAFrame(NatNetVersion version) {
     byte[] datagram = new FullStream(version).frame(42, List.of(ONE, OTHER));
     assertThat(parse(datagram, version))
-        .isEqualTo(new MocapFrame(42, List.of(ONE, OTHER), 1000, 2000, 3000, true));
+        .isEqualTo(new MocapFrame(List.of(ONE, OTHER), 1000, 2000, 3000, true));
   }
 
   @ParameterizedTest
@@ -137,7 +137,7 @@ class StreamTest {
     out.i32(1).i32(0);
     out.i32(0).i32(0).f64(1).i64(4).i64(5).i64(6).i32(0).i32(0).u16(0).i32(0);
     assertThat(parse(out.end(), later))
-        .isEqualTo(new MocapFrame(3, List.of(ONE, OTHER), 4, 5, 6, false));
+        .isEqualTo(new MocapFrame(List.of(ONE, OTHER), 4, 5, 6, false));
   }
 
   @Test
@@ -183,7 +183,7 @@ class StreamTest {
     assertThat(encoder.addNew(snapshot)).isFalse();
     RigidBodyState state = new RigidBodyState(1, 1, 0, 2, 0, 0, 0, 1, 0.002f, true);
     assertThat(parse(encoder.frame(5, snapshot, true, 88), version))
-        .isEqualTo(new MocapFrame(5, List.of(state), 77, 77, 88, true));
+        .isEqualTo(new MocapFrame(List.of(state), 77, 77, 88, true));
     assertThat(models(encoder.models(snapshot.bodies()), version).name(1)).isEqualTo("bot0");
   }
 }

@@ -40,7 +40,7 @@ public final class Scene {
   private static final int KEPT_BUMPS = 64;
 
   /** A robot reported that it bumped into something. */
-  public record Bump(long timeNs, RobotId robot, Point at) {}
+  public record Bump(long timeNs, Point at) {}
 
   /** Visits the bodies on the floor. */
   public interface Visitor {
@@ -149,7 +149,7 @@ public final class Scene {
           new Point(
               radiusMm * StrictMath.cos(pose.headingRad()),
               radiusMm * StrictMath.sin(pose.headingRad()));
-      bumps.add(new Bump(action.timeNs(), action.robot(), pose.at().plus(ahead)));
+      bumps.add(new Bump(action.timeNs(), pose.at().plus(ahead)));
       if (bumps.size() > KEPT_BUMPS) {
         bumps.remove();
       }
