@@ -3,8 +3,6 @@ package org.starl.apps.fleet.view;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -19,6 +17,7 @@ import org.starl.apps.fleet.logic.Roads;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -100,7 +99,7 @@ public final class FleetLayer implements Layer {
   private void paintLane(Graphics2D floor, Lane lane) {
     Point from = roads.at(lane.from());
     Point to = roads.at(lane.to());
-    floor.draw(new Line2D.Double(from.xMm(), from.yMm(), to.xMm(), to.yMm()));
+    floor.draw(Figures.line(from, to));
     Point along = to.minus(from).times(1 / to.distanceMm(from));
     Point tip = from.plus(to.minus(from).times(0.62));
     Point left = new Point(-along.yMm(), along.xMm());
@@ -120,11 +119,9 @@ public final class FleetLayer implements Layer {
       floor.setColor(look.theme().border());
       floor.draw(square(vertex.at(), STATION_MM));
     } else if (vertex.isCharger()) {
-      double r = STATION_MM / 2;
-      Point at = vertex.at();
       floor.setColor(look.theme().gold());
       floor.setStroke(new BasicStroke(30));
-      floor.draw(new Ellipse2D.Double(at.xMm() - r, at.yMm() - r, 2 * r, 2 * r));
+      floor.draw(Figures.disc(vertex.at(), STATION_MM / 2));
       floor.setColor(look.theme().border());
       floor.setStroke(look.line(12));
     }

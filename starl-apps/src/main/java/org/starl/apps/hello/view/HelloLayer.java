@@ -1,8 +1,6 @@
 package org.starl.apps.hello.view;
 
 import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -11,6 +9,7 @@ import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -50,16 +49,10 @@ public final class HelloLayer implements Layer {
     }
     goals.forEach((robot, goal) -> {
       floor.setColor(look.robot(scene, robot));
-      double radiusMm = MotionParameters.DEFAULT.goalRadiusMm();
       floor.setStroke(look.line(14));
-      floor.draw(
-          new Ellipse2D.Double(
-              goal.xMm() - radiusMm, goal.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm));
+      floor.draw(Figures.disc(goal, MotionParameters.DEFAULT.goalRadiusMm()));
       floor.setStroke(look.dots(16, 45));
-      scene
-          .pose(robot)
-          .ifPresent(pose ->
-              floor.draw(new Line2D.Double(pose.xMm(), pose.yMm(), goal.xMm(), goal.yMm())));
+      scene.pose(robot).ifPresent(pose -> floor.draw(Figures.line(pose.at(), goal)));
     });
   }
 

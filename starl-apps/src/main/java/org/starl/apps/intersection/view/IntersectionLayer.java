@@ -3,9 +3,6 @@ package org.starl.apps.intersection.view;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +17,7 @@ import org.starl.geometry.Rectangle;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.HeldSections;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -95,7 +93,8 @@ public final class IntersectionLayer implements Layer {
       if (at != null && units.contains(robot)) {
         double sideMm = 2 * scene.radiusMm(robot);
         floor.setColor(look.theme().border());
-        floor.fill(shape(Rectangle.around(at, sideMm, sideMm))); // a plate under the unit
+        floor.fill(
+            Figures.rectangle(Rectangle.around(at, sideMm, sideMm))); // a plate under the unit
       } else if (at != null && look.shows(ROUTES)) {
         paintRoute(floor, robot, scene, look);
       }
@@ -112,10 +111,7 @@ public final class IntersectionLayer implements Layer {
     List<Point> corners = new ArrayList<>();
     trips.values().forEach(trip -> corners.add(trip.exit().at()));
     if (isOpen()) {
-      for (Rectangle region : areas().values()) {
-        corners.add(new Point(region.xMinMm(), region.yMinMm()));
-        corners.add(new Point(region.xMaxMm(), region.yMaxMm()));
-      }
+      areas().values().forEach(region -> corners.addAll(region.corners()));
     }
     return corners;
   }
@@ -128,22 +124,13 @@ public final class IntersectionLayer implements Layer {
             .map(robot -> Theme.faded(look.robot(scene, robot), HELD_ALPHA))
             .orElse(look.theme().floor());
     floor.setColor(colour);
-    floor.fill(shape(area));
+    floor.fill(Figures.rectangle(area));
     floor.setColor(look.theme().border());
     floor.setStroke(look.line(5));
-    floor.draw(shape(area));
-    Graphics2D upright = (Graphics2D) floor.create();
-    upright.transform(AffineTransform.getScaleInstance(1, -1));
-    upright.setColor(look.theme().muted());
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 90));
-    upright.drawString(name, (int) area.xMinMm() + 18, (int) -area.yMaxMm() + 92);
-    upright.dispose();
-  }
-
-  private static Rectangle2D shape(Rectangle area) {
-    double widthMm = area.xMaxMm() - area.xMinMm();
-    double heightMm = area.yMaxMm() - area.yMinMm();
-    return new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm);
+    floor.draw(Figures.rectangle(area));
+    floor.setColor(look.theme().muted());
+    Font font = new Font(Font.SANS_SERIF, Font.BOLD, 90);
+    Figures.text(floor, name, font, (int) area.xMinMm() + 18, (int) area.yMaxMm() - 92);
   }
 
   private void paintRoute(Graphics2D floor, RobotId robot, Scene scene, Look look) {
@@ -151,14 +138,12 @@ public final class IntersectionLayer implements Layer {
     if (trip == null || trip.stations().isEmpty()) {
       return;
     }
-    Point start = scene.trail(robot).get(0);
-    Path2D path = new Path2D.Double();
-    path.moveTo(start.xMm(), start.yMm());
-    trip.stations().forEach(station -> path.lineTo(station.at().xMm(), station.at().yMm()));
-    path.lineTo(trip.exit().at().xMm(), trip.exit().at().yMm());
+    List<Point> way = new ArrayList<>(List.of(scene.trail(robot).get(0)));
+    trip.stations().forEach(station -> way.add(station.at()));
+    way.add(trip.exit().at());
     floor.setColor(look.robot(scene, robot));
     floor.setStroke(look.dots(18, 55));
-    floor.draw(path);
+    floor.draw(Figures.line(way));
   }
 
   @Override

@@ -2,7 +2,6 @@ package org.starl.apps.lightpaint.view;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -22,6 +21,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.paths.Tube;
 import org.starl.primitives.paths.TubeFact;
 import org.starl.primitives.paths.TubeList;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -73,9 +73,7 @@ public final class LightPaintLayer implements Layer {
 
   @Override
   public List<Point> corners() {
-    Rectangle floor = painting.floor();
-    return List.of(
-        new Point(floor.xMinMm(), floor.yMinMm()), new Point(floor.xMaxMm(), floor.yMaxMm()));
+    return painting.floor().corners();
   }
 
   @Override
@@ -91,27 +89,19 @@ public final class LightPaintLayer implements Layer {
       for (Tube tube : held == null ? List.<Tube>of() : held.tubes()) {
         floor.setColor(Theme.faded(look.robot(scene, robot), TUBE_ALPHA));
         floor.setStroke(look.line(2 * tube.radiusMm()));
-        floor.draw(line(tube.points()));
+        floor.draw(Figures.line(tube.points()));
       }
     }
     for (Stroke stroke : look.shows(DRAWING) ? painting.strokes() : List.<Stroke>of()) {
       floor.setColor(look.theme().muted());
       floor.setStroke(look.dashes(8, 24));
-      floor.draw(line(stroke.path().points()));
+      floor.draw(Figures.line(stroke.path().points()));
     }
     for (Pass pass : look.shows(PAINTED) ? trail.passes() : List.<Pass>of()) {
       floor.setColor(look.theme().visible(new Color(pass.ink().rgb())));
       floor.setStroke(look.line(Math.max(MIN_WIDTH_MM, pass.ink().widthMm())));
-      floor.draw(line(pass.points()));
+      floor.draw(Figures.line(pass.points()));
     }
-  }
-
-  /** With a round pen, a line of one point is a disc. */
-  static Path2D line(List<Point> points) {
-    Path2D path = new Path2D.Double();
-    path.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    points.forEach(point -> path.lineTo(point.xMm(), point.yMm()));
-    return path;
   }
 
   private static Light light(RobotId robot, Scene scene) {

@@ -18,6 +18,7 @@ import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.spec.Pass;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Png;
 
 /** The drawing and what was painted, by true positions, as an SVG file and as a PNG picture. */
@@ -107,6 +108,6 @@ public final class PaintedDrawing {
     float widthMm = (float) mark.ink().widthMm();
     page.setColor(new Color(mark.ink().rgb()));
     page.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-    page.draw(LightPaintLayer.line(mark.points()));
+    page.draw(Figures.line(mark.points()));
   }
 }

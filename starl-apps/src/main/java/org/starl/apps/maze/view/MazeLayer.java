@@ -4,7 +4,6 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
@@ -21,6 +20,7 @@ import org.starl.apps.maze.logic.MazeTask;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.id.RobotId;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -89,7 +89,7 @@ public final class MazeLayer implements Layer {
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (!tasks.isEmpty()) {
       floor.setColor(look.theme().floor());
-      floor.fill(line(floor().vertices()));
+      floor.fill(Figures.line(floor().vertices()));
     }
     for (RobotId robot : scene.robots()) {
       // If a robot is selected, only its own marks.
@@ -104,7 +104,7 @@ public final class MazeLayer implements Layer {
       if (way != null && !way.points().isEmpty()) {
         floor.setColor(look.robot(scene, robot));
         floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
-        floor.draw(line(way.points()));
+        floor.draw(Figures.line(way.points()));
       }
     }
   }
@@ -121,19 +121,11 @@ public final class MazeLayer implements Layer {
   }
 
   private static void paintMark(Graphics2D floor, Polygon mark, Color colour, Look look) {
-    Path2D outline = line(mark.vertices());
-    outline.closePath();
+    Path2D outline = Figures.polygon(mark.vertices());
     floor.setColor(Theme.faded(colour, MARK_ALPHA));
     floor.fill(outline);
     floor.setStroke(look.line(4));
     floor.draw(outline);
-  }
-
-  private static Path2D line(List<Point> points) {
-    Path2D line = new Path2D.Double();
-    line.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    points.forEach(point -> line.lineTo(point.xMm(), point.yMm()));
-    return line;
   }
 
   /** A flag on a pole; crossed out once the robot has answered that there is no way, or gave up. */
@@ -145,12 +137,8 @@ public final class MazeLayer implements Layer {
     floor.setColor(look.theme().edge(colour));
     floor.setStroke(new BasicStroke((float) (2.5 * px)));
     floor.draw(new Line2D.Double(x, y, x, y + 2.4 * size));
-    Path2D flag = new Path2D.Double();
-    flag.moveTo(x, y + 2.4 * size);
-    flag.lineTo(x + 1.6 * size, y + 1.8 * size);
-    flag.lineTo(x, y + 1.2 * size);
-    flag.closePath();
-    floor.fill(flag);
+    floor.fill(
+        Figures.polygon(x, y + 2.4 * size, x + 1.6 * size, y + 1.8 * size, x, y + 1.2 * size));
     Answer answer = answers.get(new GoalOf(robot, goal.name()));
     if (answer == Answer.NO_WAY || answer == Answer.GAVE_UP) {
       floor.setColor(look.theme().alarm());
@@ -158,12 +146,9 @@ public final class MazeLayer implements Layer {
       floor.draw(new Line2D.Double(x - size, y, x + 2 * size, y + 2.6 * size));
       floor.draw(new Line2D.Double(x - size, y + 2.6 * size, x + 2 * size, y));
     }
-    Graphics2D upright = (Graphics2D) floor.create();
-    upright.transform(AffineTransform.getScaleInstance(1, -1));
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 1).deriveFont((float) (12 * px)));
-    upright.setColor(look.theme().edge(colour));
-    upright.drawString(goal.name(), (float) (x + 1.7 * size), (float) (-y - 1.7 * size));
-    upright.dispose();
+    Font font = new Font(Font.SANS_SERIF, Font.BOLD, 1).deriveFont((float) (12 * px));
+    floor.setColor(look.theme().edge(colour));
+    Figures.text(floor, goal.name(), font, x + 1.7 * size, y + 1.7 * size);
   }
 
   @Override

@@ -3,9 +3,6 @@ package org.starl.apps.race.view;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SortedMap;
@@ -21,6 +18,7 @@ import org.starl.apps.race.logic.RacePoint;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -75,7 +73,7 @@ public final class RaceLayer implements Layer {
       floor.setColor(look.theme().shade());
       floor.setStroke(look.dashes(14, 60));
       for (int i = 1; i < points.size(); i++) {
-        floor.draw(line(points.get(i - 1).at(), points.get(i).at()));
+        floor.draw(Figures.line(points.get(i - 1).at(), points.get(i).at()));
       }
     }
     for (int i = 0; look.shows(TARGETS) && i < points.size(); i++) {
@@ -90,23 +88,20 @@ public final class RaceLayer implements Layer {
       Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene, Look look) {
     Color colour = won == null ? look.theme().muted() : look.robot(scene, won.winner());
     floor.setColor(Theme.faded(colour, 60));
-    floor.fill(disc(point.at(), TARGET_MM));
+    floor.fill(Figures.disc(point.at(), TARGET_MM));
     floor.setColor(colour);
     floor.setStroke(look.line(16));
-    floor.draw(disc(point.at(), TARGET_MM));
-    floor.fill(disc(point.at(), point.radiusMm()));
-    Graphics2D upright = (Graphics2D) floor.create();
-    upright.transform(AffineTransform.getScaleInstance(1, -1));
+    floor.draw(Figures.disc(point.at(), TARGET_MM));
+    floor.fill(Figures.disc(point.at(), point.radiusMm()));
     int x = (int) (point.at().xMm() + TARGET_MM + 30);
-    int y = (int) -point.at().yMm();
-    upright.setColor(look.theme().edge(colour));
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM));
-    upright.drawString(point.name(), x, y);
+    int y = (int) point.at().yMm();
+    floor.setColor(look.theme().edge(colour));
+    Figures.text(floor, point.name(), new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM), x, y);
     if (won != null) {
-      upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, WINNER_MM));
-      upright.drawString(won.winner() + " " + Time.text(won.atNs(), 1), x, y + NAME_MM);
+      String winner = won.winner() + " " + Time.text(won.atNs(), 1);
+      Font plain = new Font(Font.SANS_SERIF, Font.PLAIN, WINNER_MM);
+      Figures.text(floor, winner, plain, x, y - NAME_MM);
     }
-    upright.dispose();
   }
 
   private void way(Graphics2D floor, RobotId robot, Scene scene, Look look) {
@@ -115,7 +110,7 @@ public final class RaceLayer implements Layer {
       if (point.name().equals(name) && scene.pose(robot).isPresent()) {
         floor.setColor(look.robot(scene, robot));
         floor.setStroke(look.dots(16, 45));
-        floor.draw(line(scene.pose(robot).get().at(), point.at()));
+        floor.draw(Figures.line(scene.pose(robot).get().at(), point.at()));
       }
     }
   }
@@ -171,14 +166,5 @@ public final class RaceLayer implements Layer {
   public double interest(Scene scene) {
     boolean isOn = winners.size() < points.size();
     return winners.size() + (isOn ? points.size() : 0) + Time.seconds(scene.nowNs()) / 1e4;
-  }
-
-  private static Line2D line(Point from, Point to) {
-    return new Line2D.Double(from.xMm(), from.yMm(), to.xMm(), to.yMm());
-  }
-
-  private static Ellipse2D disc(Point at, double radiusMm) {
-    return new Ellipse2D.Double(
-        at.xMm() - radiusMm, at.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
   }
 }

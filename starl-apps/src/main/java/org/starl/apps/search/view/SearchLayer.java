@@ -4,8 +4,6 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.BitSet;
@@ -24,6 +22,7 @@ import org.starl.apps.search.spec.TrueView;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
@@ -131,9 +130,7 @@ public final class SearchLayer implements Layer {
 
   @Override
   public List<Point> corners() {
-    return List.of(
-        new Point(house.bounds().xMinMm(), house.bounds().yMinMm()),
-        new Point(house.bounds().xMaxMm(), house.bounds().yMaxMm()));
+    return house.bounds().corners();
   }
 
   @Override
@@ -168,14 +165,11 @@ public final class SearchLayer implements Layer {
     unseen.andNot(seen);
     paintCells(floor, seen, colour);
     paintCells(floor, unseen, look.theme().shade());
-    Graphics2D upright = (Graphics2D) floor.create();
-    upright.transform(AffineTransform.getScaleInstance(1, -1));
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM));
-    upright.setColor(look.theme().muted());
-    int half = upright.getFontMetrics().stringWidth(room.name()) / 2;
+    Font font = new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM);
+    floor.setColor(look.theme().muted());
+    int half = floor.getFontMetrics(font).stringWidth(room.name()) / 2;
     int x = (int) room.rest().xMm() - half;
-    upright.drawString(room.name(), x, (int) -room.rest().yMm() + NAME_MM / 3);
-    upright.dispose();
+    Figures.text(floor, room.name(), font, x, (int) room.rest().yMm() - NAME_MM / 3);
   }
 
   /**
@@ -228,10 +222,9 @@ public final class SearchLayer implements Layer {
       star[2 * i + 1] = at.yMm() + radius * StrictMath.sin(angle);
     }
     floor.setColor(look.theme().alarm());
-    floor.fill(polygon(star));
+    floor.fill(Figures.polygon(star));
     floor.setStroke(look.line(12));
-    double range = house.rangeMm();
-    floor.draw(new Ellipse2D.Double(at.xMm() - range, at.yMm() - range, 2 * range, 2 * range));
+    floor.draw(Figures.disc(at, house.rangeMm()));
   }
 
   private static void paintCrown(Graphics2D floor, Point at, double radiusMm, Look look) {
@@ -241,7 +234,7 @@ public final class SearchLayer implements Layer {
     double top = base + radiusMm * 1.1;
     double notch = base + radiusMm * 0.55;
     Path2D crown =
-        polygon(
+        Figures.polygon(
             x - half,
             base,
             x - half,
@@ -261,17 +254,6 @@ public final class SearchLayer implements Layer {
     floor.setColor(look.theme().edge(look.theme().gold()));
     floor.setStroke(look.line(14));
     floor.draw(crown);
-  }
-
-  /** The polygon with corners x, y, x, y, ... */
-  private static Path2D polygon(double... corners) {
-    Path2D polygon = new Path2D.Double();
-    polygon.moveTo(corners[0], corners[1]);
-    for (int i = 2; i < corners.length; i += 2) {
-      polygon.lineTo(corners[i], corners[i + 1]);
-    }
-    polygon.closePath();
-    return polygon;
   }
 
   private boolean isLeader(RobotId robot, Scene scene) {

@@ -7,7 +7,6 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Nowhere;
@@ -90,30 +89,16 @@ final class FailurePainter {
   }
 
   private static Ellipse2D disc(Viewport viewport, Point centre, double radiusPx) {
-    double x = viewport.xPx(centre) - radiusPx;
-    double y = viewport.yPx(centre) - radiusPx;
-    return new Ellipse2D.Double(x, y, 2 * radiusPx, 2 * radiusPx);
+    return Figures.disc(viewport.xPx(centre), viewport.yPx(centre), radiusPx);
   }
 
   /** In mm; empty if it has no border. */
   private static Path2D shape(Region region) {
     Path2D path = new Path2D.Double();
     switch (region) {
-      case Circle circle -> {
-        Point center = circle.center();
-        double r = circle.radiusMm();
-        path.append(new Ellipse2D.Double(center.xMm() - r, center.yMm() - r, 2 * r, 2 * r), false);
-      }
-      case Rectangle r ->
-          path.append(
-              new Rectangle2D.Double(
-                  r.xMinMm(), r.yMinMm(), r.xMaxMm() - r.xMinMm(), r.yMaxMm() - r.yMinMm()),
-              false);
-      case Polygon polygon -> {
-        path.moveTo(polygon.vertices().get(0).xMm(), polygon.vertices().get(0).yMm());
-        polygon.vertices().forEach(vertex -> path.lineTo(vertex.xMm(), vertex.yMm()));
-        path.closePath();
-      }
+      case Circle circle -> path.append(Figures.disc(circle.center(), circle.radiusMm()), false);
+      case Rectangle rectangle -> path.append(Figures.rectangle(rectangle), false);
+      case Polygon polygon -> path.append(Figures.polygon(polygon.vertices()), false);
       case Union union -> union.parts().forEach(part -> path.append(shape(part), false));
       case Nowhere nowhere -> {
         // Nothing to mark.

@@ -5,7 +5,6 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
@@ -93,18 +92,14 @@ final class FlightPainter {
       Painter.cross(page, x, y, dotPx);
     } else {
       page.setColor(theme.paper());
-      page.fill(dot(x, y, dotPx + 1));
+      page.fill(Figures.disc(x, y, dotPx + 1));
       page.setColor(line);
-      page.fill(dot(x, y, dotPx));
+      page.fill(Figures.disc(x, y, dotPx));
     }
     if (isNamed && flight.state() != Flight.State.DELIVERED) {
       page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
       Labels.haloed(page, flight.title(), x + 8, y + 4, theme.ink(), theme.paper());
     }
-  }
-
-  private static Ellipse2D dot(double x, double y, double radiusPx) {
-    return new Ellipse2D.Double(x - radiusPx, y - radiusPx, 2 * radiusPx, 2 * radiusPx);
   }
 
   /** Bent to one side, so that messages in opposite directions do not overlap. */

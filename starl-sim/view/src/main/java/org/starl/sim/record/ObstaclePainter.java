@@ -6,11 +6,9 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
-import org.starl.geometry.Point;
 
 /** Paints obstacles; caches the picture of many. */
 final class ObstaclePainter {
@@ -89,15 +87,6 @@ final class ObstaclePainter {
   }
 
   private static Path2D outline(Obstacle obstacle) {
-    Path2D path = new Path2D.Double();
-    List<Point> points = obstacle.points();
-    path.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    for (Point point : points) {
-      path.lineTo(point.xMm(), point.yMm());
-    }
-    if (obstacle.closed()) {
-      path.closePath();
-    }
-    return path;
+    return obstacle.closed() ? Figures.polygon(obstacle.points()) : Figures.line(obstacle.points());
   }
 }

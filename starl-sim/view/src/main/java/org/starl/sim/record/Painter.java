@@ -7,7 +7,6 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -175,17 +174,6 @@ public final class Painter {
     page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
   }
 
-  /** A closed polygon; x and y alternate. */
-  public static Path2D polygon(double... xy) {
-    Path2D path = new Path2D.Double();
-    path.moveTo(xy[0], xy[1]);
-    for (int i = 2; i < xy.length; i += 2) {
-      path.lineTo(xy[i], xy[i + 1]);
-    }
-    path.closePath();
-    return path;
-  }
-
   /** Draws a diagonal cross. */
   public static void cross(Graphics2D page, double x, double y, double arm) {
     page.draw(new Line2D.Double(x - arm, y - arm, x + arm, y + arm));
@@ -204,10 +192,8 @@ public final class Painter {
           && !colour.equals(LightColour.OFF)
           && isShown(viewport, pose.at(), LIGHT_RADII * radiusMm)) {
         double radiusPx = LIGHT_RADII * radiusMm * viewport.pxPerMm();
-        double x = viewport.xPx(pose.at()) - radiusPx;
-        double y = viewport.yPx(pose.at()) - radiusPx;
         page.setColor(Theme.faded(theme.visible(new Color(colour.rgb())), LIGHT_ALPHA));
-        page.fill(new Ellipse2D.Double(x, y, 2 * radiusPx, 2 * radiusPx));
+        page.fill(Figures.disc(viewport.xPx(pose.at()), viewport.yPx(pose.at()), radiusPx));
       }
     });
   }
@@ -318,10 +304,9 @@ public final class Painter {
       Graphics2D page, Scene scene, Viewport viewport, Look look, RobotId robot) {
     Optional<Pose> pose = scene.pose(robot);
     if (pose.isPresent()) {
-      double x = viewport.xPx(pose.get().at());
-      double y = viewport.yPx(pose.get().at());
-      double r = look.rangeMm() * viewport.pxPerMm();
-      Ellipse2D disc = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
+      Point at = pose.get().at();
+      double radiusPx = look.rangeMm() * viewport.pxPerMm();
+      Ellipse2D disc = Figures.disc(viewport.xPx(at), viewport.yPx(at), radiusPx);
       Color colour = look.robot(scene, robot);
       page.setColor(Theme.faded(colour, 12));
       page.fill(disc);

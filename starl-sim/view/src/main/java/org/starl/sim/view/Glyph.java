@@ -9,6 +9,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import javax.swing.Icon;
 import javax.swing.UIManager;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Painter;
 
 /** Icons for buttons, 16 by 16 pixels, in the colour of text. */
@@ -70,7 +71,7 @@ enum Glyph implements Icon {
 
   /** Points to the right. */
   private static Path2D triangle(double left, double top, double right, double bottom) {
-    return Painter.polygon(left, top, right, (top + bottom) / 2, left, bottom);
+    return Figures.polygon(left, top, right, (top + bottom) / 2, left, bottom);
   }
 
   private static void step(Graphics2D page) {

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Painter;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Mark;
@@ -143,7 +144,7 @@ final class TimelineView {
     switch (kind) {
       case VIOLATION -> {
         page.draw(new Line2D.Double(x, TRACK_PX - 12, x, TRACK_PX + 6));
-        Path2D flag = Painter.polygon(x, TRACK_PX - 17, x + 10, TRACK_PX - 12.5, x, TRACK_PX - 8);
+        Path2D flag = Figures.polygon(x, TRACK_PX - 17, x + 10, TRACK_PX - 12.5, x, TRACK_PX - 8);
         page.fill(flag);
         page.draw(flag);
       }
@@ -153,7 +154,7 @@ final class TimelineView {
       case INTERVENTION -> {
         // On the track: the mark of an injected fault is above.
         int y = TRACK_PX;
-        Path2D diamond = Painter.polygon(x, y - 6.5, x + 6.5, y, x, y + 6.5, x - 6.5, y);
+        Path2D diamond = Figures.polygon(x, y - 6.5, x + 6.5, y, x, y + 6.5, x - 6.5, y);
         page.fill(diamond);
         page.setColor(UIManager.getColor("Panel.background"));
         page.setStroke(new BasicStroke(1.5f));

@@ -33,6 +33,7 @@ import org.starl.id.RobotId;
 import org.starl.motion.Deviation;
 import org.starl.shape.Shapes;
 import org.starl.sim.Failure;
+import org.starl.sim.record.Figures;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
@@ -98,7 +99,7 @@ class RunPageTest {
       floor.fill(new Rectangle2D.Double(500, -300, 900, 700));
       floor.setColor(look.robot(scene, B));
       floor.setStroke(look.dots(30, 90));
-      floor.draw(Painter.polygon(0, 0, 1500, 300, 1500, 1200));
+      floor.draw(Figures.polygon(0, 0, 1500, 300, 1500, 1200));
       Graphics2D upright = (Graphics2D) floor.create();
       upright.transform(AffineTransform.getScaleInstance(1, -1));
       upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 200));
