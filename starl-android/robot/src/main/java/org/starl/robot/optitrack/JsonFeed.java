@@ -25,7 +25,7 @@ import org.starl.robot.realtime.RealClock;
  * of the feed's date, and each other one later than the one before it. So a recording of another run
  * does not count, and none of this run a second time.
  */
-public final class JsonFeed extends DatagramFeed {
+public final class JsonFeed extends PoseFeed {
 
   private static final int WAIT_MS = 500;
 

@@ -26,7 +26,7 @@ import org.starl.platform.Strand;
  * Positioning positioning = client.positioning(strand, "bot0");
  * }</pre>
  */
-public final class NatNetClient extends DatagramFeed {
+public final class NatNetClient extends PoseFeed {
 
   private static final int TICK_MS = 20;
 

@@ -11,7 +11,7 @@ import org.starl.platform.LogSink;
  * Poses that another library receives, each with a stamp of its sender's clock: judged like lines of the
  * {@link JsonFeed}. From any thread.
  */
-public class StampedFeed extends DatagramFeed {
+public class StampedFeed extends PoseFeed {
 
   private final JsonProtocol protocol;
 

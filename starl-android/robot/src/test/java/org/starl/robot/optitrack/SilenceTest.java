@@ -70,7 +70,7 @@ class SilenceTest {
       NatNetSettings settings = new NatNetSettings(at, null, null, Axes.DEFAULT, FixBounds.DEFAULT);
       try (NatNetClient client = client(settings)) {
         assertThat(told(client))
-            .contains(DatagramFeed.text(at) + " does not answer; look at this address");
+            .contains(PoseFeed.text(at) + " does not answer; look at this address");
       }
     }
   }
@@ -103,7 +103,7 @@ class SilenceTest {
   @Test
   void noLine() throws Exception {
     try (JsonFeed feed = jsonFeed()) {
-      assertThat(told(feed)).contains("no line has come to " + DatagramFeed.text(feed.address()));
+      assertThat(told(feed)).contains("no line has come to " + PoseFeed.text(feed.address()));
     }
   }
 

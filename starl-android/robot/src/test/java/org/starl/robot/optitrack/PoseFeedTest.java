@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 @Tag("realtime")
-class DatagramFeedTest {
+class PoseFeedTest {
 
   private static final InetSocketAddress ANY =
       new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
@@ -24,8 +24,8 @@ class DatagramFeedTest {
   void anExceptionOfTheReceiverIsReported() throws Exception {
     DatagramSocket socket = new DatagramSocket(ANY);
     BlockingQueue<String> told = new LinkedBlockingQueue<>();
-    DatagramFeed feed =
-        new DatagramFeed(() -> 0, (timeNs, level, tag, line) -> told.add(line), "test") {
+    PoseFeed feed =
+        new PoseFeed(() -> 0, (timeNs, level, tag, line) -> told.add(line), "test") {
           @Override
           List<TrackedBody> read(@Nullable DatagramPacket packet, long nowNs) {
             throw new IllegalStateException("a bug");
