@@ -41,18 +41,14 @@ public sealed interface MutexFact {
 
   /** The action of the theory that this is, if it is one: the theory has no agreement protocol. */
   default Optional<MutexAction> action() {
+    ProcessId i = MutexConformance.process(who().robot());
     return Optional.ofNullable(
         switch (this) {
-          case DoMutex f ->
-              new MutexAction.do_mutex(MutexConformance.process(f.who.robot()), f.want);
-          case OdMutex f ->
-              new MutexAction.od_mutex(MutexConformance.process(f.who.robot()), f.held);
-          case Release f ->
-              new MutexAction.release(MutexConformance.process(f.who.robot()), f.given);
-          case Withdraw f ->
-              f.num == 0 ? null : new MutexAction.withdraw(MutexConformance.process(f.who.robot()));
-          case StandsIn f ->
-              new MutexAction.stands_in(MutexConformance.process(f.who.robot()), f.sections);
+          case DoMutex f -> new MutexAction.do_mutex(i, f.want);
+          case OdMutex f -> new MutexAction.od_mutex(i, f.held);
+          case Release f -> new MutexAction.release(i, f.given);
+          case Withdraw f -> f.num == 0 ? null : new MutexAction.withdraw(i);
+          case StandsIn f -> new MutexAction.stands_in(i, f.sections);
           case Grant f -> null;
           case Known f -> null;
           case Learned f -> null;
