@@ -125,7 +125,6 @@ public final class DeployedRobot implements AutoCloseable {
   private final DropSummary trace;
   private final RealStrand strand;
   private final UdpRadio udp;
-  private final LossyRadio radio;
   private final Discovery discovery;
   private final boolean isProven;
   private final FileStable stable;
@@ -205,7 +204,7 @@ public final class DeployedRobot implements AutoCloseable {
     // Each start has its own random choices.
     Rng rng = new Rng(deployment.seed()).fork(id.name()).fork("start" + startNs);
     double loss = deployment.network().loss();
-    radio =
+    LossyRadio radio =
         new LossyRadio(
             udp,
             id,

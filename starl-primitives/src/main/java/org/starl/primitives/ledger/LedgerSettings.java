@@ -23,10 +23,6 @@ public record LedgerSettings(SynodTiming timing, long beaconMs, long leaseMs, lo
     }
   }
 
-  public LedgerSettings withLeaseMs(long newLeaseMs) {
-    return new LedgerSettings(timing, beaconMs, newLeaseMs, deadlineMs);
-  }
-
   public LedgerSettings withDeadlineMs(long newDeadlineMs) {
     return new LedgerSettings(timing, beaconMs, leaseMs, newDeadlineMs);
   }

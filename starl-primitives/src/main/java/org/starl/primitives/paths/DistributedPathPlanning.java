@@ -67,7 +67,10 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private boolean computing;
   private boolean pausing;
   private int refusals;
+
+  // Robots whose tubes were in the way of the latest try.
   private List<RobotId> inTheWay = List.of();
+
   private long deadlineNs;
 
   /** The granted tube, until the body is certainly inside it. */
@@ -272,14 +275,6 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   /** Robots that have not announced their place, as far as known; all robots wait for them. */
   public List<RobotId> unplaced() {
     return claims.unplaced();
-  }
-
-  /**
-   * Robots whose tubes were in the way of the latest try of the drive that is under way; empty if
-   * none were.
-   */
-  public List<RobotId> inTheWay() {
-    return inTheWay;
   }
 
   /** The radius of the tubes around the path, in mm. */
