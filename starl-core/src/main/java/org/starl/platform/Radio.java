@@ -20,6 +20,14 @@ public interface Radio {
   /** Sends to every robot in range except this one. */
   void broadcast(byte[] buffer, int length);
 
+  /** @throws IllegalArgumentException unless the buffer and a datagram have so many bytes */
+  static void checkLength(byte[] buffer, int length) {
+    if (length < 0 || length > MAX_BYTES || length > buffer.length) {
+      throw new IllegalArgumentException(
+          "datagram of " + length + " bytes: expected 0 to " + Math.min(MAX_BYTES, buffer.length));
+    }
+  }
+
   /** Sets the one receiver of datagrams; datagrams before this call are lost. Call it once. */
   void onReceive(Receiver receiver);
 

@@ -44,7 +44,7 @@ final class SimRadio implements Radio {
 
   @Override
   public void send(RobotId to, byte[] buffer, int length) {
-    checkLength(buffer, length);
+    Radio.checkLength(buffer, length);
     if (!closed) {
       network.send(this, to, buffer, length);
     }
@@ -52,7 +52,7 @@ final class SimRadio implements Radio {
 
   @Override
   public void broadcast(byte[] buffer, int length) {
-    checkLength(buffer, length);
+    Radio.checkLength(buffer, length);
     if (!closed) {
       network.broadcast(this, buffer, length);
     }
@@ -118,12 +118,5 @@ final class SimRadio implements Radio {
     return key
         + Long.rotateLeft(recipientKey, 32) * 0xD1342543DE82EF95L
         + datagram * 0x2545F4914F6CDD1DL;
-  }
-
-  private static void checkLength(byte[] buffer, int length) {
-    if (length < 0 || length > MAX_BYTES || length > buffer.length) {
-      throw new IllegalArgumentException(
-          "datagram of " + length + " bytes: expected 0 to " + Math.min(MAX_BYTES, buffer.length));
-    }
   }
 }

@@ -111,7 +111,7 @@ public final class LossyRadio implements Radio {
   }
 
   private static byte[] copy(byte[] buffer, int length) {
-    UdpRadio.checkLength(buffer, length);
+    Radio.checkLength(buffer, length);
     return Arrays.copyOf(buffer, length);
   }
 }

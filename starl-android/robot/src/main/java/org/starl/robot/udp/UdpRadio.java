@@ -116,7 +116,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
 
   @Override
   public void send(RobotId to, byte[] buffer, int length) {
-    checkLength(buffer, length);
+    Radio.checkLength(buffer, length);
     InetSocketAddress address = peers.get(to);
     if (address == null) {
       unsent.incrementAndGet();
@@ -127,7 +127,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
 
   @Override
   public void broadcast(byte[] buffer, int length) {
-    checkLength(buffer, length);
+    Radio.checkLength(buffer, length);
     for (InetSocketAddress address : peers.values()) {
       transmit(address, buffer, length);
     }
@@ -209,13 +209,6 @@ public final class UdpRadio implements Radio, AutoCloseable {
     waiting.decrementAndGet();
     if (receiver != null && !socket.isClosed()) {
       receiver.received(datagram, datagram.length);
-    }
-  }
-
-  static void checkLength(byte[] buffer, int length) {
-    if (length < 0 || length > MAX_BYTES || length > buffer.length) {
-      throw new IllegalArgumentException(
-          "datagram of " + length + " bytes: expected 0 to " + Math.min(MAX_BYTES, buffer.length));
     }
   }
 }
