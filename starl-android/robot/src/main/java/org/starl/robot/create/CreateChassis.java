@@ -255,7 +255,7 @@ public final class CreateChassis implements Wheelbase {
       }
       String ofBattery = battery.update(now.sensors());
       if (ofBattery != null) {
-        log.log(clock.nowNs(), Level.WARN, TAG, ofBattery);
+        warn(ofBattery);
       }
     }
   }
@@ -264,11 +264,7 @@ public final class CreateChassis implements Wheelbase {
     boolean isLate =
         holds.contains(CreateHold.STALE_COMMAND) && !before.contains(CreateHold.STALE_COMMAND);
     if (isLate) {
-      log.log(
-          clock.nowNs(),
-          Level.WARN,
-          TAG,
-          "no command for " + settings.commandTimeoutMs() + " ms: wheels stopped");
+      warn("no command for " + settings.commandTimeoutMs() + " ms: wheels stopped");
     }
     log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
   }
@@ -277,21 +273,14 @@ public final class CreateChassis implements Wheelbase {
   private void logSilence(long silentNs) {
     if (silentNs > settings.tellAfterMs() * NS_PER_MS) {
       if (longestSilentNs == 0) {
-        log.log(
-            clock.nowNs(),
-            Level.WARN,
-            TAG,
+        warn(
             "silent for over "
                 + settings.tellAfterMs()
                 + " ms: the robot may continue its last command");
       }
       longestSilentNs = silentNs;
     } else if (longestSilentNs > 0) {
-      log.log(
-          clock.nowNs(),
-          Level.WARN,
-          TAG,
-          "heard again after " + longestSilentNs / NS_PER_MS + " ms of silence");
+      warn("heard again after " + longestSilentNs / NS_PER_MS + " ms of silence");
       longestSilentNs = 0;
     }
   }
@@ -328,7 +317,7 @@ public final class CreateChassis implements Wheelbase {
   private void logLinkFailure(String cause) {
     if (!hasClosed() && !cause.equals(lastLinkFailure)) {
       lastLinkFailure = cause;
-      log.log(clock.nowNs(), Level.WARN, TAG, "no link to the robot: " + cause);
+      warn("no link to the robot: " + cause);
     }
   }
 
@@ -361,6 +350,10 @@ public final class CreateChassis implements Wheelbase {
   // With the guard held.
   private boolean send(byte[] command) {
     return Commands.areWheelSpeeds(command) ? toRobot.offerNewest(command) : toRobot.offer(command);
+  }
+
+  private void warn(String line) {
+    log.log(clock.nowNs(), Level.WARN, TAG, line);
   }
 
   private boolean hasClosed() {
