@@ -7,6 +7,7 @@ import static org.starl.sim.fault.FaultGrammar.Row.row;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongFunction;
 import java.util.stream.Collectors;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
@@ -93,27 +94,25 @@ final class NetworkFaults {
   private static FaultAction duplicate(FaultArguments call) {
     double probability = probability(call);
     long mostNs = call.nextOr("how much later", DURATION, USUAL_DUPLICATE_NS);
-    return Link.rule(
-        call,
-        (context, salt) ->
-            copy -> {
-              Rng rng = copy.rng().fork(salt);
-              return rng.nextBoolean(probability)
-                  ? Verdict.again(rng.nextLong(0, mostNs))
-                  : Verdict.PASS;
-            });
+    return sometimes(call, probability, mostNs, Verdict::again);
   }
 
   private static FaultAction reorder(FaultArguments call) {
     double probability = probability(call);
     long mostNs = call.next("how long it is held back", DURATION);
+    return sometimes(call, probability, mostNs, Verdict::later);
+  }
+
+  /** With this probability, the verdict of a time up to {@code mostNs}. */
+  private static FaultAction sometimes(
+      FaultArguments call, double probability, long mostNs, LongFunction<Verdict> verdict) {
     return Link.rule(
         call,
         (context, salt) ->
             copy -> {
               Rng rng = copy.rng().fork(salt);
               return rng.nextBoolean(probability)
-                  ? Verdict.later(rng.nextLong(0, mostNs))
+                  ? verdict.apply(rng.nextLong(0, mostNs))
                   : Verdict.PASS;
             });
   }
