@@ -260,6 +260,31 @@ class ProgressTest {
         .contains("not decided: P is broken by a run that leaves open what is assumed");
   }
 
+  /** From the start where it does not work, the only run without success owes what is assumed. */
+  @Test
+  void runThatLeavesOpenWhatIsAssumedHidesNoOtherFromAnotherStart() throws SourceErrors {
+    String tries =
+        """
+        automaton Tries[works: bool]
+        state
+          sent: bool
+          failed: bool
+          on: bool
+        start not sent, not failed, not on
+        action send fair pre not sent, not failed eff sent := true
+        action arrive fair pre sent, works eff on := true
+        action fail pre sent, not on eff sent := false, failed := true
+        assume progress A: sent leads to sent and works
+        progress P: eventually on
+        """;
+    assertThat(lines(tries, ""))
+        .startsWith(
+            "Tries: P is false: nothing more happens after 2 steps", "  0. start   works = true");
+    String lazy = tries.replace("fair pre not sent", "fair pre not works, not sent");
+    assertThat(headline(lazy.replace("eventually on", "not works leads to on"), ""))
+        .contains("not decided: P is broken by a run that leaves open what is assumed;");
+  }
+
   @Test
   void deadlockIsNoneWhereARunMayEnd() throws SourceErrors {
     String text = counter("", "").replaceFirst("action switch fair\n.*\n", "");
