@@ -110,7 +110,8 @@ face
     | ACTION name=id binders? pre? '=' usedStep JAVA of=STRING    # callFace
     | FUN name=id ':' type '=' expression JAVA of=STRING    # valueFace
     | WHEN name=id '=' usedStep JAVA of=STRING              # outcomeFace
-    | DO id (',' id)*                                       # stepsFace
+    | DO id (',' id)* fairness?                             # stepsFace
+    | ASSUME PROGRESS name=id ':' formula                   # assumedFace
     | START expression                                      # startFace
     | RESTART expression                                    # restFace
     ;

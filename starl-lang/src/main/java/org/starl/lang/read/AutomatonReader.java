@@ -8,18 +8,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
-import java.util.stream.IntStream;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
-import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Invariant;
-import org.starl.lang.tree.Automaton.Progress;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Refinement;
@@ -34,8 +31,6 @@ final class AutomatonReader extends PartsReader {
   private final Predicate<String> isOpen;
   private final List<Invariant> assumptions = new ArrayList<>();
   private final List<Component> state = new ArrayList<>();
-  private final List<Invariant> ends = new ArrayList<>();
-  private final List<Progress> progress = new ArrayList<>();
   private final List<Refinement> refinements = new ArrayList<>();
 
   /**
@@ -103,24 +98,14 @@ final class AutomatonReader extends PartsReader {
     List<Action> actions = new ArrayList<>();
     each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
     List<Invariant> invariants = invariants();
-    each(StarlParser.ProgressPartContext.class, this::read);
+    ProgressReader progress = new ProgressReader(this);
+    progress.read(invariants);
     RefinementReader refines = new RefinementReader(this, actions);
     each(
         StarlParser.RefinesPartContext.class,
         at -> refinements.add(refines.read(at, instance(at, at.of, at.argument()))));
     requireUnique("assumption", StarlParser.AssumePartContext.class, at -> at.name);
     requireUnique("action", StarlParser.ActionPartContext.class, at -> at.name);
-    requireUnique("progress", StarlParser.ProgressPartContext.class, at -> at.name);
-    List<String> asked = invariants.stream().map(Invariant::name).toList();
-    each(
-        StarlParser.ProgressPartContext.class,
-        at -> {
-          if (asked.contains(at.name.getText())) {
-            problems.add(
-                at.name,
-                "'" + at.name.getText() + "' is an invariant already; expected a new name");
-          }
-        });
     if (start.isEmpty() && problems.isEmpty()) {
       problems.add(
           unit,
@@ -145,8 +130,8 @@ final class AutomatonReader extends PartsReader {
         List.copyOf(start),
         List.copyOf(actions),
         invariants,
-        List.copyOf(ends),
-        List.copyOf(progress),
+        List.copyOf(progress.ends),
+        List.copyOf(progress.all),
         List.copyOf(refinements),
         javaClass,
         java.util.Collections.unmodifiableMap(javaTypes),
@@ -283,78 +268,6 @@ final class AutomatonReader extends PartsReader {
   /** Whether a place is the other one, or a part of it: {@code x(i).a} of {@code x(i)}. */
   private static boolean isWithin(String place, String whole) {
     return place.equals(whole) || place.startsWith(whole + "(") || place.startsWith(whole + ".");
-  }
-
-  private Fairness fairness(
-      StarlParser.FairnessContext at, StarlParser.IdContext action, List<Field> parameters) {
-    List<String> names = parameters.stream().map(Field::name).toList();
-    List<Integer> each = new ArrayList<>();
-    for (StarlParser.IdContext id : at.each) {
-      int number = names.indexOf(id.getText());
-      if (number >= 0) {
-        each.add(number);
-      } else if (!id.getText().equals("any") || at.each.size() > 1) {
-        throw expressions.wrong(
-            id,
-            "'%s' is no parameter of '%s'; expected some of %s, or 'any'"
-                .formatted(id.getText(), action.getText(), names));
-      }
-    }
-    return new Fairness(
-        at.STRONGLY() != null,
-        (at.group == null ? action : at.group).getText(),
-        at.each.isEmpty() ? IntStream.range(0, names.size()).boxed().toList() : List.copyOf(each));
-  }
-
-  private void read(StarlParser.ProgressPartContext at) {
-    String name = newName(at.name);
-    boolean isAssumed = at.ASSUME() != null;
-    List<Field> variables = new ArrayList<>();
-    try {
-      StarlParser.FormulaContext formula = at.formula();
-      while (formula instanceof StarlParser.AllOfContext all) {
-        List<Field> more = types.fields(all.binderGroup(), false);
-        scope.push(more);
-        variables.addAll(more);
-        formula = all.formula();
-      }
-      if (formula instanceof StarlParser.LeadsToContext it) {
-        if (it.from instanceof StarlParser.QuantifiedContext quantified) {
-          String word = quantified.quantifier.getText();
-          throw expressions.wrong(
-              it.from, "'" + word + "' reaches to 'leads to' here; expected parentheses around it");
-        }
-        Action from = side(at, variables, List.of(it.from));
-        progress.add(
-            new Progress(name, isAssumed, false, from, side(at, variables, List.of(it.to))));
-      } else if (isAssumed) {
-        throw expressions.wrong(formula, "this cannot be assumed; expected 'P leads to Q'");
-      } else if (formula instanceof StarlParser.EventuallyContext it) {
-        Action to = side(at, variables, List.of(it.to));
-        progress.add(new Progress(name, false, true, side(at, variables, List.of()), to));
-      } else if (formula instanceof StarlParser.NoDeadlockContext it && variables.isEmpty()) {
-        Expr end = it.to == null ? new Expr.Bool(false, pos(it)) : expressions.bool(it.to);
-        ends.add(new Invariant(name, end, List.of(), pos(at)));
-      } else {
-        throw expressions.wrong(formula, "a deadlock is of the whole state; expected no 'forall'");
-      }
-    } finally {
-      scope.pop(variables);
-    }
-  }
-
-  private Action side(
-      StarlParser.ProgressPartContext at,
-      List<Field> variables,
-      List<StarlParser.ExpressionContext> all) {
-    return new Action(
-        at.name.getText(),
-        List.copyOf(variables),
-        all.stream()
-            .map(each -> new Conjunct(expressions.bool(each), SourceText.of(each)))
-            .toList(),
-        List.of(),
-        pos(at));
   }
 
   private Effect effect(StarlParser.EffectContext at) {

@@ -13,11 +13,13 @@ import java.util.stream.Stream;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Action.Conjunct;
 import org.starl.lang.tree.Action.Effect;
+import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Action.Selector;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Component;
 import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
+import org.starl.lang.tree.Automaton.Progress;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Expr.Operator;
 import org.starl.lang.tree.Exprs;
@@ -55,14 +57,20 @@ final class Lowering {
   private static final List<Field> SELF = List.of(new Field(Program.SELF, IDS));
 
   private final Program program;
+  private final boolean asksProgress;
   private final Map<String, Instance> instances = new LinkedHashMap<>();
   private final Type.Sum location;
   private final List<Action> actions = new ArrayList<>();
   private final List<Invariant> invariants = new ArrayList<>();
+  private final List<Progress> assumed = new ArrayList<>();
   private final Set<String> names = new TreeSet<>();
 
-  Lowering(Program program) {
+  /**
+   * @param asksProgress whether the source says what is to happen; else nothing is fair or assumed
+   */
+  Lowering(Program program, boolean asksProgress) {
     this.program = program;
+    this.asksProgress = asksProgress;
     program.instances().forEach(each -> instances.put(each.name(), each));
     List<Constructor> constructors = new ArrayList<>();
     program.locations().forEach(each -> constructors.add(new Constructor(each.name(), List.of())));
@@ -70,10 +78,15 @@ final class Lowering {
       constructors.add(new Constructor(OVER, List.of()));
     }
     location = new Type.Sum(program.name(), LOCATION, List.copyOf(constructors));
-    instances.values().forEach(this::addInvariants);
+    List<InstanceLowering> lowered =
+        instances.values().stream().map(each -> new InstanceLowering(each, this::unique)).toList();
+    lowered.forEach(each -> invariants.addAll(each.invariants()));
     program.locations().forEach(this::addActions);
     restarts().findFirst().ifPresent(this::addRests);
-    instances.values().forEach(this::addSteps);
+    lowered.forEach(each -> actions.addAll(each.steps(this::renamed, asksProgress)));
+    if (asksProgress) {
+      lowered.forEach(each -> assumed.addAll(each.assumed()));
+    }
   }
 
   private Stream<Branch> restarts() {
@@ -88,9 +101,10 @@ final class Lowering {
    * The automaton.
    *
    * @param own the invariants of the source
+   * @param asked what is to happen, as far as it is read
    * @param isWhole whether value parameters are left out that nothing reads
    */
-  Automaton automaton(List<Invariant> own, boolean isWhole) {
+  Automaton automaton(List<Invariant> own, ProgressReader asked, boolean isWhole) {
     List<Invariant> all = new ArrayList<>(invariants);
     all.addAll(own);
     List<Declared> types = new ArrayList<>(program.types());
@@ -99,6 +113,11 @@ final class Lowering {
     Set<String> mentioned = new TreeSet<>();
     start.forEach(each -> mention(each, mentioned));
     all.forEach(each -> mention(each.condition(), mentioned));
+    List<Progress> progress = new ArrayList<>(assumed);
+    progress.addAll(asked.all);
+    asked.ends.forEach(each -> mention(each.condition(), mentioned));
+    progress.forEach(each -> mention(each.from(), mentioned));
+    progress.forEach(each -> mention(each.to(), mentioned));
     actions.forEach(action -> mention(action, mentioned));
     List<Field> values = new ArrayList<>(valueParameters());
     Set<Field> used = usedParameters();
@@ -123,8 +142,8 @@ final class Lowering {
         start,
         List.copyOf(actions),
         List.copyOf(all),
-        List.of(),
-        List.of(),
+        List.copyOf(asked.ends),
+        List.copyOf(progress),
         List.of(),
         "",
         Map.of(),
@@ -285,7 +304,7 @@ final class Lowering {
     };
   }
 
-  private static Expr lift(Instance instance, Expr expr, Pos pos) {
+  static Expr lift(Instance instance, Expr expr, Pos pos) {
     return new Lifting(instance.name(), instance.primitive().automaton(), pos).lift(expr);
   }
 
@@ -316,6 +335,8 @@ final class Lowering {
     private final List<Effect> eff = new ArrayList<>();
     private final Map<String, Expr> assigned = new LinkedHashMap<>();
 
+    private final boolean isOutcome;
+
     private Taken(Location at, Branch branch, List<Branch> before) {
       this.at = at;
       this.branch = branch;
@@ -325,6 +346,7 @@ final class Lowering {
       Optional<Guards.Happened> happened =
           rest.stream().flatMap(each -> Guards.outcome(each, instances).stream()).findFirst();
       rest.removeIf(each -> Guards.outcome(each, instances).isPresent());
+      isOutcome = happened.isPresent();
       if (happened.isEmpty()) {
         before.forEach(
             this::addNot); // first: the guard may have a value only where these are false
@@ -382,7 +404,32 @@ final class Lowering {
       assigned.forEach((name, value) -> all.add(change(name, value)));
       all.addAll(eff);
       String name = at.name() + (branch.isRestart() ? "_restarts" : "_to_" + to);
-      actions.add(new Action(unique(name), SELF, List.copyOf(pre), List.copyOf(all), branch.pos()));
+      actions.add(
+          new Action(
+              unique(name),
+              SELF,
+              List.copyOf(pre),
+              List.copyOf(all),
+              fairness(),
+              List.of(),
+              "",
+              branch.pos()));
+    }
+
+    /**
+     * A process goes on if at all times some guard of its location holds. An outcome need not come, and
+     * does not come for ever: beside it, if a guard holds again and again.
+     */
+    private Optional<Fairness> fairness() {
+      return asksProgress && !isOutcome
+          ? Optional.of(
+              new Fairness(
+                  at.branches().stream()
+                      .flatMap(each -> Guards.conjuncts(each.guard()).stream())
+                      .anyMatch(each -> Guards.outcome(each, instances).isPresent()),
+                  at.name(),
+                  List.of(0)))
+          : Optional.empty();
     }
 
     private Effect change(String component, Expr value) {
@@ -420,36 +467,6 @@ final class Lowering {
     }
   }
 
-  /** The steps that a primitive takes by itself. */
-  private void addSteps(Instance instance) {
-    Automaton automaton = instance.primitive().automaton();
-    for (Action step : instance.primitive().steps()) {
-      List<Field> parameters = step.parameters().stream().map(this::renamed).toList();
-      List<Expr> arguments = new ArrayList<>();
-      parameters.forEach(
-          each -> arguments.add(new Expr.Variable(each.name(), each.type(), instance.pos())));
-      List<String> shown = parameters.stream().map(Field::name).toList();
-      String text = instance.name() + "." + step.name() + "(" + String.join(", ", shown) + ")";
-      actions.add(
-          new Action(
-              unique(instance.name() + "_" + step.name()),
-              parameters,
-              List.of(
-                  new Conjunct(
-                      new Expr.Enabled(instance.name(), automaton, step, arguments, instance.pos()),
-                      text)),
-              List.of(
-                  new Effect.Step(
-                      Optional.empty(),
-                      instance.name(),
-                      automaton,
-                      step,
-                      arguments,
-                      instance.pos())),
-              instance.pos()));
-    }
-  }
-
   /** A variable has no name of the program's. */
   private Field renamed(Field field) {
     boolean isTaken =
@@ -463,24 +480,6 @@ final class Lowering {
   }
 
   // --- invariants
-
-  /** The invariants of a primitive's automaton, and of those that it uses, hold here, too. */
-  private void addInvariants(Instance instance) {
-    Automaton automaton = instance.primitive().automaton();
-    addInvariants(instance, automaton, new Lifting(instance.name(), automaton, instance.pos()));
-  }
-
-  private void addInvariants(Instance instance, Automaton of, Lifting lifting) {
-    for (Invariant each : of.invariants()) {
-      invariants.add(
-          new Invariant(
-              unique(instance.name() + "_" + each.name()),
-              lifting.lift(each.condition()),
-              each.comment(),
-              instance.pos()));
-    }
-    of.uses().forEach((name, used) -> addInvariants(instance, used, lifting.inside(name)));
-  }
 
   /** An attempt that is over leaves nothing behind in the primitives. */
   private void addRests(Branch restart) {

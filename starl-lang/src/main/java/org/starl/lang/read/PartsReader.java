@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.PartContext;
 import org.starl.lang.tree.Action;
+import org.starl.lang.tree.Action.Fairness;
 import org.starl.lang.tree.Automaton;
 import org.starl.lang.tree.Automaton.Declared;
 import org.starl.lang.tree.Automaton.Invariant;
@@ -142,6 +144,27 @@ class PartsReader {
                         at.getText(),
                         automaton.name(),
                         automaton.actions().stream().map(Action::name).toList())));
+  }
+
+  final Fairness fairness(
+      StarlParser.FairnessContext at, StarlParser.IdContext action, List<Field> parameters) {
+    List<String> names = parameters.stream().map(Field::name).toList();
+    List<Integer> each = new ArrayList<>();
+    for (StarlParser.IdContext id : at.each) {
+      int number = names.indexOf(id.getText());
+      if (number >= 0) {
+        each.add(number);
+      } else if (!id.getText().equals("any") || at.each.size() > 1) {
+        throw expressions.wrong(
+            id,
+            "'%s' is no parameter of '%s'; expected some of %s, or 'any'"
+                .formatted(id.getText(), action.getText(), names));
+      }
+    }
+    return new Fairness(
+        at.STRONGLY() != null,
+        (at.group == null ? action : at.group).getText(),
+        at.each.isEmpty() ? IntStream.range(0, names.size()).boxed().toList() : List.copyOf(each));
   }
 
   final <P extends PartContext> void each(Class<P> kind, Consumer<P> read) {

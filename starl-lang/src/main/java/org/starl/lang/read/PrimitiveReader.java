@@ -5,6 +5,7 @@ import static org.starl.lang.read.Problems.pos;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.tree.Action;
 import org.starl.lang.tree.Automaton;
@@ -22,7 +23,8 @@ final class PrimitiveReader extends PartsReader {
   private final List<Primitive.Call> calls = new ArrayList<>();
   private final List<Primitive.Value> values = new ArrayList<>();
   private final List<Primitive.Outcome> outcomes = new ArrayList<>();
-  private final List<Action> steps = new ArrayList<>();
+  private final List<Primitive.Step> steps = new ArrayList<>();
+  private final ProgressReader assumed = new ProgressReader(this);
   private String javaType = "";
   private String javaMade = "";
   private Expr start;
@@ -80,6 +82,7 @@ final class PrimitiveReader extends PartsReader {
         List.copyOf(values),
         List.copyOf(outcomes),
         List.copyOf(steps),
+        List.copyOf(assumed.all),
         start,
         rest,
         javaType,
@@ -124,7 +127,11 @@ final class PrimitiveReader extends PartsReader {
             new Primitive.Outcome(at.name.getText(), action, arguments, unquoted(at.of)));
       }
       case StarlParser.StepsFaceContext at -> {
-        at.id().forEach(id -> orTold(() -> steps.add(action(id, automaton))));
+        at.id().forEach(id -> orTold(() -> steps.add(step(id, at.fairness(), automaton))));
+        yield true;
+      }
+      case StarlParser.AssumedFaceContext at -> {
+        assumed.read(at, at.name, true, at.formula());
         yield true;
       }
       case StarlParser.StartFaceContext at -> {
@@ -137,6 +144,15 @@ final class PrimitiveReader extends PartsReader {
       }
       default -> throw new IllegalStateException(face.getText());
     };
+  }
+
+  private Primitive.Step step(
+      StarlParser.IdContext id,
+      StarlParser.@Nullable FairnessContext fairness,
+      Automaton automaton) {
+    Action action = action(id, automaton);
+    return new Primitive.Step(
+        action, Optional.ofNullable(fairness).map(at -> fairness(at, id, action.parameters())));
   }
 
   private List<Expr> arguments(StarlParser.UsedStepContext at, Action action) {

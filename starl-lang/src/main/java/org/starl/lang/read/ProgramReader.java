@@ -16,6 +16,7 @@ import org.starl.lang.grammar.StarlParser;
 import org.starl.lang.grammar.StarlParser.PartContext;
 import org.starl.lang.grammar.StarlParser.ProgramPartContext;
 import org.starl.lang.tree.Automaton;
+import org.starl.lang.tree.Automaton.Invariant;
 import org.starl.lang.tree.Expr;
 import org.starl.lang.tree.Function;
 import org.starl.lang.tree.Primitive;
@@ -97,13 +98,17 @@ final class ProgramReader extends PartsReader {
         pos(unit));
   }
 
-  /** The automaton of all processes, with the invariants of the source. */
+  /** The automaton of all processes, with the invariants and the progress of the source. */
   Automaton automaton(Program program) {
-    Lowering lowering = new Lowering(program);
+    boolean asks = parts(unit).stream().anyMatch(StarlParser.ProgressPartContext.class::isInstance);
+    Lowering lowering = new Lowering(program, asks);
     PartsReader all = new PartsReader(unit, scope.automaton, parts(unit), source, problems);
-    all.scope.enter(lowering.automaton(List.of(), false));
+    ProgressReader progress = new ProgressReader(all);
+    all.scope.enter(lowering.automaton(List.of(), progress, false));
     all.scope.places.putAll(scope.places);
-    return lowering.automaton(all.invariants(), true);
+    List<Invariant> invariants = all.invariants();
+    progress.read(invariants);
+    return lowering.automaton(invariants, progress, true);
   }
 
   private <P extends ProgramPartContext> void every(Class<P> kind, Consumer<P> read) {
@@ -126,7 +131,6 @@ final class ProgramReader extends PartsReader {
             }
             case StarlParser.StartPartContext at -> "a start value with each variable: 'x: T := e'";
             case StarlParser.ActionPartContext at -> "'location' and its branches";
-            case StarlParser.ProgressPartContext at -> "an automaton with it, or an invariant";
             case StarlParser.RefinesPartContext at -> "an invariant";
             case StarlParser.AssumePartContext at -> "a guard: 'when condition do ...'";
             default -> "";

@@ -3,6 +3,8 @@ package org.starl.lang.tree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.starl.lang.tree.Action.Fairness;
+import org.starl.lang.tree.Automaton.Progress;
 import org.starl.lang.tree.Type.Field;
 
 /**
@@ -12,6 +14,7 @@ import org.starl.lang.tree.Type.Field;
  *
  * @param parameters what an instance is made of; a parameter's type may be that of another primitive
  * @param steps the actions that it takes by itself
+ * @param assumed what is assumed to happen in each run, besides that steps are fair
  * @param start what holds of an instance's first state, besides the automaton's own start
  * @param rest what holds of a process that may end its attempt: it holds nothing, and waits for nothing
  * @param javaType the full name of its Java class or interface
@@ -25,7 +28,8 @@ public record Primitive(
     List<Call> calls,
     List<Value> values,
     List<Outcome> outcomes,
-    List<Action> steps,
+    List<Step> steps,
+    List<Progress> assumed,
     Expr start,
     Expr rest,
     String javaType,
@@ -62,6 +66,13 @@ public record Primitive(
    * @param java a Java expression after the instance and a dot
    */
   public record Outcome(String name, Action action, List<Expr> arguments, String java) {}
+
+  /**
+   * A step that it takes by itself.
+   *
+   * @param fairness empty if it need not be taken; that of its action is of the automaton's own runs
+   */
+  public record Step(Action action, Optional<Fairness> fairness) {}
 
   /** The type of its instances in programs: a record of what can be read. */
   public Type.Rec type() {

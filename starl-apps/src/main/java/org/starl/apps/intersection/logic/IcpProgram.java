@@ -21,13 +21,13 @@ public final class IcpProgram extends LogicThread {
 
   /** The locations, with their lines in IcpProgram.starl. */
   public enum Location {
-    S0(66),
-    REG_WAIT(70),
-    MUTEX_WAIT(76),
-    MOVE_WAIT(80),
-    S1(85),
-    UNREG_WAIT(88),
-    DONE(92);
+    S0(68),
+    REG_WAIT(72),
+    MUTEX_WAIT(78),
+    MOVE_WAIT(82),
+    S1(87),
+    UNREG_WAIT(90),
+    DONE(94);
 
     private final int line;
 
@@ -75,10 +75,10 @@ public final class IcpProgram extends LogicThread {
       switch (location.get()) {
         case S0 -> {
           if (Driver.way(trip).isEmpty()) {
-            line = 67;
+            line = 69;
             location.set(Location.DONE);
           } else if (car.isReady()) {
-            line = 68;
+            line = 70;
             myseq.set(car.ahead());
             reg.do_register();
             location.set(Location.REG_WAIT);
@@ -86,52 +86,52 @@ public final class IcpProgram extends LogicThread {
         }
         case REG_WAIT -> {
           if (reg.getList() != null && myseq.get().isEmpty()) {
-            line = 71;
+            line = 73;
             car.drive(Sets.emptyset());
             location.set(Location.S1);
           } else if (reg.getList() != null) {
-            line = 72;
+            line = 74;
             plist.set(reg.listOrEmpty());
             mux.do_mutex(Sets.of(myseq.get()), plist.get());
             location.set(Location.MUTEX_WAIT);
           } else if (reg.failed().get()) {
-            line = 74;
+            line = 76;
             restart();
           }
         }
         case MUTEX_WAIT -> {
           if (mux.od_mutex()) {
-            line = 77;
+            line = 79;
             car.drive(Sets.of(myseq.get()));
             location.set(Location.MOVE_WAIT);
           } else if (mux.failed().get()) {
-            line = 78;
+            line = 80;
             location.set(Location.REG_WAIT);
           }
         }
         case MOVE_WAIT -> {
           if (myseq.get().isEmpty()) {
-            line = 81;
+            line = 83;
             location.set(Location.S1);
-          } else if (car.left().contains(Undefined.head("IcpProgram.starl:82:8", myseq.get()))) {
-            line = 82;
-            mux.release(Sets.singleton(Undefined.head("IcpProgram.starl:83:18", myseq.get())));
-            myseq.set(Undefined.tail("IcpProgram.starl:83:42", myseq.get()));
+          } else if (car.left().contains(Undefined.head("IcpProgram.starl:84:8", myseq.get()))) {
+            line = 84;
+            mux.release(Sets.singleton(Undefined.head("IcpProgram.starl:85:18", myseq.get())));
+            myseq.set(Undefined.tail("IcpProgram.starl:85:42", myseq.get()));
           }
         }
         case S1 -> {
           if (car.isAtExit()) {
-            line = 86;
+            line = 88;
             reg.unregister();
             location.set(Location.UNREG_WAIT);
           }
         }
         case UNREG_WAIT -> {
           if (reg.isUnregistered()) {
-            line = 89;
+            line = 91;
             location.set(Location.DONE);
           } else if (reg.failed().get()) {
-            line = 90;
+            line = 92;
             location.set(Location.S1);
           }
         }
