@@ -29,7 +29,8 @@ import org.starl.trace.TraceEvent.Sent;
 /**
  * Checks that requests are answered at once. A process that neither holds nor waits for a section consents in
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
- * the request is repeated, and none consents to a request that it knows to be over. Nothing is required of a
+ * the request is repeated, and none consents to a request that it knows to be over. A request ends as late
+ * only in a step in which its process hears of one that goes first. Nothing is required of a
  * process whose robot may stand in sections of an earlier one.
  */
 final class AnswerCheck {
@@ -37,6 +38,8 @@ final class AnswerCheck {
   /** What one process knows of others' requests, and whether it has one itself. */
   private static final class Participant {
     private View view = View.NONE;
+    private long num;
+    private long overtakenNs = -1;
     private boolean isTrying;
     private boolean holds;
     private final Map<ProcessId, Req> asked = new TreeMap<>();
@@ -78,7 +81,14 @@ final class AnswerCheck {
   void observe(TraceEvent event, Report report) {
     answers.observe(event, report);
     switch (event) {
-      case Action action when action.fact() instanceof MutexFact fact -> acted(action, fact);
+      case Action action when action.fact() instanceof MutexFact fact ->
+          acted(action, fact, report);
+      case Delivered got when got.message() instanceof Noted noted -> {
+        Participant participant = of(got.channel(), noted.to());
+        if (noted.num() == participant.num && noted.ahead() > 0) {
+          participant.overtakenNs = got.timeNs();
+        }
+      }
       case Delivered got when got.message() instanceof Req req -> asked(got, req);
       case Delivered got when got.message() instanceof Rem rem && rem.left().isEmpty() ->
           of(got.channel(), rem.to()).ended.merge(rem.from(), rem.num(), Math::max);
@@ -107,13 +117,9 @@ final class AnswerCheck {
       String detail = ok + ": a consent to a request that it knows to be over";
       report.violated(ConsentSpec.ANSWERED, sent.timeNs(), List.of(sent.robot()), detail);
     }
-    if (isWhole(ok)) {
+    if (ok.isWhole()) {
       by.granted.merge(ok.to(), ok.num(), Math::max);
     }
-  }
-
-  private static boolean isWhole(Ok ok) {
-    return ok.part().isEmpty() && ok.counted().isEmpty();
   }
 
   private void ended(RobotId robot) {
@@ -121,7 +127,7 @@ final class AnswerCheck {
     newest.keySet().removeIf(key -> key.robot().equals(robot));
   }
 
-  private void acted(Action action, MutexFact fact) {
+  private void acted(Action action, MutexFact fact, Report report) {
     Participant participant = of(action.source(), fact.who());
     ProcessKey key = new ProcessKey(action.source(), action.robot());
     switch (fact) {
@@ -147,7 +153,10 @@ final class AnswerCheck {
           standing.add(key);
         }
       }
-      case MutexFact.DoMutex request -> participant.isTrying = true;
+      case MutexFact.DoMutex request -> {
+        participant.num = request.num();
+        participant.isTrying = true;
+      }
       case MutexFact.OdMutex access -> participant.holds = true;
       case MutexFact.Fence fence -> participant.fenced.add(fence.suspect());
       case MutexFact.Release release -> {
@@ -156,6 +165,14 @@ final class AnswerCheck {
         mayEnd(action, participant, fact.who(), key);
       }
       case MutexFact.Withdraw end -> {
+        if (end.why() == MutexFailure.LATE) {
+          report.checked(ConsentSpec.LATE);
+          if (participant.overtakenNs != action.timeNs()) {
+            String detail =
+                fact.who() + "'s request " + end.num() + ": no request was told to be ahead";
+            report.violated(ConsentSpec.LATE, action.timeNs(), List.of(action.robot()), detail);
+          }
+        }
         participant.isTrying = false;
         mayEnd(action, participant, fact.who(), key);
       }
@@ -169,7 +186,7 @@ final class AnswerCheck {
     }
     participant.asked.forEach((other, req) -> {
       if (participant.isOwedConsent(other, req.num())) {
-        owes(action, req, told -> told instanceof Ok ok && answers(ok, req) && isWhole(ok));
+        owes(action, req, told -> told instanceof Ok ok && answers(ok, req) && ok.isWhole());
       }
     });
   }
@@ -185,10 +202,13 @@ final class AnswerCheck {
       return;
     }
     participant.asked.put(req.from(), req);
+    if (req.resumes()) {
+      participant.overtakenNs = got.timeNs();
+    }
     if (participant.refuses(req.from())) {
       owes(got, req, told -> told instanceof Fenced || (told instanceof Ok ok && answers(ok, req)));
     } else if (!participant.wants() && !standing.contains(key)) {
-      owes(got, req, told -> told instanceof Ok ok && answers(ok, req) && isWhole(ok));
+      owes(got, req, told -> told instanceof Ok ok && answers(ok, req) && ok.isWhole());
     } else if (req.equals(before)) {
       owes(
           got,

@@ -33,10 +33,11 @@ import org.starl.trace.TraceEvent.Sent;
  *   <li>{@code Consent}: a participant enters only with the consent of all whose consent it needs:
  *       those in its latest view, and those that were admitted later and have asked it. It enters no
  *       section of another robot's ghost. Of a section with a capacity, some may have told that they
- *       take a place themselves; with the ghosts, they are fewer than its places.
+ *       take a place themselves; with the ghosts, they are fewer than its places. It enters no part of a
+ *       sequence while the ghost of a robot that is not listed is in a section that it waits for.
  *   <li>{@code Fenced}: a participant that has fenced another consents to nothing more of it, also
- *       after it has retired.
- *   <li>{@code Answered}, with {@link #answering}: see {@link AnswerCheck}.
+ *       after it has retired. It asks for fences only of those that its latest view lists.
+ *   <li>{@code Answered} and {@code Late}, with {@link #answering}: see {@link AnswerCheck}.
  * </ul>
  *
  * <p>With bounds it also reports, under {@code Served}, requests that wait too long for one cause: for
@@ -47,6 +48,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
 
   static final String CONSENT = "mutex.Consent";
   static final String FENCED = "mutex.Fenced";
+  static final String LATE = "mutex.Late";
   static final String ANSWERED = "mutex.Answered";
 
   private final Within<Asker> behindGhosts;
@@ -66,7 +68,8 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     behindGhosts = new Within<>(ghostNs);
     behindDead = new Within<>(deadNs);
     lemma(CONSENT, "A process enters only with the consent of all processes that it needs.");
-    lemma(FENCED, "A process that has fenced another grants it nothing more.");
+    lemma(
+        FENCED, "A process grants nothing more to one that it has fenced, and fences listed ones.");
   }
 
   /** Also requires that requests are answered at once. Not of runs in real time: their steps take time. */
@@ -74,6 +77,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     lemma(
         ANSWERED,
         "A process that wants no section consents at once; a repeated request is answered at once, an ended one not.");
+    lemma(LATE, "A request ends as late only when it hears of one that goes first.");
     answers = new AnswerCheck();
     return this;
   }
@@ -170,6 +174,13 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     private boolean hasGhostIn(SortedSet<String> sections) {
       return ghosts().anyMatch(ghost -> Sections.exclude(ghost.getValue().sections(), sections))
           || sections.stream().anyMatch(each -> !hasPlace(each, ghostsIn(each)));
+    }
+
+    /** Whether a robot that may come towards it, since it is not listed, has a ghost on its way. */
+    private boolean isBehindGhost() {
+      return ghosts()
+          .filter(ghost -> !view.participants().contains(ghost.getKey().robot()))
+          .anyMatch(ghost -> Sections.exclude(ghost.getValue().sections(), waiting));
     }
 
     private Stream<Map.Entry<ProcessId, View.Ghost>> ghosts() {
@@ -295,6 +306,13 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
             from.who, Sections.without(ok.granted(all), ok.counted()), Sections::union);
         await(mutex, asker, sent.timeNs());
       }
+    } else if (message instanceof MutexMessage.FenceQ question) {
+      View view = mutex.of(question.from()).view;
+      report.checked(FENCED);
+      if (view.number() >= question.admittedBy() && !view.contains(question.suspect())) {
+        String detail = question + ": a fence of a process that is not listed";
+        report.violated(FENCED, sent.timeNs(), List.of(sent.robot()), detail);
+      }
     }
   }
 
@@ -315,7 +333,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     }
     report.checked(CONSENT);
     Set<ProcessId> missing = asker.silent(sections);
-    boolean hasGhost = asker.hasGhostIn(sections);
+    boolean hasGhost = asker.hasGhostIn(sections) || asker.isBehindGhost();
     if (!missing.isEmpty() || hasGhost || asker.isFull(sections)) {
       String what = hasGhost ? "a ghost's section" : "a section that is full";
       String detail = asker + " enters " + (missing.isEmpty() ? what : "without " + missing);

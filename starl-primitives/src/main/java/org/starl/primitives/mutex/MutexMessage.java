@@ -114,7 +114,12 @@ sealed interface MutexMessage {
 
     /** All to which it consents, without a place of its own or with one. */
     SortedSet<String> granted(SortedSet<String> want) {
-      return part.isEmpty() && counted.isEmpty() ? want : Sections.union(part, counted);
+      return isWhole() ? want : Sections.union(part, counted);
+    }
+
+    /** Whether it is a consent to all of the request, without a place of its own. */
+    boolean isWhole() {
+      return part.isEmpty() && counted.isEmpty();
     }
 
     /** To a part. */

@@ -39,6 +39,7 @@ import org.starl.trace.TraceEvent;
  *   <li>{@code Complete}: a participant that holds a section was on a list.
  *   <li>{@code crit}: the variable is true after an access, and after a release that leaves a
  *       section; it is false after a release of all.
+ *   <li>{@code failed}: so do {@code failed} and {@code failure} after a request begins or ends without access.
  *   <li>{@code Served}, if there are bounds: a request has access, or has ended, within d2; owed
  *       while no participant has held for longer than d1.
  *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while no other
@@ -71,11 +72,14 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
   static final String KEPT = "mutex.Kept";
   static final String COMPLETE = "mutex.Complete";
   static final String CRIT = "mutex.crit";
+  static final String FAILED = "mutex.failed";
 
   private final @Nullable MutexBounds bounds;
   private final @Nullable MutexBounds calm;
   private final Liveness liveness = new Liveness();
   private final FlagCheck<Boolean> crit = new FlagCheck<>(MutexFact.CRIT, CRIT);
+  private final FlagCheck<Boolean> failed = new FlagCheck<>(MutexFact.FAILED, FAILED);
+  private final FlagCheck<MutexFailure> failure = new FlagCheck<>(MutexFact.FAILURE, FAILED);
   // The ids of each robot that hold something: more than one, if it has registered again meanwhile.
   private final Map<ProcessKey, Set<ProcessId>> holders = new LinkedHashMap<>();
   private String capacity = EXCLUSIVE;
@@ -111,6 +115,8 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
     lemma(KEPT, "A removed process holds only its fenced sections.");
     lemma(COMPLETE, "A process that holds a section was on the list.");
     lemma(CRIT, "The variable crit says whether the robot holds a section.");
+    lemma(
+        FAILED, "The variables failed and failure say whether and why the latest request failed.");
     if (bounds != null) {
       progress(
           MutexProgress.SERVED,
@@ -162,7 +168,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public List<String> perRobotLemmas() {
-    return List.of(KEPT, COMPLETE, CRIT);
+    return List.of(KEPT, COMPLETE, CRIT, FAILED);
   }
 
   @Override
@@ -181,7 +187,7 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    crit.observe(event, report);
+    List.of(crit, failed, failure).forEach(flag -> flag.observe(event, report));
     if (liveness.observe(event)) {
       instances().values().forEach(mutex -> mutex.livenessChanged(event.timeNs(), report));
     }
@@ -208,14 +214,29 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
           boolean holds = !ids.isEmpty();
           crit.says(key, action, isTrue -> isTrue == holds, report);
         }
+        case MutexFact.DoMutex request -> fails(key, action, MutexFailure.NONE, report);
+        case MutexFact.Withdraw end -> fails(key, action, end.why(), report);
         default -> {}
       }
     }
   }
 
+  private void fails(ProcessKey key, TraceEvent.Action action, MutexFailure why, Report report) {
+    boolean hasFailed = why != MutexFailure.NONE;
+    failed.says(key, action, is -> is == hasFailed, report);
+    failure.says(key, action, is -> is == why, report);
+  }
+
   @Override
   protected void changed(TraceEvent.Variable variable, Report report) {
     crit.shows(variable, report);
+    ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+    if (Boolean.FALSE.equals(variable.of(MutexFact.FAILED))) { // a request begins: its fact follows
+      failed.says(key, variable, any -> true, report);
+      failure.says(key, variable, any -> true, report);
+    }
+    failed.shows(variable, report);
+    failure.shows(variable, report);
   }
 
   @Override

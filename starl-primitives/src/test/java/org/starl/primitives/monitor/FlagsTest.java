@@ -22,6 +22,7 @@ import org.starl.primitives.election.Leader;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RList;
 import org.starl.primitives.registration.Registration;
@@ -60,6 +61,12 @@ class FlagsTest {
       sleep(10);
       mutex.release("A");
       sleep(10);
+      mutex.release("B");
+      mutex.do_mutex(List.of("A"));
+      mutex.withdraw();
+      sleep(10);
+      mutex.do_mutex(List.of("B"));
+      await(mutex::od_mutex);
       mutex.release("B");
       election.do_election();
       await(() -> election.Leader().get().isElected());
@@ -106,6 +113,7 @@ class FlagsTest {
     assertThat(report.neverChecked())
         .doesNotContain(
             "mutex.crit",
+            "mutex.failed",
             "registration.rList",
             "election.Leader",
             "motion.motionflag",
@@ -118,6 +126,11 @@ class FlagsTest {
     TRUE_A_STEP_LATER("mutex.crit", event -> moved(event, MutexFact.CRIT, true, 1)),
     TRUE_AFTER_THE_LAST_RELEASE("mutex.crit", event -> without(event, MutexFact.CRIT, false)),
     FALSE_AFTER_THE_FIRST_RELEASE("mutex.crit", Bug::falseTooEarly),
+    NOT_FAILED_AFTER_WITHDRAW("mutex.failed", event -> without(event, MutexFact.FAILED, true)),
+    STILL_FAILED_IN_THE_NEXT_REQUEST(
+        "mutex.failed", event -> without(event, MutexFact.FAILED, false)),
+    NO_REASON_FOR_A_FAILURE(
+        "mutex.failed", event -> without(event, MutexFact.FAILURE, MutexFailure.WITHDRAWN)),
     LISTED_AFTER_UNREGISTER("registration.rList", event -> without(event, R_LIST, RList.UNKNOWN)),
     FORGETS_ITS_LEADER("election.Leader", Bug::forgetful),
     MOVING_AFTER_STOP(

@@ -84,6 +84,41 @@ class ConsentSpecTest {
   }
 
   @Test
+  void entryIntoAPartOfASequenceOnTheWayToAGhostViolatesConsent() {
+    event(0, new MutexFact.Learned(I, ghost()));
+    event(
+        0,
+        new MutexFact.DoMutex(
+            I, 1, 1, set("A", "B"), List.of("B", "A"), false, new TreeSet<>(Set.of(J))));
+    ok(1, J, I, 1);
+    event(2, new MutexFact.OdMutex(I, 1, set("B")));
+    assertThat(monitors.report().violations(ConsentSpec.CONSENT)).isEqualTo(1);
+  }
+
+  @Test
+  void aQuestionForAFenceOfAProcessThatIsNotListedViolatesFenced() {
+    send(1, new MutexMessage.FenceQ(I, J, K, 1));
+    assertThat(monitors.report().holds()).isTrue();
+    event(2, new MutexFact.Learned(I, ghost()));
+    send(3, new MutexMessage.FenceQ(I, J, L, 3)); // of a view that it does not know yet
+    assertThat(monitors.report().holds()).isTrue();
+    send(4, new MutexMessage.FenceQ(I, J, K, 1));
+    assertThat(monitors.report().violations(ConsentSpec.FENCED)).isEqualTo(1);
+  }
+
+  @Test
+  void aRequestThatEndsAsLateOnANoteToAnEarlierOneViolatesLate() {
+    ask(0);
+    deliver(1, new MutexMessage.Noted(J, I, 1, 7));
+    event(1, new MutexFact.Withdraw(I, 1, MutexFailure.LATE));
+    assertThat(monitors.report().violations(ConsentSpec.LATE)).isZero();
+    event(2, new MutexFact.DoMutex(I, 2, 2, set("A"), new TreeSet<>(Set.of(J, K))));
+    deliver(3, new MutexMessage.Noted(J, I, 1, 7));
+    event(3, new MutexFact.Withdraw(I, 2, MutexFailure.LATE));
+    assertThat(monitors.report().violations(ConsentSpec.LATE)).isEqualTo(1);
+  }
+
+  @Test
   void aGrantAfterTheFenceViolatesFencedAlsoByAMessageAlone() {
     ok(0, J, I, 1);
     event(1, new MutexFact.Fence(J, I, set("A")));
