@@ -31,6 +31,7 @@ import org.starl.apps.fleet.spec.FleetSpec;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
@@ -192,6 +193,30 @@ class FleetTest {
     return new FleetApp(gvh, new Roads(corridor(""), -50, 2), BOTH_WAYS, 0, false);
   }
 
+  /** A robot that knows no groups. */
+  private static LogicThread ungrouped(GlobalVarHolder gvh) {
+    return new FleetApp(gvh, new Roads(corridor(""), BODY_MM, 2), BOTH_WAYS, 0, false);
+  }
+
+  /** A robot whose battery is suddenly full, or that leaves its charger too early. */
+  private static LogicThread charging(GlobalVarHolder gvh, boolean leaves) {
+    return new LogicThread(gvh) {
+      @Override
+      public List<Object> callStarL() {
+        GvhCell<Integer> charge = gvh.variable(FleetFact.CHARGE, 50);
+        GvhCell<FleetFact.Work> work = gvh.variable(FleetFact.WORK, FleetFact.Work.PARKS);
+        if (leaves) {
+          work.set(FleetFact.Work.CHARGES);
+          charge.set(80);
+          work.set(FleetFact.Work.PARKS);
+        } else {
+          charge.set(100);
+        }
+        return List.of();
+      }
+    };
+  }
+
   /** A robot that says what is not so. */
   private static LogicThread liar(GlobalVarHolder gvh) {
     return new LogicThread(gvh) {
@@ -232,14 +257,25 @@ class FleetTest {
     "unasked, fleet.one_way",
     "unasked, fleet.group",
     "unasked, fleet.held",
+    "ungrouped, fleet.held",
     "unasked, fleet.in_time",
     "liar, fleet.on_lane",
     "liar, fleet.once",
     "liar, fleet.charged",
+    "filled, fleet.charged",
+    "hasty, fleet.charged",
     "liar, fleet.none_lost",
   })
   void aPlantedBugViolatesItsLemma(String bug, String lemma) {
-    SimResult result = run(bug.equals("liar") ? FleetTest::liar : FleetTest::unasked);
+    SimResult result =
+        run(
+            switch (bug) {
+              case "liar" -> FleetTest::liar;
+              case "filled" -> gvh -> charging(gvh, false);
+              case "hasty" -> gvh -> charging(gvh, true);
+              case "ungrouped" -> FleetTest::ungrouped;
+              default -> FleetTest::unasked;
+            });
     assertThat(result.spec().violations(lemma)).as("%s", result.spec().violations()).isPositive();
   }
 

@@ -130,6 +130,7 @@ class FaultyRobotsTest {
     "BUMPED_IS_NO_WAY, maze.NoWay",
     "MARKS_A_GUESS, maze.Belief",
     "REQUESTS_NO_BLOCKS, maze.Apart",
+    "REQUESTS_NO_BLOCKS, maze.held",
     "HOLDS_FOR_EVER, maze.Answered",
   })
   void aPlantedBugViolatesItsLemma(Bug bug, String lemma) {

@@ -53,6 +53,8 @@ class BuggyRacersTest {
     "ANNOUNCES_NOTHING, race.told",
     "DOES_NOT_DRIVE, race.taken",
     "FIRST_HEARD_COUNTS, race.agreed",
+    "RACES_ON, race.moves_on",
+    "DOES_NOT_WAIT, race.confirmed",
   })
   void aBuggyRacerIsSeen(BuggyRacer.Bug bug, String lemma) {
     long seed = 0;

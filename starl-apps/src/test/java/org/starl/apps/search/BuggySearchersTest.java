@@ -51,6 +51,7 @@ class BuggySearchersTest {
   @CsvSource({
     "SEES_THROUGH_WALLS, search.found",
     "DOES_NOT_LOOK, search.nothing",
+    "DOES_NOT_LOOK, search.swept",
     "IS_LAZY, search.gave_up",
     "IS_TIMID, search.gave_up",
     "IS_STUBBORN, search.agreed",

@@ -390,9 +390,12 @@ public final class Roads {
   }
 
   private List<String> sections(Collection<String> itsGroups) {
-    return itsGroups.stream()
-        .map(group -> groups.getOrDefault(group, ""))
-        .collect(Collectors.toList());
+    return itsGroups.stream().map(this::section).collect(Collectors.toList());
+  }
+
+  /** The section of a group. */
+  public String section(String group) {
+    return groups.getOrDefault(group, "");
   }
 
   /** Whether a sequence of the mutex has room for all sections of this way. */

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -14,6 +15,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.fleet.logic.Delivery;
 import org.starl.apps.fleet.logic.FleetFact;
+import org.starl.apps.fleet.logic.FleetFact.Work;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.Roads;
 import org.starl.geometry.Point;
@@ -28,6 +30,7 @@ import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -43,10 +46,11 @@ import org.starl.trace.TraceEvent.Variable;
  *       directions.
  *   <li>{@code fleet.group}: no two true bodies are on lanes of one group: farther than {@link #END_MM} from
  *       their ends, or at an end of the group that is no parking place or charger.
- *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is, and
- *       the station or charger where it stands: why the three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
+ *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is, the
+ *       section of the group that it is in, and the station or charger where it stands: why the three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
  *   <li>{@code fleet.once}: each delivery is put down once.
- *   <li>{@code fleet.charged}: no battery is empty.
+ *   <li>{@code fleet.charged}: no battery is empty. Its charge rises while the robot charges only, also over a
+ *       restart, and it is full when the robot leaves the charger.
  *   <li>{@code fleet.none_lost}: at the end each delivery has been put down.
  *   <li>{@code fleet.in_time}: each is put down within the bound after it was asked for; the time begins
  *       again when faults have ended.
@@ -73,6 +77,10 @@ public final class FleetSpec extends LemmaMonitor {
   // A robot that waits before a lane, or has passed it, may be so near to the lane's end.
   private static final double END_MM = 165;
 
+  // What storage may not have had before a crash.
+  private static final int UNSTORED_PERCENT = 5;
+  private static final int FULL_PERCENT = 99;
+
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
   private static final double TOUCHING_MM = 2;
 
@@ -88,6 +96,8 @@ public final class FleetSpec extends LemmaMonitor {
       new TreeMap<>(); // also of stopped ones
   private final Map<List<Integer>, SortedSet<String>> groups =
       new LinkedHashMap<>(); // of lanes, in both directions
+  private final SortedMap<RobotId, Integer> charges = new TreeMap<>();
+  private final SortedMap<RobotId, Work> works = new TreeMap<>();
   private final HeldSections held = new HeldSections();
   private final SortedMap<Long, RobotId> delivered = new TreeMap<>();
   private int asked;
@@ -115,7 +125,7 @@ public final class FleetSpec extends LemmaMonitor {
     lemma(GROUP, "No two robots are on lanes of one group.");
     lemma(HELD, "A robot holds each section that its middle is in.");
     lemma(ONCE, "Each delivery is put down at most once.");
-    lemma(CHARGED, "No battery is empty.");
+    lemma(CHARGED, "No battery is empty; it is charged at a charger only, until it is full.");
     lemma(NONE_LOST, "At the end of the run each delivery has been put down.");
     progress(IN_TIME, "Each delivery is put down within the bound after it was asked for.");
   }
@@ -132,6 +142,9 @@ public final class FleetSpec extends LemmaMonitor {
     }
     if (event instanceof Variable variable) {
       changed(variable, report);
+    }
+    if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+      works.remove(fault.robot());
     }
     held.observe(event);
     if (event instanceof Action action
@@ -154,13 +167,7 @@ public final class FleetSpec extends LemmaMonitor {
       open.stop(number);
       report.checked(IN_TIME);
     }
-    Integer charge = variable.of(FleetFact.CHARGE);
-    if (charge != null) {
-      report.checked(CHARGED);
-      if (charge == 0) {
-        report.violated(CHARGED, variable.timeNs(), List.of(robot), "0 %");
-      }
-    }
+    charged(variable, report);
     List<Integer> lane = variable.of(FleetFact.LANE);
     if (lane != null) {
       lanes.put(robot, lane);
@@ -168,6 +175,26 @@ public final class FleetSpec extends LemmaMonitor {
         lastLanes.put(robot, lane);
       }
       checkOneWay(robot, lane, variable.timeNs(), report);
+    }
+  }
+
+  private void charged(Variable variable, Report report) {
+    RobotId robot = variable.robot();
+    Integer charge = variable.of(FleetFact.CHARGE);
+    Work work = variable.of(FleetFact.WORK);
+    String problem = "";
+    if (charge != null) {
+      report.checked(CHARGED);
+      int before = Objects.requireNonNullElse(charges.put(robot, charge), charge);
+      boolean isFilled = charge > before + UNSTORED_PERCENT && works.get(robot) != Work.CHARGES;
+      problem = charge == 0 ? "0 %" : isFilled ? before + " % become " + charge + " %" : "";
+    } else if (work != null) {
+      int left = charges.getOrDefault(robot, FULL_PERCENT);
+      boolean isLeft = works.put(robot, work) == Work.CHARGES && work != Work.CHARGES;
+      problem = isLeft && left < FULL_PERCENT ? "leaves the charger with " + left + " %" : "";
+    }
+    if (!problem.isEmpty()) {
+      report.violated(CHARGED, variable.timeNs(), List.of(robot), problem);
     }
   }
 
@@ -278,7 +305,12 @@ public final class FleetSpec extends LemmaMonitor {
       return;
     }
     report.checked(HELD);
-    Set<String> missing = roads.around(bodies.poseAt(robot, timeNs).at());
+    Point at = bodies.poseAt(robot, timeNs).at();
+    Set<String> missing = roads.around(at);
+    List<Integer> lane = lastLanes.getOrDefault(robot, List.of());
+    groups.getOrDefault(lane, Collections.emptySortedSet()).stream()
+        .filter(group -> isIn(group, lane, at))
+        .forEach(group -> missing.add(roads.section(group)));
     missing.removeIf(section -> held.holds(robot, section));
     String key = robot + " without";
     if (missing.isEmpty()) {

@@ -11,6 +11,7 @@ import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.HeldSections;
 import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.registration.RegistrationAction;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
@@ -31,10 +32,14 @@ import org.starl.trace.TraceEvent.Variable;
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
  * {@code od_mutex}. A program sees the grant, or the refusal, at its next step. Between the two it is
  * still in MUTEX_WAIT, so there its latest request counts, granted or not.
+ *
+ * <p>{@code registers}: a car that was told to register does so before it asks again.
  */
 public final class ListCrit extends LemmaMonitor {
 
   private static final String LEMMA = "intersection.Inv_list_crit";
+
+  static final String REGISTERS = "intersection.registers";
 
   private final SortedMap<RobotId, State> states = new TreeMap<>();
   private final Instance mutex;
@@ -49,6 +54,7 @@ public final class ListCrit extends LemmaMonitor {
     private Set<String> requested = Set.of();
     private boolean isSequence;
     private boolean isReported;
+    private boolean mustRegister;
 
     // What is wrong; null if it must be looked at again, because something has changed.
     private @Nullable String wrong;
@@ -65,11 +71,12 @@ public final class ListCrit extends LemmaMonitor {
     lemma(
         LEMMA,
         "A car holds the zones ahead of it while it moves, and has requested them while it waits.");
+    lemma(REGISTERS, "A car that was told to register does so before it asks again.");
   }
 
   @Override
   public List<String> perRobotLemmas() {
-    return List.of(LEMMA);
+    return List.of(LEMMA, REGISTERS);
   }
 
   @Override
@@ -82,16 +89,18 @@ public final class ListCrit extends LemmaMonitor {
     }
     last = event;
     switch (event) {
-      case Action action -> acted(action);
+      case Action action -> acted(action, report);
       case Variable variable -> changed(variable);
       case TraceEvent.Left left -> states.remove(left.robot());
+      case TraceEvent.Fault crash when states.containsKey(crash.robot()) ->
+          states.get(crash.robot()).mustRegister = false;
       default -> {
         // Neither a car's zones nor its location.
       }
     }
   }
 
-  private void acted(Action action) {
+  private void acted(Action action, Report report) {
     if (action.fact() instanceof MutexFact fact && fact.action().isPresent()) {
       zones.observe(action);
       states.values().forEach(state -> state.wrong = null);
@@ -107,6 +116,22 @@ public final class ListCrit extends LemmaMonitor {
         state.requested = request.want();
         state.isSequence = !request.sequence().isEmpty();
       }
+      checkRegisters(action, state, report);
+    }
+  }
+
+  private void checkRegisters(Action action, State state, Report report) {
+    if (!action.source().xid().equals(mutex.xid())) {
+      return; // the queue's
+    }
+    if (action.fact() instanceof RegistrationAction.do_register) {
+      state.mustRegister = false;
+    } else if (action.fact() instanceof MutexFact.Withdraw end && end.why().mustRegister()) {
+      if (state.mustRegister && end.num() == 0) {
+        String detail = "asks again, and has not registered";
+        report.violated(REGISTERS, action.timeNs(), List.of(action.robot()), detail);
+      }
+      state.mustRegister = true;
     }
   }
 
@@ -132,7 +157,7 @@ public final class ListCrit extends LemmaMonitor {
     if (state == null || state.isReported) {
       return;
     }
-    report.checked(LEMMA);
+    lemmas().forEach(report::checked);
     String wrong = state.wrong;
     if (wrong == null) {
       wrong = violation(robot, state);

@@ -65,11 +65,20 @@ public record Blocks(Map<String, Rectangle> byName) {
 
   /** The blocks to request for a way of a body that stays within {@code reachMm} of it. */
   SortedSet<String> toRequest(Path way, double reachMm) {
+    return near(way, reachMm + ASK_MM);
+  }
+
+  /** The blocks that a body at {@code at} touches. */
+  public SortedSet<String> touched(Point at, double bodyMm) {
+    return near(new Path(List.of(at, at)), bodyMm);
+  }
+
+  private SortedSet<String> near(Path way, double reachMm) {
     SortedSet<String> blocks = new TreeSet<>();
     for (int leg = 0; leg < way.legs(); leg++) {
       Segment axis = way.leg(leg);
       byName.forEach((name, block) -> {
-        if (distanceMm(block, axis) <= reachMm + ASK_MM) {
+        if (distanceMm(block, axis) <= reachMm) {
           blocks.add(name);
         }
       });

@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeApp.Location;
 import org.starl.apps.maze.logic.MazeFact;
 import org.starl.apps.maze.logic.MazeTask;
 import org.starl.geometry.Obstacles;
@@ -14,6 +16,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.HeldSections;
+import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
@@ -22,6 +26,7 @@ import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The maze's specification, checked against true bodies and true obstacles.
@@ -32,6 +37,8 @@ import org.starl.trace.TraceEvent.Joined;
  *       wider by the margin, hidden obstacles included.
  *   <li>{@code Belief}: no such body fits with its centre in a mark.
  *   <li>{@code Apart}: no two robots touch. Checked every 20 ms of movement.
+ *   <li>{@code held}: a robot that drives holds each block that its true body touches, so no two are
+ *       in one block. Checked each 400 ms of movement, and when a robot that is not at rest gives blocks up.
  *   <li>{@code Answered}: each goal is answered within the bound while no fault is active.
  * </ul>
  */
@@ -41,9 +48,11 @@ public final class MazeSpec implements Monitor {
   static final String NO_WAY = "maze.NoWay";
   static final String BELIEF = "maze.Belief";
   public static final String APART = "maze.Apart";
+  static final String HELD = "maze.held";
   static final String ANSWERED = "maze.Answered";
 
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
+  private static final int HELD_STEPS = 20;
   private static final double ROUNDING_MM = 0.01;
 
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
@@ -59,7 +68,11 @@ public final class MazeSpec implements Monitor {
   private final FaultState faults = new FaultState();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> touching = new TreeSet<>();
+  private final HeldSections held = new HeldSections();
+  private final SortedMap<RobotId, Location> locations = new TreeMap<>();
+  private final SortedSet<RobotId> outside = new TreeSet<>();
   private long nextCheckNs;
+  private long nextHeldNs;
 
   private record GoalOf(RobotId robot, String goal) {}
 
@@ -78,7 +91,7 @@ public final class MazeSpec implements Monitor {
 
   @Override
   public List<String> lemmas() {
-    return List.of(REACHED, NO_WAY, BELIEF, APART, ANSWERED);
+    return List.of(REACHED, NO_WAY, BELIEF, APART, HELD, ANSWERED);
   }
 
   @Override
@@ -94,6 +107,7 @@ public final class MazeSpec implements Monitor {
           "Where a robot answers that there is no way, there is none, hidden obstacles included.";
       case BELIEF -> "Where a robot has marked that its body does not fit, it does not fit.";
       case APART -> "No two robots touch.";
+      case HELD -> "A robot that drives holds each block that its body touches.";
       case ANSWERED -> "Each goal is answered within the bound.";
       default -> "";
     };
@@ -106,6 +120,10 @@ public final class MazeSpec implements Monitor {
     if (faults.observe(event)) {
       answers.assumeAll(faults.isFaultFree(), event.timeNs());
     }
+    held.observe(event);
+    if (event instanceof Variable variable && variable.of(MazeFact.LOCATION) != null) {
+      locations.put(variable.robot(), variable.of(MazeFact.LOCATION));
+    }
     if (event instanceof Joined joined) {
       for (Goal goal : goals(joined.robot())) {
         answers.start(new GoalOf(joined.robot(), goal.name()), joined.timeNs());
@@ -115,6 +133,10 @@ public final class MazeSpec implements Monitor {
         case MazeFact.Marked marked -> checkMark(action, marked.place(), report);
         case MazeFact.Answered answered -> checkAnswer(action, answered, report);
       }
+    } else if (event instanceof Action action
+        && action.fact() instanceof MutexFact.Release
+        && locations.get(action.robot()) != Location.DRIVE) { // it has not arrived
+      checkHeld(action.robot(), action.timeNs(), report);
     }
   }
 
@@ -135,6 +157,14 @@ public final class MazeSpec implements Monitor {
         nextCheckNs = endNs + 1;
       } else {
         checkApart(report);
+        if (nextCheckNs >= nextHeldNs) {
+          nextHeldNs = nextCheckNs + HELD_STEPS * STEP_NS;
+          for (RobotId robot : bodies.robots()) {
+            if (bodies.isMoving(robot)) {
+              checkHeld(robot, nextCheckNs, report);
+            }
+          }
+        }
         nextCheckNs += STEP_NS;
       }
     }
@@ -199,6 +229,23 @@ public final class MazeSpec implements Monitor {
 
   private static String text(Point at) {
     return "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
+  }
+
+  private void checkHeld(RobotId robot, long timeNs, Report report) {
+    MazeTask task = tasks.get(robot);
+    if (task == null || !bodies.isOnFloor(robot)) {
+      return;
+    }
+    report.checked(HELD);
+    Point at = bodies.poseAt(robot, timeNs).at();
+    SortedSet<String> missing = task.blocks().touched(at, bodies.radiusMm(robot));
+    missing.removeIf(block -> held.holds(robot, block));
+    if (missing.isEmpty()) {
+      outside.remove(robot);
+    } else if (outside.add(robot)) {
+      String detail = "is in " + missing + " and holds " + held.held(robot);
+      report.violated(HELD, timeNs, List.of(robot), detail);
+    }
   }
 
   private void checkApart(Report report) {

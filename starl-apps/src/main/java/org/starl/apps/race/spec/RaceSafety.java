@@ -8,6 +8,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
+import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RaceFact.Arrived;
 import org.starl.apps.race.logic.RaceFact.Taken;
@@ -17,8 +19,10 @@ import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -32,6 +36,9 @@ import org.starl.trace.TraceEvent.Variable;
  *       itself.
  *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a
  *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
+ *   <li>{@code moves_on}: a robot arrives only at a point whose winner it does not know.
+ *   <li>{@code confirmed}: when a robot is done, all robots that were never down know the winners, unless it
+ *       has told them for long.
  * </ul>
  */
 public final class RaceSafety extends LemmaMonitor {
@@ -39,6 +46,11 @@ public final class RaceSafety extends LemmaMonitor {
   private static final String AT_THE_POINT = "race.at_the_point";
   private static final String TRULY_WON = "race.truly_won";
   private static final String ONE_WINNER = "race.one_winner";
+  private static final String MOVES_ON = "race.moves_on";
+  private static final String CONFIRMED = "race.confirmed";
+
+  // By a clock that runs fast, too.
+  private static final long TELLS_NS = RaceApp.TELL_PATIENCE_MS * Time.NS_PER_MS / 2;
   private static final double ROUNDING_MM = 0.01;
 
   private final List<RacePoint> points;
@@ -47,6 +59,8 @@ public final class RaceSafety extends LemmaMonitor {
   private final Map<RobotId, Integer> inVain = new TreeMap<>();
   private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
   private final Set<Claim> made = new TreeSet<>();
+  private final Map<RobotId, Long> tellsFromNs = new TreeMap<>();
+  private final Set<RobotId> wereDown = new TreeSet<>();
 
   public RaceSafety(List<RacePoint> points) {
     lemma(AT_THE_POINT, "A robot that arrives at a point is there, by its true body.");
@@ -55,6 +69,10 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         ONE_WINNER,
         "A robot knows one winner of each point, and replaces it only by a better one.");
+    lemma(MOVES_ON, "A robot arrives only at a point whose winner it does not know.");
+    lemma(
+        CONFIRMED,
+        "When a robot is done, all that were never down know the winners, or it has told them for long.");
     this.points = List.copyOf(points);
   }
 
@@ -70,6 +88,11 @@ public final class RaceSafety extends LemmaMonitor {
           inVain.put(variable.robot(), 0);
       case Variable variable when variable.of(MotionFact.FLAG) == MotionFlag.FAIL ->
           inVain.merge(variable.robot(), 1, Integer::sum);
+      case Variable variable when variable.of(RaceFact.LOCATION) == Location.TELL ->
+          tellsFromNs.put(variable.robot(), variable.timeNs());
+      case Variable variable when variable.of(RaceFact.LOCATION) == Location.DONE ->
+          checkConfirmed(variable, report);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> wereDown.add(fault.robot());
       default -> {}
     }
     records.observe(event);
@@ -82,6 +105,12 @@ public final class RaceSafety extends LemmaMonitor {
     double errorMm = arrived.errorMm();
     double saidMm = arrived.withinMm();
     arrivedAt.put(robot, number);
+    report.checked(MOVES_ON);
+    Claim known = records.claim(robot, number);
+    if (known != null) {
+      String detail = "arrives at " + point.name() + ", and knows of " + known;
+      report.violated(MOVES_ON, action.timeNs(), List.of(robot), detail);
+    }
     report.checked(AT_THE_POINT);
     double truthMm = Double.POSITIVE_INFINITY;
     double bodyMm = 0;
@@ -102,6 +131,22 @@ public final class RaceSafety extends LemmaMonitor {
               allowedMm,
               errorMm);
       report.violated(AT_THE_POINT, action.timeNs(), List.of(robot), detail);
+    }
+  }
+
+  private void checkConfirmed(Variable done, Report report) {
+    report.checked(CONFIRMED);
+    if (done.timeNs() - tellsFromNs.getOrDefault(done.robot(), done.timeNs()) >= TELLS_NS) {
+      return;
+    }
+    for (RobotId robot : records.robots()) {
+      for (int point = 0; point < points.size() && !wereDown.contains(robot); point++) {
+        if (records.claim(robot, point) == null) {
+          String detail = robot + " does not know the winner of " + points.get(point).name();
+          report.violated(CONFIRMED, done.timeNs(), List.of(done.robot()), detail);
+          return;
+        }
+      }
     }
   }
 

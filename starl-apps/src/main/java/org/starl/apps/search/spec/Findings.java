@@ -15,10 +15,11 @@ import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** {@code found}, {@code nothing} and {@code gave_up}: what robots announce is true. */
+/** {@code found}, {@code swept}, {@code nothing} and {@code gave_up}: what robots announce is true. */
 final class Findings extends InstanceMonitor<Findings> {
 
   private static final String FOUND = "search.found";
+  private static final String SWEPT = "search.swept";
   private static final String NOTHING = "search.nothing";
   private static final String GAVE_UP = "search.gave_up";
 
@@ -42,6 +43,7 @@ final class Findings extends InstanceMonitor<Findings> {
     lemma(
         FOUND,
         "A robot that announces a thing has it in range and sight, and tells its true place.");
+    lemma(SWEPT, "A room is told to be searched only when every place of it was truly seen.");
     lemma(
         NOTHING,
         "\"Nothing there\" is announced only when every place of every room was truly seen.");
@@ -74,6 +76,11 @@ final class Findings extends InstanceMonitor<Findings> {
   protected void acted(Action action, Report report) {
     if (action.fact() instanceof SearchFact.Found found) {
       checkFound(action, found, report);
+    } else if (action.fact() instanceof SearchFact.Swept swept) {
+      report.checked(SWEPT);
+      house.rooms().stream()
+          .filter(room -> room.name().equals(swept.room()))
+          .forEach(room -> notSeen(SWEPT, action, view.missed(room), report));
     } else if (action.fact() instanceof SearchFact.Ended ended) {
       switch (ended.answer()) {
         case Answer.Nothing nothing -> checkNothing(action, report);
@@ -112,11 +119,7 @@ final class Findings extends InstanceMonitor<Findings> {
 
   private void checkNothing(Action action, Report report) {
     report.checked(NOTHING);
-    int missed = view.missed();
-    if (missed >= 0) {
-      Point at = house.grid().centre(missed);
-      String where = "(" + at.xMm() + ", " + at.yMm() + ") mm";
-      violated(NOTHING, action, "no robot has had " + where + " in range and sight", report);
+    if (notSeen(NOTHING, action, view.missed(), report)) {
       return;
     }
     for (ItemPosition thing : things) {
@@ -124,6 +127,16 @@ final class Findings extends InstanceMonitor<Findings> {
         violated(NOTHING, action, thing.name() + " is there", report);
       }
     }
+  }
+
+  /** @param missed a cell, or -1 for none; returns whether there is one */
+  private boolean notSeen(String lemma, Action action, int missed, Report report) {
+    if (missed >= 0) {
+      Point at = house.grid().centre(missed);
+      String where = "(" + at.xMm() + ", " + at.yMm() + ") mm";
+      violated(lemma, action, "no robot has had " + where + " in range and sight", report);
+    }
+    return missed >= 0;
   }
 
   private void checkGaveUp(Action action, List<String> rooms, Report report) {

@@ -83,6 +83,16 @@ public final class TrueView {
     return unseen.stream().filter(house::canBeSeen).findFirst().orElse(-1);
   }
 
+  /** The same of one room, and of robots in that room. */
+  int missed(Room room) {
+    BitSet cells = (BitSet) room.cells().clone();
+    cells.and(unseen);
+    return cells.stream()
+        .filter(cell -> house.canBeSeen(cell, room.places()))
+        .findFirst()
+        .orElse(-1);
+  }
+
   private void look(long timeNs) {
     for (RobotId robot : bodies.robots()) {
       Point at = at(robot, timeNs);

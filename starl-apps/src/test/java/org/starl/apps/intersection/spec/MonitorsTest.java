@@ -18,6 +18,9 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexFact;
+import org.starl.primitives.mutex.MutexFailure;
+import org.starl.primitives.registration.RegistrationAction;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
@@ -102,6 +105,34 @@ class MonitorsTest {
         report.violations().stream().filter(v -> v.lemma().equals(lemma)).findFirst().orElseThrow();
     assertThat(first.robots()).containsExactlyInAnyOrder(robots);
     assertThat(first.timeNs() / (double) SECOND_NS).isBetween(atS - 0.01, atS + 0.02);
+  }
+
+  private void fails(RobotId robot, long num, MutexFailure why) {
+    mutex(MUTEX, robot, new MutexFact.Withdraw(process(robot), num, why));
+  }
+
+  @Test
+  void aCarThatAsksAgainWithoutRegisteringViolatesRegisters() {
+    sets(BOT0, "A");
+    fails(BOT0, 1, MutexFailure.FENCED);
+    events.add(
+        Action.of(
+            nowNs,
+            BOT0,
+            Instance.of("registration", "crossing"),
+            Shapes.of(
+                    RegistrationAction.do_register.class,
+                    Shapes.part("i", Shapes.PROCESS, RegistrationAction.do_register::i),
+                    RegistrationAction.do_register::new)
+                .named("do_register"),
+            new RegistrationAction.do_register(process(BOT0))));
+    after(1);
+    fails(BOT0, 0, MutexFailure.NOT_REGISTERED);
+    after(1);
+    fails(BOT0, 0, MutexFailure.NOT_REGISTERED);
+    SpecReport report = report(new ListCrit("crossing"));
+    assertRed(report, ListCrit.REGISTERS, 2, BOT0);
+    assertThat(report.violations(ListCrit.REGISTERS)).isEqualTo(1);
   }
 
   private static TrafficSafety trafficSafety() {

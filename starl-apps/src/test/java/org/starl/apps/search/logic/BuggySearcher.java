@@ -16,7 +16,7 @@ public final class BuggySearcher extends LogicThread {
   public enum Fault {
     /** Announces the thing without having been near it. */
     SEES_THROUGH_WALLS,
-    /** Answers that nothing is there before any robot has searched. */
+    /** Tells that a room was searched, and that nothing is there, before any robot has searched. */
     DOES_NOT_LOOK,
     /** Gives up a room that it could enter. */
     IS_LAZY,
@@ -45,7 +45,10 @@ public final class BuggySearcher extends LogicThread {
     boolean isFirst = me.equals(gvh.id.participants().asList().get(0));
     switch (fault) {
       case SEES_THROUGH_WALLS -> write(new SearchFact.Found("object", 1, 2, 0));
-      case DOES_NOT_LOOK -> answer(Answer.NOTHING);
+      case DOES_NOT_LOOK -> {
+        write(new SearchFact.Swept("A"));
+        answer(Answer.NOTHING);
+      }
       case IS_LAZY -> answer(new Answer.GaveUp(List.of("A")));
       case IS_TIMID -> {
         sleep(5_000);
