@@ -41,7 +41,6 @@ final class RoomSearch {
   private final Drive drive;
   private final Deque<Hop> ahead = new ArrayDeque<>();
   private final Deque<Segment> legs = new ArrayDeque<>();
-  private final BitSet before;
   private final Coverage coverage;
 
   /** Places around those to which no way was found. */
@@ -78,7 +77,6 @@ final class RoomSearch {
     this.house = house;
     this.room = room;
     this.drive = drive;
-    this.before = (BitSet) before.clone();
     BitSet wanted = (BitSet) room.cells().clone();
     wanted.andNot(before);
     coverage = new Coverage(house, wanted);
@@ -94,7 +92,6 @@ final class RoomSearch {
   BitSet seen() {
     BitSet seen = (BitSet) room.cells().clone();
     seen.andNot(coverage.unseen());
-    seen.or(before);
     return seen;
   }
 

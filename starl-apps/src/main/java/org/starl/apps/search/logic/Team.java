@@ -121,7 +121,6 @@ final class Team {
     if (latest == null
         || task == null
         || known.swept().contains(task.room())
-        || latest.term() < takenTerm
         || (latest.term() == takenTerm && task.number() <= takenNumber)) {
       return Optional.empty();
     }
