@@ -67,6 +67,19 @@ class AssignerTest {
   }
 
   @Test
+  void aRoomThatItsRobotGivesUpIsAssignedAgainAtOnce() {
+    hear(ME, 4_000, Report.NO_ROOM, List.of());
+    isUp(OTHER, 5_500, Report.NO_ROOM, 1);
+    isUp(THIRD, 2_500, Report.NO_ROOM, 1);
+    assertThat(leader.work(known, SECOND_NS)).isEmpty();
+    isUp(OTHER, 5_500, 1, 2);
+    assertThat(leader.work(known, 2 * SECOND_NS)).isEmpty();
+    isUp(OTHER, 5_500, Report.NO_ROOM, 3, 0, 1);
+    assertThat(leader.work(known, 3 * SECOND_NS)).isEmpty();
+    assertThat(roomOf(ME)).isEqualTo(1);
+  }
+
+  @Test
   void theNearestRobotGetsARoom() {
     hear(ME, 4_000, Report.NO_ROOM, List.of());
     isUp(OTHER, 5_500, Report.NO_ROOM, 1);
