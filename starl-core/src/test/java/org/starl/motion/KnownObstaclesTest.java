@@ -19,6 +19,8 @@ class KnownObstaclesTest {
     Point right = KnownObstacles.contact(pose, Bumps.RIGHT, 165);
     assertThat(ahead.distanceMm(p(100, 265))).isLessThan(1e-9);
     assertThat(right.xMm()).isGreaterThan(200);
+    Point left = KnownObstacles.contact(pose, Bumps.LEFT, 165);
+    assertThat(left.distanceMm(p(200 - right.xMm(), right.yMm()))).isLessThan(1e-9);
     known.addContact(ahead, 10);
     known.addContact(ahead, 10);
     assertThat(known.all().all()).hasSize(2);

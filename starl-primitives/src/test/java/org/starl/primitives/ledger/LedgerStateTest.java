@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -66,6 +67,18 @@ class LedgerStateTest {
 
   private static byte[] bytes(LedgerState state) {
     return WireWriter.toBytes(out -> LedgerState.SHAPE.write(state, out));
+  }
+
+  @Example
+  void aTaskIsClaimedByItsRobotsPresentProgramOnly() {
+    LedgerState state = new LedgerState();
+    for (LedgerEntry entry : List.of(new Start(PA), new Start(PA2), new Add(T, WHAT))) {
+      assertThat(state.apply(entry)).isTrue();
+    }
+    for (ProcessId absent : List.of(PA, PB)) {
+      assertThat(state.allows(new Claim(T, 1, absent))).as("%s", absent).isFalse();
+    }
+    assertThat(state.allows(new Claim(T, 1, PA2))).isTrue();
   }
 
   @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)

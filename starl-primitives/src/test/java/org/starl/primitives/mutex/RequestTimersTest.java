@@ -22,4 +22,22 @@ class RequestTimersTest {
     timers.begin(atNs);
     assertThat(timers.wakeAtNs()).isEqualTo(atNs + firstNs);
   }
+
+  @Test
+  void theTimeBetweenRepetitionsGrowsUpToItsBound() {
+    RequestTimers timers = new RequestTimers(MutexTimes.DEFAULT);
+    long mostNs = MutexTimes.DEFAULT.maxResendMs() * NS_PER_MS;
+    timers.begin(0);
+    long beforeNs = 0;
+    long waitNs = 0;
+    for (int i = 0; i < 20; i++) {
+      long atNs = timers.wakeAtNs();
+      assertThat(atNs - beforeNs).isBetween(waitNs, mostNs);
+      waitNs = atNs - beforeNs;
+      beforeNs = atNs;
+      assertThat(timers.resends(atNs)).isTrue();
+      timers.endDeadline();
+    }
+    assertThat(waitNs).isEqualTo(mostNs);
+  }
 }

@@ -2,6 +2,9 @@ package org.starl.primitives.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -26,7 +29,31 @@ class PendingChangesTest {
     assertThat(changes.in(listed, null, null).leave()).containsExactly(OLD);
   }
 
-  private static final class NoPort implements RegistrationPort {
+  @Test
+  void aConfinementIsWantedUntilItIsMadeOrItsFencerHasGone() {
+    ProcessId fencer = ProcessId.first(new RobotId("bot1"), 1);
+    Confinement confinement =
+        new Confinement(OLD, new TreeSet<>(List.of("A")), new TreeSet<>(List.of(fencer)));
+    View listed = View.NONE.next().with(OLD).with(fencer);
+    for (View over : List.of(confinement.applyTo(listed), listed.without(fencer))) {
+      List<Confinement> told = new ArrayList<>();
+      PendingChanges changes =
+          new PendingChanges(
+              fencer.robot(),
+              new NoPort() {
+                @Override
+                public void confines(Confinement its) {
+                  told.add(its);
+                }
+              });
+      changes.confine(confinement);
+      assertThat(changes.in(listed, null, null).confine()).containsExactly(confinement);
+      assertThat(changes.in(over, null, null).confine()).as("%s", over).isEmpty();
+      assertThat(told).containsExactly(confinement);
+    }
+  }
+
+  private static class NoPort implements RegistrationPort {
     @Override
     public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
       throw new IllegalStateException("sends " + message);

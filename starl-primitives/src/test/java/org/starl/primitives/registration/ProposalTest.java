@@ -51,6 +51,21 @@ class ProposalTest {
   }
 
   @Test
+  void aConfinementByAFencerThatIsAdmittedInTheSameViewDoesNotCount() {
+    Change join = new Change(FENCER, List.of(), List.of());
+    View next = new Proposal(VIEW.without(FENCER)).add(join).add(CONFINE).view();
+    assertThat(next.contains(FENCER)).isTrue();
+    assertThat(next.contains(SILENT)).isTrue();
+  }
+
+  @Test
+  void aGhostIsNotAdmittedAgain() {
+    View ghost = VIEW.confined(SILENT, new TreeSet<>(List.of("A")));
+    View next = new Proposal(ghost).add(new Change(SILENT, List.of(), List.of())).view();
+    assertThat(next).isEqualTo(ghost.next());
+  }
+
+  @Test
   void anotherRobotLeavesInTheViewOfAConfinement() {
     Change leave = new Change(null, List.of(OTHER), List.of());
     View next = new Proposal(VIEW).add(CONFINE).add(leave).view();

@@ -337,6 +337,26 @@ class RegistrationProtocolTest {
   }
 
   @Test
+  void aRobotThatWasEvictedAndFailsToComeBackIsOut() {
+    Town town = fourUp();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId evicted = town.robot(3).protocol().me();
+    ProcessId fencer = town.robot(0).protocol().me();
+    town.robot(0)
+        .protocol()
+        .confine(
+            new Confinement(evicted, new TreeSet<>(), new TreeSet<>(List.of(fencer))),
+            town.nowNs());
+    assertThat(town.runUntil(() -> town.robot(3).protocol().phase() == Phase.OUT, 5_000)).isTrue();
+    town.robot(1).crash();
+    town.robot(2).crash();
+    town.robot(3).do_register();
+    assertThat(town.runUntil(() -> town.robot(3).protocol().hasFailed(), 60_000)).isTrue();
+    assertThatThrownBy(() -> town.robot(3).unregister()).isInstanceOf(IllegalStateException.class);
+  }
+
+  @Test
   void unregisterThatWasGivenUpMayBeCalledAgainAfterItHasEnded() {
     Town town = fourUp();
     town.robot(0).do_register();

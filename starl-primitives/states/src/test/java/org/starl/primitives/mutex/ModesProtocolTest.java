@@ -119,6 +119,16 @@ class ModesProtocolTest {
   }
 
   @Test
+  void aPlaceOfAnotherProcessOfTheSameRobotDoesNotCount() {
+    ProcessId other = new ProcessId(B.robot(), B.inc() + 1);
+    b.learn(View.closed(List.of(A, B, other)));
+    b.request(sections("x/e*2"), 0);
+    hears(new Ok(A, B, 1, none(), sections("x/e*2")));
+    hears(new Ok(other, B, 1, none(), sections("x/e*2")));
+    assertThat(b.held()).containsExactly("x/e*2");
+  }
+
+  @Test
   void aNewcomerWithAnEarlierTimeWaitsForAHolderThatHasNotCountedIt() {
     holds("x/e*2");
     hears(asks(id("d"), 0, "x/e*2"));
