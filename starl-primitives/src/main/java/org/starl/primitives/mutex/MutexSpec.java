@@ -187,7 +187,9 @@ public final class MutexSpec extends InstanceMonitor<MutexRecord> {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    List.of(crit, failed, failure).forEach(flag -> flag.observe(event, report));
+    crit.observe(event, report);
+    failed.observe(event, report);
+    failure.observe(event, report);
     if (liveness.observe(event)) {
       instances().values().forEach(mutex -> mutex.livenessChanged(event.timeNs(), report));
     }
