@@ -124,14 +124,20 @@ public final class ListCrit extends LemmaMonitor {
     if (!action.source().xid().equals(mutex.xid())) {
       return; // the queue's
     }
-    if (action.fact() instanceof RegistrationAction.do_register) {
-      state.mustRegister = false;
-    } else if (action.fact() instanceof MutexFact.Withdraw end && end.why().mustRegister()) {
-      if (state.mustRegister && end.num() == 0) {
-        String detail = "asks again, and has not registered";
-        report.violated(REGISTERS, action.timeNs(), List.of(action.robot()), detail);
+    switch (action.fact()) {
+      case RegistrationAction.do_register asked -> state.mustRegister = false;
+      case MutexFact.DoMutex request -> report.checked(REGISTERS);
+      case MutexFact.Withdraw end when end.why().mustRegister() -> {
+        report.checked(REGISTERS);
+        if (state.mustRegister && end.num() == 0) {
+          String detail = "asks again, and has not registered";
+          report.violated(REGISTERS, action.timeNs(), List.of(action.robot()), detail);
+        }
+        state.mustRegister = true;
       }
-      state.mustRegister = true;
+      default -> {
+        // It asks for nothing.
+      }
     }
   }
 
@@ -157,7 +163,7 @@ public final class ListCrit extends LemmaMonitor {
     if (state == null || state.isReported) {
       return;
     }
-    lemmas().forEach(report::checked);
+    report.checked(LEMMA);
     String wrong = state.wrong;
     if (wrong == null) {
       wrong = violation(robot, state);
