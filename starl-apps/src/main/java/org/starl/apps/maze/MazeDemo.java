@@ -163,7 +163,7 @@ public final class MazeDemo implements FactoryDemo {
             new ExceptRobots(
                 new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS),
                 settings.strayRobots(List.copyOf(tasks.keySet())),
-                List.of(MazeSpec.APART),
+                List.of(MazeSpec.APART, MazeSpec.HELD),
                 "leave their way"));
     program.monitors().forEach(simulation::monitor);
     return new Plan(simulation, story, new MazeLayer(tasks), obstacles);

@@ -337,6 +337,6 @@ class MazeTest {
   void aRobotThatWandersIsNotRequiredToKeepApart() {
     SimResult result = run(1, 4, Map.of(), Map.of("randomRobots", "1"));
     assertThat(result.spec().exceptions())
-        .containsExactly("not required of bot3, which leave their way: maze.Apart");
+        .containsExactly("not required of bot3, which leave their way: maze.Apart maze.held");
   }
 }

@@ -157,7 +157,10 @@ final class AnswerCheck {
         participant.num = request.num();
         participant.isTrying = true;
       }
-      case MutexFact.OdMutex access -> participant.holds = true;
+      case MutexFact.OdMutex access -> {
+        report.checked(ConsentSpec.LATE);
+        participant.holds = true;
+      }
       case MutexFact.Fence fence -> participant.fenced.add(fence.suspect());
       case MutexFact.Release release -> {
         participant.holds = !release.left().isEmpty();
@@ -165,13 +168,11 @@ final class AnswerCheck {
         mayEnd(action, participant, fact.who(), key);
       }
       case MutexFact.Withdraw end -> {
-        if (end.why() == MutexFailure.LATE) {
-          report.checked(ConsentSpec.LATE);
-          if (participant.overtakenNs != action.timeNs()) {
-            String detail =
-                fact.who() + "'s request " + end.num() + ": no request was told to be ahead";
-            report.violated(ConsentSpec.LATE, action.timeNs(), List.of(action.robot()), detail);
-          }
+        report.checked(ConsentSpec.LATE);
+        if (end.why() == MutexFailure.LATE && participant.overtakenNs != action.timeNs()) {
+          String detail =
+              fact.who() + "'s request " + end.num() + ": no request was told to be ahead";
+          report.violated(ConsentSpec.LATE, action.timeNs(), List.of(action.robot()), detail);
         }
         participant.isTrying = false;
         mayEnd(action, participant, fact.who(), key);

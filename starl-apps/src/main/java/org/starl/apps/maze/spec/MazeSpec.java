@@ -48,7 +48,7 @@ public final class MazeSpec implements Monitor {
   static final String NO_WAY = "maze.NoWay";
   static final String BELIEF = "maze.Belief";
   public static final String APART = "maze.Apart";
-  static final String HELD = "maze.held";
+  public static final String HELD = "maze.held";
   static final String ANSWERED = "maze.Answered";
 
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
