@@ -302,6 +302,24 @@ public final class Shapes {
         .bytes((v, out) -> out.text(format.apply(v)), in -> parse.apply(in.text()));
   }
 
+  /**
+   * Values that a trace shows in words, their {@code toString}. They are not read back, and have no
+   * bytes.
+   */
+  public static <V> Shape<V> words() {
+    return new Leaf<>(
+        "words",
+        false,
+        (v, out) -> JSON.write(Json.string(v.toString()), out),
+        in -> {
+          throw new WireFormatException("words");
+        },
+        (v, out) -> out.string(v.toString()),
+        in -> {
+          throw in.expected("a value of a known shape");
+        });
+  }
+
   /** Integers of at least {@code least}. */
   public static Shape<Long> atLeast(long least, String what) {
     return within(least, Long.MAX_VALUE, what);
