@@ -312,7 +312,9 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private void learned(ProcessId i, View view) {
       run.admitted.putAll(view.admitted());
-      for (ProcessId j : List.copyOf(run.requests.keySet())) {
+      Set<ProcessId> all = new TreeSet<>(run.requests.keySet());
+      all.addAll(run.fencedBy.keySet()); // whoever is removed before its first request may make it
+      for (ProcessId j : all) {
         if (run.isGone(j, view)) {
           fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
           if (!run.isRemoved(j) && !run.state().isActive(j)) {

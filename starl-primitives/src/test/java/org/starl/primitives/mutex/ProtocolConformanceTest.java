@@ -201,6 +201,21 @@ class ProtocolConformanceTest {
   }
 
   @Test
+  void whoIsRemovedBeforeItsFirstRequestIsVouchedFor() {
+    ProcessId k = ProcessId.first(new RobotId("k"), 1);
+    learn(I, view(1, I, J, k));
+    fences(k, J);
+    learn(I, view(2, I, k));
+    asks(J, 1, 1, "A", I, k); // it does not know yet
+    asks(I, 1, 2, "A", k);
+    grants(I, J, 1);
+    grants(k, I, 1);
+    enters(I, 1, "A");
+    assertThat(run.steps()).contains("fence(k, j)", "vouch(k, j, i, 2, A)");
+    isGood();
+  }
+
+  @Test
   void aFencedProcessIsGrantedNothing() {
     holds();
     fences(I, J);
