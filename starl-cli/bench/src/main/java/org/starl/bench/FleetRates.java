@@ -26,7 +26,7 @@ import org.starl.sim.SimSettings;
  * {@code starl bench fleet}: deliveries an hour of the app fleet, and of a central planner ({@link
  * TokenPassing}) on the same map with the same deliveries, all of which are open from the start. The
  * planner has the robots' speed and handling time, but neither turns, brakes nor charges, and loses no
- * message.
+ * message. Its lanes have whole numbers of cells, so it is faster on some than the robots are.
  */
 public final class FleetRates {
 
