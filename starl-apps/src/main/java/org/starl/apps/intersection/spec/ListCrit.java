@@ -92,8 +92,9 @@ public final class ListCrit extends LemmaMonitor {
       case Action action -> acted(action, report);
       case Variable variable -> changed(variable);
       case TraceEvent.Left left -> states.remove(left.robot());
-      case TraceEvent.Fault crash when states.containsKey(crash.robot()) ->
-          states.get(crash.robot()).mustRegister = false;
+      case TraceEvent.Fault fault
+          when fault.name().equals(TraceEvent.Fault.CRASH) && states.containsKey(fault.robot()) ->
+          states.get(fault.robot()).mustRegister = false;
       default -> {
         // Neither a car's zones nor its location.
       }
