@@ -313,7 +313,8 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
     private void learned(ProcessId i, View view) {
       run.admitted.putAll(view.admitted());
       Set<ProcessId> all = new TreeSet<>(run.requests.keySet());
-      all.addAll(run.fencedBy.keySet()); // whoever is removed before its first request may make it
+      all.addAll(
+          run.fencedBy.keySet()); // one that this view removes may ask for the first time later
       for (ProcessId j : all) {
         if (run.isGone(j, view)) {
           fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
