@@ -207,21 +207,22 @@ public final class Prover {
       return List.of();
     }
     List<Claim> claims = new ArrayList<>();
-    for (int i = 0; i < all.size(); i++) {
-      int number = i;
-      String name = title + " part " + (i + 1);
+    int part = 0;
+    for (Obligation.Place place : Obligation.places(all)) {
+      part++;
+      String name = title + " part " + part;
       Finding found =
           refute(
               name,
               size -> {
                 Question question = at.apply(size, name);
-                question.failing(List.of(obligations.apply(question).get(number)));
+                question.failing(place.among(obligations.apply(question)));
                 return question;
               });
       if (found.verdict() == Verdict.PROVED) {
         continue;
       }
-      String text = all.get(i).otherwise();
+      String text = place.otherwise();
       claims.add(
           found.verdict() == Verdict.PROVED_SMALL
               ? new Claim(subject, found.verdict(), "has values " + small(), List.of())
@@ -231,7 +232,7 @@ public final class Prover {
                   found.verdict() == Verdict.FAILED ? text : "perhaps " + text + ": not decided",
                   found.lines(),
                   Optional.empty(),
-                  Optional.of(all.get(i).pos())));
+                  Optional.of(place.pos())));
     }
     return claims;
   }

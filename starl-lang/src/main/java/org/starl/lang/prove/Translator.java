@@ -359,7 +359,9 @@ final class Translator {
   void oblige(String condition, String otherwise, Pos pos) {
     if (obligations != null && !condition.equals(Smt.TRUE)) {
       String reached = Smt.implies(Smt.and(path), condition);
-      obligations.add(new Obligation(Smt.quantified(true, binders, reached), otherwise, pos));
+      obligations.add(
+          new Obligation(
+              Smt.quantified(true, binders, reached), new Obligation.Place(otherwise, pos)));
     }
   }
 

@@ -295,6 +295,48 @@ class ProverTest {
     assertThat(report.claim("Holder").orElseThrow().isGood()).isFalse();
   }
 
+  /** With few elements each quantifier is written out, so one operation is asked about more often. */
+  @Test
+  void operationInAQuantifierIsShownWhereItHasNoValue() {
+    assertThat(
+            proved(
+                    """
+                    automaton Shares[PIDS]
+                    state
+                      m: [PIDS -> nat]
+                    start forall i: PIDS :: m(i) = 0
+                    action share(i: PIDS)
+                      pre forall j: PIDS :: m(j) > 0 => 6 mod m(j) >= 0,
+                          exists k, j: PIDS :: not k = j and 6 mod m(k) = 0
+                      eff m(i) := 1
+                    """)
+                .lines("x.starl"))
+        .contains(
+            "Shares: share has no value: a remainder by 0 or less",
+            "  at x.starl:7:42",
+            "  action  share(bot0)");
+  }
+
+  @Test
+  void operationThatHasAValueForOneRobotAloneIsTold() {
+    assertThat(
+            proved(
+                    """
+                    automaton Alone[PIDS]
+                    state
+                      found: [PIDS -> bool]
+                    start forall i: PIDS :: not found(i)
+                    action find(i: PIDS)
+                      pre (choose k: PIDS :: forall j: PIDS :: k = j) = i
+                      eff found(i) := true
+                    """)
+                .lines("x.starl"))
+        .contains(
+            "Alone: find has no value: nothing satisfies the condition of 'choose'",
+            "  at x.starl:6:8",
+            "  action  find(bot0)");
+  }
+
   @Test
   void functionWhoseMeasureGrowsIsNotTrusted() {
     String endless = "fun f(n: nat): nat = f(n + 1) + 1 measure n\n";
