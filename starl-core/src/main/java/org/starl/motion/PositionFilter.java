@@ -42,8 +42,12 @@ final class PositionFilter {
   private long contradictions;
   private long outdated;
 
+  // The location that was asked last: one action asks many times. Null after a fix or a command.
+  private Location.@Nullable Known asked;
+
   /** Assumes wheels of this quality from now on ({@link Odometry#assume}). */
   void assume(double speedError, long reactionNs) {
+    asked = null;
     odometry.assume(speedError, reactionNs);
   }
 
@@ -52,6 +56,7 @@ final class PositionFilter {
    * to call.
    */
   void commanded(WheelCommand command, boolean bumped, long nowNs) {
+    asked = null;
     odometry.commanded(command, bumped, nowNs);
     // A closing and opening bump sensor may cause any number of commands between two fixes.
     long coveredFromNs = odometry.coveredFromNs(nowNs);
@@ -103,6 +108,7 @@ final class PositionFilter {
    * @return whether it was accepted
    */
   boolean fixed(Fix fix, long nowNs) {
+    asked = null;
     PoseEstimate known = estimate;
     long sinceNs = known == null ? odometry.coveredSinceNs() : known.atNs();
     if (fix.timeNs() < sinceNs || fix.timeNs() > nowNs) {
@@ -160,12 +166,11 @@ final class PositionFilter {
    * first fix.
    */
   Location.@Nullable Known at(long nowNs) {
-    PoseEstimate known = estimate;
-    if (known == null) {
-      return null;
+    if (estimate != null && (asked == null || asked.timeNs() != nowNs)) {
+      Location.Known at = ahead(estimate, nowNs);
+      asked = rival == null ? at : around(at, ahead(rival, nowNs));
     }
-    Location.Known at = ahead(known, nowNs);
-    return rival == null ? at : around(at, ahead(rival, nowNs));
+    return asked;
   }
 
   private Location.Known ahead(PoseEstimate from, long nowNs) {

@@ -80,6 +80,19 @@ class PositionFilterTest {
   }
 
   @Test
+  void whatIsAskedAgainAtOneTimeHasTheNewestFixAndAssumption() {
+    fix(0, 0, 10, 0, 0);
+    drive(100, 0, 0);
+    assertThat(at(100).errorMm()).isCloseTo(20, within(1e-9));
+    fix(10, 0, 5, 100, 100);
+    assertThat(at(100).errorMm()).isCloseTo(5, within(1e-9));
+    drive(0, 0, 100);
+    assertThat(at(200).errorMm()).isCloseTo(5, within(1e-9));
+    filter.assume(0, 50 * MS);
+    assertThat(at(200).errorMm()).isGreaterThan(5);
+  }
+
+  @Test
   void aWorseFixInsideChangesNothing() {
     fix(0, 0, 1, 0, 0);
     fix(5, 0, 20, 75, 75);
