@@ -93,6 +93,9 @@ final class Claim {
 
   /** The first place after a restart may have been rough: the body is not in these sections. */
   void knows(Predicate<String> isClear) {
+    if (stands.isEmpty()) {
+      return;
+    }
     List<String> still = stands.stream().filter(isClear.negate()).collect(Collectors.toList());
     if (held().isEmpty() && still.size() < stands.size()) {
       correct(still, rest);

@@ -228,7 +228,7 @@ public final class FlowingCar extends LogicThread {
       isOffTrack = false;
       return false;
     }
-    Point middle = Crossing.region(track.sections().get(here)).center();
+    Point middle = track.region(here).center();
     isOffTrack = flag != MotionFlag.DONE || !middle.equals(goal);
     if (isOffTrack) {
       moveTo(middle, straight);
@@ -287,14 +287,15 @@ public final class FlowingCar extends LogicThread {
     List<String> sections = track.sections();
     boolean isBehind = isIn(sections.size());
     for (int i = sections.size() - 1; i >= 0; i--) {
-      if (isBehind && Crossing.hasLeft(gvh, sections.get(i))) {
+      boolean isOld = i < from && isLeft(sections.get(i));
+      if (isBehind && !isOld && Crossing.hasLeft(gvh, sections.get(i))) {
         from = arcEnd != null ? from : Math.max(from, i + 1);
         lane.leave(sections.get(i));
         if (claim.leave(sections.get(i))) {
           gvh.trace.action(Way.SHAPE, Way.of(trip, claim.rest()));
         }
       }
-      isBehind |= isIn(i);
+      isBehind = isBehind || isIn(i);
     }
     claim.knows(zone -> Crossing.hasLeft(gvh, zone));
     lane.knowsPlace();
@@ -305,7 +306,7 @@ public final class FlowingCar extends LogicThread {
     Point at = gvh.gps.pose().at();
     return index == track.sections().size()
         ? track.isBeyond(at, bodyMm())
-        : Crossing.region(track.sections().get(index)).contains(at);
+        : track.region(index).contains(at);
   }
 
   private double bodyMm() {

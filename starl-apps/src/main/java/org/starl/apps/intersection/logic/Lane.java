@@ -2,6 +2,7 @@ package org.starl.apps.intersection.logic;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -61,8 +62,8 @@ public final class Lane {
   }
 
   /** The places that are held. */
-  List<String> held() {
-    return claim == null ? List.of() : List.copyOf(claim.held());
+  Collection<String> held() {
+    return claim == null ? List.of() : claim.held();
   }
 
   /** Asks for the places ahead. */

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 
 /**
  * Where a car drives that does not stop at each station: straight on, and through its turn in an arc. All
@@ -25,6 +26,7 @@ final class Track {
   private static final double GAP_MM = 25;
 
   private final List<String> sections = new ArrayList<>();
+  private final List<Rectangle> regions = new ArrayList<>();
   private final List<Point> stops = new ArrayList<>();
   private final List<Boolean> corners = new ArrayList<>();
   private final Point exit;
@@ -41,6 +43,7 @@ final class Track {
     for (int i = 0; i < all.size(); i++) {
       ItemPosition station = all.get(i);
       sections.add(station.name());
+      regions.add(Crossing.region(station.name()));
       corners.add(route == null || i == turn);
       if (route == null || i == turn) {
         stops.add(station.at());
@@ -70,6 +73,10 @@ final class Track {
     return sections;
   }
 
+  Rectangle region(int index) {
+    return regions.get(index);
+  }
+
   /** Where a car waits that may enter no section after {@code index}; the exit after the last one. */
   Point stop(int index) {
     return index == sections.size() - 1 ? exit : stops.get(index);
@@ -94,7 +101,7 @@ final class Track {
 
   /** Whether {@code at} is nearer to the exit than the whole body is to the last section. */
   boolean isBeyond(Point at, double bodyMm) {
-    Point last = Crossing.region(sections.get(sections.size() - 1)).center();
+    Point last = regions.get(regions.size() - 1).center();
     return at.minus(last).dot(out) > bodyMm || at.distanceMm(exit) < bodyMm;
   }
 }
