@@ -5,7 +5,9 @@ import static org.starl.time.Time.NS_PER_MS;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -26,6 +28,10 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
 
   /** The deadline of protocols, in ms. */
   public static final long DEADLINE_MS = 1_000_000_000;
+
+  // More than any search has.
+  private static final List<RobotId> ROBOTS =
+      IntStream.range(0, 10).mapToObj(i -> new RobotId("bot" + i)).toList();
 
   // Longer than each wait but that for a deadline.
   private static final long PAUSE_MS = 20_000;
@@ -79,7 +85,12 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
 
   /** The robot of this number. */
   public static RobotId robot(int i) {
-    return new RobotId("bot" + i);
+    return ROBOTS.get(i);
+  }
+
+  /** The number of this robot. */
+  public static int number(RobotId robot) {
+    return ROBOTS.indexOf(robot);
   }
 
   /** The running program. */
@@ -172,7 +183,7 @@ public abstract class SynodRobot<P extends SynodProtocol> implements SynodLink {
 
   /** Sends a message of the protocol itself. */
   protected final void transmit(RobotId to, Object message) {
-    int recipient = Integer.parseInt(to.name().substring(3));
+    int recipient = number(to);
     // It makes no difference which robot tells a decree.
     int sender = message instanceof SynodMessage.Decided ? recipient : me;
     net.accept(new Packet(sender, recipient, message));

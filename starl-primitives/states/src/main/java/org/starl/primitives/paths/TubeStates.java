@@ -196,7 +196,7 @@ public class TubeStates extends RobotModel<TubeStates.Node> {
 
     @Override
     public void send(RobotId to, TubeMessage message) {
-      net.accept(new Packet(me, Integer.parseInt(to.name().substring(3)), message));
+      net.accept(new Packet(me, SynodRobot.number(to), message));
     }
 
     @Override
