@@ -78,6 +78,14 @@ class ReplayTest {
   }
 
   @Test
+  void endsOfLinesAsOnWindowsMakeNoDifference() throws IOException {
+    Path other = changed(lines -> lines.stream().map(line -> line + "\r").toList());
+    Cli cli = cli("replay", other.toString(), "--headless");
+    assertThat(cli.text()).contains("equal: ");
+    assertThat(cli.status()).isZero();
+  }
+
+  @Test
   void theFirstDifferentLineIsReported() throws IOException {
     int[] number = new int[1];
     Path other =

@@ -37,7 +37,7 @@ final class LineComparer extends OutputStream {
     }
     byte written = (byte) b;
     if (referenceLine == null) {
-      int expected = reference.read();
+      int expected = next();
       if (expected != (written & 0xFF)) {
         referenceLine = expected < 0 && line.size() == 0 ? NOTHING : restOfReference(expected);
       }
@@ -59,6 +59,15 @@ final class LineComparer extends OutputStream {
     }
   }
 
+  /** The next byte of the reference. Editors and git may end lines with CR LF; a trace has no other CR. */
+  private int next() throws IOException {
+    int next = reference.read();
+    while (next == '\r') {
+      next = reference.read();
+    }
+    return next;
+  }
+
   /** The number of complete equal lines before the first difference. */
   long equalLines() {
     return lineNumber - 1;
@@ -73,7 +82,7 @@ final class LineComparer extends OutputStream {
   @Nullable Difference difference(String referenceName, String writtenName) throws IOException {
     String writtenLine = line.toString(StandardCharsets.UTF_8);
     if (referenceLine == null) {
-      int next = reference.read();
+      int next = next();
       if (next < 0) {
         return null;
       }
@@ -89,7 +98,7 @@ final class LineComparer extends OutputStream {
   private String restOfReference(int next) throws IOException {
     ByteArrayOutputStream whole = new ByteArrayOutputStream();
     line.writeTo(whole);
-    for (int b = next; b >= 0 && b != '\n'; b = reference.read()) {
+    for (int b = next; b >= 0 && b != '\n'; b = next()) {
       whole.write(b);
     }
     return whole.toString(StandardCharsets.UTF_8);
