@@ -11,9 +11,9 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.LongPredicate;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
@@ -192,7 +192,7 @@ public final class LiveTraces implements AutoCloseable {
       long startNs = startNs(clock);
       boolean isOfWorld = event != null && event.robot().equals(Fault.WORLD);
       Silence silence = new Silence(reader);
-      in.whenWaiting = isOfWorld ? () -> reader.end() != null : silence::look;
+      in.whenWaiting = isOfWorld ? nowNs -> reader.end() != null : silence::look;
       for (; event != null; event = reader.next()) {
         long atNs = startNs + event.timeNs();
         silence.heard(event.robot(), atNs);
@@ -262,10 +262,14 @@ public final class LiveTraces implements AutoCloseable {
       }
     }
 
-    /** Returns whether the trace has ended in order. */
-    boolean look() {
+    /**
+     * All is read that was written until {@code nowNs}.
+     *
+     * @return whether the trace has ended in order
+     */
+    boolean look(long nowNs) {
       boolean hasEnded = reader.end() != null;
-      long silentNs = realNs.getAsLong() - lastRealNs;
+      long silentNs = nowNs - lastRealNs;
       if (!hasEnded && !isSilent && silentNs >= SILENT_NS + LiveMerge.HELD_NS) {
         isSilent = true;
         long atNs = lastNs + SILENT_NS;
@@ -281,7 +285,8 @@ public final class LiveTraces implements AutoCloseable {
   private final class Growing extends InputStream {
     private final InputStream file;
     private final CaughtUp past;
-    private BooleanSupplier whenWaiting = () -> false;
+    // Gets the time before the last read: what was written after it does not count as silence.
+    private LongPredicate whenWaiting = nowNs -> false;
 
     Growing(InputStream file, CaughtUp past) {
       this.file = file;
@@ -296,13 +301,15 @@ public final class LiveTraces implements AutoCloseable {
 
     @Override
     public int read(byte[] into, int offset, int length) throws IOException {
+      long nowNs = realNs.getAsLong();
       int count = file.read(into, offset, length);
       while (count < 0 && !isClosed) {
         past.tell();
-        if (whenWaiting.getAsBoolean()) {
+        if (whenWaiting.test(nowNs)) {
           break;
         }
         pause();
+        nowNs = realNs.getAsLong();
         count = file.read(into, offset, length);
       }
       return count;

@@ -8,8 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
@@ -96,6 +98,35 @@ class LiveTracesTest {
       Fault crash = await(fault -> fault.name().equals(Fault.CRASH));
       assertThat(crash.robot()).isEqualTo(B);
       assertThat(crash.timeNs()).isEqualTo(7 * S);
+    }
+  }
+
+  /** As when the machine slept: the clock has gone on since the reader saw the end of the file. */
+  @Test
+  void whatWasWrittenSinceTheLastLookIsNoSilence() throws Exception {
+    ProcessTrace trace = begun(A, 100 * S);
+    AtomicBoolean sleeps = new AtomicBoolean();
+    CountDownLatch woke = new CountDownLatch(1);
+    LongSupplier clock =
+        () -> {
+          if (sleeps.getAndSet(false)) {
+            trace.record(event(A, 6 * S, "two"));
+            realNs.set(20 * S);
+            woke.countDown();
+          }
+          return realNs.get();
+        };
+    try (LiveTraces traces = reading(clock)) {
+      assertThat(traces).isNotNull();
+      trace.record(event(A, S, "one"));
+      trace.record(event(A, 5 * S, "its time passes"));
+      await(fault -> fault.name().equals("one"));
+      sleeps.set(true);
+      woke.await();
+      trace.record(event(A, 30 * S, "three"));
+      trace.record(event(A, 40 * S, "its time passes"));
+      Fault next = await(fault -> fault.name().equals(Fault.CRASH) || fault.name().equals("three"));
+      assertThat(next.name()).isEqualTo("three");
     }
   }
 
