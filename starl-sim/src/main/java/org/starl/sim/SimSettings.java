@@ -133,6 +133,11 @@ public final class SimSettings {
     return new Loss(get(Setting.MESSAGE_LOSS));
   }
 
+  /** Whether faults are given or drawn; the network's own loss is none. */
+  public boolean hasFaults() {
+    return !get(Setting.FAULTS).isEmpty() || get(Setting.CHAOS) != Envelope.NONE;
+  }
+
   public double robotRadiusMm() {
     return get(Setting.ROBOT_RADIUS);
   }

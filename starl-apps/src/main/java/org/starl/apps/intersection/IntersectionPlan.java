@@ -31,10 +31,8 @@ import org.starl.input.Quantities;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
-import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
 
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
@@ -162,10 +160,8 @@ record IntersectionPlan(Obstacles floor, SimSettings settings, CarMaker program)
 
   /** A message that is repeated until it is answered arrives within this time. */
   static long deltaNs(SimSettings settings) {
-    boolean hasFaults =
-        !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
     return IntersectionSpec.deltaNs(
             settings.messageDelay().longestNs(), settings.messageLoss().probability())
-        + (hasFaults ? AFTER_FAULTS_NS : 0);
+        + (settings.hasFaults() ? AFTER_FAULTS_NS : 0);
   }
 }

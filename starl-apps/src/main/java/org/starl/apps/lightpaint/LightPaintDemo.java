@@ -143,10 +143,8 @@ public final class LightPaintDemo implements FactoryDemo {
   }
 
   private static double toleranceMm(SimSettings settings, MotionParameters body) {
-    boolean hasFaults =
-        !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
     double nearMm = TOLERANCE_MM + settings.positionNoise().boundMm();
-    return hasFaults ? Math.max(nearMm, Painting.trackMm(body)) : nearMm;
+    return settings.hasFaults() ? Math.max(nearMm, Painting.trackMm(body)) : nearMm;
   }
 
   /**

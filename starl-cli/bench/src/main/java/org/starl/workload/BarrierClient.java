@@ -8,7 +8,6 @@ import org.starl.primitives.barrier.BarrierOutcome;
 import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.spec.Deadlines;
 import org.starl.time.Time;
 
@@ -63,10 +62,7 @@ final class BarrierClient extends Client {
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new BarrierClient(gvh, setup));
-    setup
-        .simulation()
-        .monitor(() ->
-            new RegistrationSpec(setup.withinNs()).standingIn().patient(setup.registration()));
+    setup.simulation().monitor(() -> setup.registered(setup.registration()));
     long releasedNs =
         setup.isLossless() ? setup.withMessagesNs(RELEASED_MS, PROMPT_MESSAGES) : setup.withinNs();
     long promptNs =

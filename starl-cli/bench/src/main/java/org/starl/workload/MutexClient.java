@@ -22,7 +22,6 @@ import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.mutex.PipelinePrim;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.random.Rng;
 import org.starl.time.Time;
 
@@ -227,10 +226,7 @@ final class MutexClient extends Client {
       return new MutexClient(gvh, setup, names, suspectMs / 2, isChanging, mutex, reg, bodies);
     });
     if (isOpen) {
-      setup
-          .simulation()
-          .monitor(() ->
-              new RegistrationSpec(setup.withinNs()).standingIn().patient(setup.registration()));
+      setup.simulation().monitor(() -> setup.registered(setup.registration()));
     }
   }
 

@@ -7,7 +7,6 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
-import org.starl.primitives.registration.RegistrationSpec;
 
 /** Robots register, stay a while, and unregister. */
 final class RegistrationClient extends Client {
@@ -48,10 +47,7 @@ final class RegistrationClient extends Client {
 
   static void setUp(Setup setup) {
     setup.place(gvh -> new RegistrationClient(gvh, setup));
-    setup
-        .simulation()
-        .monitor(
-            () -> new RegistrationSpec(setup.withinNs()).standingIn().patient(settings(setup)));
+    setup.simulation().monitor(() -> setup.registered(settings(setup)));
     if (!isByMost(setup)) {
       setup.promise(PROMPT_MS, PROMPT_MESSAGES, false);
     }

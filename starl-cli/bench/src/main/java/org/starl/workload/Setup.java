@@ -10,6 +10,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.primitives.registration.RegistrationSettings;
+import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
@@ -101,6 +102,12 @@ record Setup(
       copies += (long) Math.ceil(StrictMath.log(NEVER) / StrictMath.log(loss));
     }
     return settings.messageDelay().longestNs() + copies * RESEND_NS;
+  }
+
+  /** The specification of the registration in which the robots take part. */
+  RegistrationSpec registered(RegistrationSettings times) {
+    RegistrationSpec spec = new RegistrationSpec(withinNs()).standingIn().patient(times);
+    return isLossless() && !settings.hasFaults() ? spec.undisturbed() : spec;
   }
 
   /** Whether the network loses nothing without faults. */

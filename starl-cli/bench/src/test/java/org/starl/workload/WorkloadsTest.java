@@ -36,6 +36,10 @@ class WorkloadsTest {
         .isNotEmpty()
         .filteredOn(lemma -> !MatrixTest.ONLY_WITH_FAULTS.contains(lemma))
         .allSatisfy(lemma -> assertThat(result.spec().checks(lemma)).as(lemma).isPositive());
+    // A campaign without faults must not fail for what only a fault can make a robot do.
+    assertThat(result.spec().neverChecked())
+        .filteredOn(lemma -> result.spec().inapplicable(lemma).isEmpty())
+        .isSubsetOf("election.Behind");
     assertThat(plan.story().measures().completed()).isEqualTo(5);
     assertThat(plan.story().measures().waitsNs()).hasSizeGreaterThanOrEqualTo(25);
     assertThat(plan.story().measures().counts().get("rounds")).isGreaterThanOrEqualTo(25);

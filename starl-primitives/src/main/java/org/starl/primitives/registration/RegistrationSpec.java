@@ -170,6 +170,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     return this;
   }
 
+  /** Of runs without faults on a network without loss: there nothing asks for {@code Completes}. */
+  public RegistrationSpec undisturbed() {
+    never(COMPLETES, "no message is lost and no robot crashes: each newer view comes in time");
+    return this;
+  }
+
   @Override
   protected ViewHistory begin(Instance source) {
     return new ViewHistory(source);
