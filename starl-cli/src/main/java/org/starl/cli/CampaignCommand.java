@@ -41,7 +41,7 @@ import picocli.CommandLine.Option;
 final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
   /** The percentiles of waiting times to show. */
-  private static final int[] WAITS = {50, 90, 95, 99, 100};
+  private static final List<Integer> WAITS = List.of(50, 90, 95, 99, 100);
 
   @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 
@@ -388,9 +388,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     }
     rows.put(tally.tasks() + " finished", Long.toString(tally.completed()));
     tally.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
-    for (int percent : WAITS) {
-      rows.put("wait, " + name(percent), Time.text(tally.waitNs(percent), 1));
-    }
+    tally
+        .waitsNs(WAITS)
+        .forEach((percent, waitNs) -> rows.put("wait, " + name(percent), Time.text(waitNs, 1)));
     for (String figure : tally.figures()) {
       for (int percent : new int[] {50, 100}) {
         rows.put(figure + " per run, " + name(percent), figure(tally.percentile(figure, percent)));
@@ -427,9 +427,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     }
     summary.put("completed", tally.completed());
     tally.counts().forEach((name, count) -> summary.put(name.replaceAll("[: ]+", "_"), count));
-    for (int percent : WAITS) {
-      summary.put("wait_p" + percent + "_s", Time.seconds(tally.waitNs(percent)));
-    }
+    tally
+        .waitsNs(WAITS)
+        .forEach((percent, ns) -> summary.put("wait_p" + percent + "_s", Time.seconds(ns)));
     for (String figure : tally.figures()) {
       summary.put(figure + "_p50", tally.percentile(figure, 50));
     }

@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.util.Collection;
 import java.util.Collections;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -110,9 +111,13 @@ final class CampaignTally {
     return Collections.unmodifiableSortedMap(counts);
   }
 
-  /** A percentile of all waiting times, in ns; 0 if there are none. */
-  long waitNs(int percent) {
-    return waitsNs.size() == 0 ? 0 : (long) waitsNs.percentile(percent);
+  /** These percentiles of all waiting times, in ns; empty if nothing waited. */
+  SortedMap<Integer, Long> waitsNs(Collection<Integer> percents) {
+    SortedMap<Integer, Long> all = new TreeMap<>();
+    if (waitsNs.size() > 0) {
+      percents.forEach(percent -> all.put(percent, (long) waitsNs.percentile(percent)));
+    }
+    return all;
   }
 
   /** The names of all figures of all runs, in order. */

@@ -234,6 +234,7 @@ class ViolationTest {
         .containsPattern("robots finished +4\n")
         .containsPattern("wait, median +[0-9.]+ s\n")
         .containsPattern("datagrams_sent per run, median +[0-9]+\n");
+    assertThat(Cli.run("campaign hello --seeds 1..2".split(" ")).text()).doesNotContain("wait, ");
     // Seeds of no other test: `run` writes a picture of each run into this folder.
     assertThat(Files.exists(Path.of("out", "intersection-8001.png"))).isFalse();
   }
