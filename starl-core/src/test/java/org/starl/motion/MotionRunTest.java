@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -68,6 +69,32 @@ class MotionRunTest {
       assertThat(backMm).as("room %s", roomMm).isBetween(Math.min(20, roomMm), roomMm);
       assertThat(backMm).isLessThan(110);
     }
+  }
+
+  @Test
+  void eachRetreatAsksAnewForTheRegionToAvoid() {
+    MotionParameters parameters =
+        MotionParameters.builder()
+            .collisionPolicy(CollisionPolicy.USE_COLBACK)
+            .robotType(RobotType.DISCOVERY)
+            .build();
+    MotionWorld world = new MotionWorld(1, parameters, new Pose(0, 0, 0));
+    world.wallMm = 800;
+    AtomicInteger asked = new AtomicInteger();
+    world.retreatAvoid =
+        () -> {
+          asked.incrementAndGet();
+          return new Rectangle(-9000, -9000, -8000, 9000);
+        };
+    world.begin(TARGET, new Nowhere());
+    int retreats = 0;
+    while (retreats < 2 && world.seconds() < 60) {
+      boolean wasBackingOff = world.command.linearMmPerS() < 0;
+      world.tick();
+      retreats += world.command.linearMmPerS() < 0 && !wasBackingOff ? 1 : 0;
+    }
+    assertThat(retreats).isEqualTo(2);
+    assertThat(asked).hasValue(2);
   }
 
   @Test

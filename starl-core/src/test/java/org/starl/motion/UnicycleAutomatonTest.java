@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.body.Bumps;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
@@ -164,5 +165,20 @@ class UnicycleAutomatonTest {
     assertThat(automaton.status()).isEqualTo(MotionFlag.MOVING);
     assertThat(see(10, 2).isStop()).isTrue();
     assertThat(automaton.status()).isEqualTo(MotionFlag.DONE);
+  }
+
+  @Test
+  void aRobotThatTouchesAtItsStartTurnsAwayButDoesNotPush() {
+    begin(
+        MotionParameters.DEFAULT.toBuilder()
+            .collisionPolicy(CollisionPolicy.STOP_ON_COLLISION)
+            .build());
+    Pose aside = new Pose(-900, 0, Angles.fromDegrees(-90));
+    WheelCommand turn = automaton.step(aside, Bumps.BOTH, nowNs);
+    assertThat(turn.linearMmPerS()).isZero();
+    assertThat(turn.angularRadPerS()).isPositive();
+    assertThat(automaton.status()).isEqualTo(MotionFlag.MOVING);
+    automaton.step(new Pose(-900, 0, 0), Bumps.BOTH, nowNs + 60_000_000);
+    assertThat(automaton.status()).isEqualTo(MotionFlag.FAIL);
   }
 }

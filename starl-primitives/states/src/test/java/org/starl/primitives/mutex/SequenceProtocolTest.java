@@ -396,6 +396,15 @@ class SequenceProtocolTest {
   }
 
   @Test
+  void aSectionThatTheBodyHasLeftIsHandedOverAtOnce() {
+    takesOver("x", "x", "y");
+    hears(sequence(A, LATER, "x"));
+    assertThat(sent).isEmpty();
+    b.leave(sections("x"));
+    assertThat(sent).containsExactly(new Ok(B, A, 1));
+  }
+
+  @Test
   void aFencedHolderWaitsForTheViewThatRemovesItAndLeavesTheRestToItsNextProcess() {
     holdsFirst("x", "y");
     events.clear();
