@@ -106,6 +106,7 @@ final class MessagesSpec extends LemmaMonitor {
     final Set<LetterId> handled = new TreeSet<>();
     final Map<RobotId, Integer> newestBoots = new TreeMap<>();
     final Set<Instance> open = new TreeSet<>();
+    final Map<LetterId, Integer> transmissions = new TreeMap<>(); // of unsettled ones
     final Set<Long> transmitted = new TreeSet<>();
     long transmittedNs;
   }
@@ -154,6 +155,12 @@ final class MessagesSpec extends LemmaMonitor {
     if (datagram.timeNs() != self.transmittedNs) {
       self.transmittedNs = datagram.timeNs();
       self.transmitted.clear();
+    }
+    if (datagram.message() instanceof MessagesClient.Letter letter) {
+      LetterId id = new LetterId(robot, letter.boot(), letter.number());
+      if (self.unsettled.contains(id)) {
+        self.transmissions.merge(id, 1, Integer::sum);
+      }
     }
     report.checked(PACED);
     if (!self.transmitted.add(datagram.seq())) {
@@ -283,6 +290,7 @@ final class MessagesSpec extends LemmaMonitor {
 
   private void settled(Action action, Program self, LetterId letter, Report report) {
     self.unsettled.remove(letter);
+    self.transmissions.remove(letter);
     closed.stop(letter);
     deliveries.stop(letter);
     boolean wasBrief = brief.stop(letter);
@@ -294,29 +302,17 @@ final class MessagesSpec extends LemmaMonitor {
     }
   }
 
-  /** Whether a letter on an open channel is given up before its deadline or its last retry. */
+  /** Whether a letter on an open channel is given up before its deadline and its last retry. */
   private boolean isTooEarly(Action action, Program self, LetterId letter) {
     Sent known = sent.get(letter);
     if (known == null || !self.open.contains(known.letter.channel())) {
       return false;
     }
-    long agoNs = action.timeNs() - known.atNs;
     Reliability used =
         known.letter.care() == Care.BRIEF ? MessagesClient.BRIEF : Reliability.DEFAULT;
-    return faults.isCalm(action.timeNs(), agoNs) && agoNs < leastNs(used);
-  }
-
-  /** How long a message is at least sent again before it is given up. */
-  private static long leastNs(Reliability reliability) {
-    double deadlineMs = reliability.deadlineMs();
-    double maxWaitMs = reliability.maxWaitMs();
-    double waitMs = reliability.firstRetryMs();
-    double allMs = 0;
-    for (int i = 0; i < reliability.maxRetries() && allMs < deadlineMs; i++) {
-      allMs += waitMs;
-      waitMs = Math.min(waitMs * reliability.backoff(), maxWaitMs);
-    }
-    return (long) (Math.min(allMs, deadlineMs) * Time.NS_PER_MS);
+    return faults.isClockRight(action.robot(), known.atNs)
+        && action.timeNs() - known.atNs < used.deadlineMs() * Time.NS_PER_MS
+        && self.transmissions.getOrDefault(letter, 0) <= used.maxRetries();
   }
 
   private static void check(

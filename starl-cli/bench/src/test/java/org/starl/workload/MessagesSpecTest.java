@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.starl.comms.Reliability;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitors;
@@ -49,13 +50,21 @@ class MessagesSpecTest {
   }
 
   private void transmit(long atNs) {
-    Letter letter = new Letter(1, 1, 7);
+    transmit(atNs, 1);
+  }
+
+  private void transmit(long atNs, int number) {
+    Letter letter = new Letter(1, number, 7);
     monitors.observe(
-        new TraceEvent.Sent(atNs, SENDER, "bot1", LETTERS, 4, 60, Letter.SHAPE, letter));
+        new TraceEvent.Sent(atNs, SENDER, "bot1", LETTERS, 3 + number, 60, Letter.SHAPE, letter));
   }
 
   private void fault(long atS, RobotId robot, String name) {
-    monitors.observe(new TraceEvent.Fault(atS * NS_PER_S, robot, name, ""));
+    fault(atS, robot, name, "");
+  }
+
+  private void fault(long atS, RobotId robot, String name, String effect) {
+    monitors.observe(new TraceEvent.Fault(atS * NS_PER_S, robot, name, effect, ""));
   }
 
   /** The results so far: any event shows the time. */
@@ -177,17 +186,33 @@ class MessagesSpecTest {
   }
 
   @Test
-  void aLetterThatIsGivenUpBeforeItsDeadlineViolatesSettledUnlessAFaultMeetsIt() {
+  void aLetterThatIsGivenUpBeforeItsDeadlineViolatesSettledUnlessAClockIsWrong() {
     send(1, 1, 1, Care.BRIEF);
     act(6, SENDER, new MailFact.Failed(RECEIVER, 1, 1));
     send(11, 1, 2, Care.BRIEF);
-    fault(12, RECEIVER, "crash");
+    fault(12, SENDER, "begin", "drift");
     act(13, SENDER, new MailFact.Failed(RECEIVER, 1, 2));
-    fault(14, RECEIVER, "restart");
+    fault(14, SENDER, "end", "drift");
     assertThat(at(14).violations("messages.Settled")).isZero();
     send(15, 1, 3, Care.BRIEF);
+    fault(16, RECEIVER, "crash");
     act(19, SENDER, new MailFact.Failed(RECEIVER, 1, 3));
     assertThat(at(20).violations("messages.Settled")).isEqualTo(1);
+  }
+
+  @Test
+  void aLetterThatIsGivenUpBeforeItsLastRetryViolatesSettled() {
+    fault(1, RECEIVER, "crash");
+    for (int number = 1; number <= 2; number++) {
+      send(10, 1, number, Care.DEFAULT);
+      for (int i = number; i <= 1 + Reliability.DEFAULT.maxRetries(); i++) {
+        transmit(10 * NS_PER_S + i, number);
+      }
+    }
+    act(34, SENDER, new MailFact.Failed(RECEIVER, 1, 1));
+    assertThat(at(34).violations("messages.Settled")).isZero();
+    act(34, SENDER, new MailFact.Failed(RECEIVER, 1, 2));
+    assertThat(at(35).violations("messages.Settled")).isEqualTo(1);
   }
 
   @Test
