@@ -387,7 +387,8 @@ public final class MotionSpec extends LemmaMonitor {
 
   /** A motion that is held back must wait, and one that does not move must try, before it fails. */
   private void checkPatience(MotionRecord motion, MotionFailure why, long nowNs, Report report) {
-    long sinceNs = motion.startNs;
+    // Without progress on the way that it drives: on a new one it begins anew.
+    long sinceNs = why == MotionFailure.NO_PROGRESS ? motion.triesFromNs : motion.startNs;
     if (waitsStanding(why)) {
       sinceNs = Math.max(sinceNs, bodies.standsFromNs(motion.robot, nowNs));
     }
