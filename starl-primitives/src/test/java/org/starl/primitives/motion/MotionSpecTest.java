@@ -94,6 +94,16 @@ class MotionSpecTest {
     assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(1);
   }
 
+  @ParameterizedTest
+  @CsvSource({"9000,1", "10000,0"})
+  void aMotionHasItsPatienceAnewOnAWayThatIsPlanned(long atMs, int violations) {
+    moves(1_000, new Nowhere());
+    Point aside = new Point(1000, 1000);
+    monitors.observe(tells(5_000, new MotionFact.planned(List.of(aside, TARGET.at()))));
+    fails(atMs, MotionFailure.NO_PROGRESS);
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(violations);
+  }
+
   @Test
   void aClockThatIsSetAheadExcusesAnEarlyFailure() {
     moves(1_000, new Nowhere());

@@ -27,6 +27,8 @@ class PendingChangesTest {
     assertThat(changes.lingersIn(listed)).isTrue();
     assertThat(changes.lingersIn(View.NONE)).isFalse();
     assertThat(changes.in(listed, null, null).leave()).containsExactly(OLD);
+    View ghost = listed.confined(OLD, new TreeSet<>(List.of("A")));
+    assertThat(changes.in(ghost, null, null).leave()).as("a ghost, too").containsExactly(OLD);
   }
 
   @Test

@@ -59,6 +59,18 @@ class ProposalTest {
   }
 
   @Test
+  void aConfinementWhoseFencerIsAGhostDoesNotCount() {
+    View ghost = VIEW.confined(FENCER, new TreeSet<>(List.of("B")));
+    assertThat(new Proposal(ghost).add(CONFINE).view()).isEqualTo(ghost.next());
+  }
+
+  @Test
+  void aGhostStaysAdmittedByTheViewThatAdmittedIt() {
+    View.Ghost ghost = new Proposal(VIEW).add(CONFINE).view().ghost(SILENT);
+    assertThat(ghost).isEqualTo(new View.Ghost(1, new TreeSet<>(List.of("A"))));
+  }
+
+  @Test
   void aGhostIsNotAdmittedAgain() {
     View ghost = VIEW.confined(SILENT, new TreeSet<>(List.of("A")));
     View next = new Proposal(ghost).add(new Change(SILENT, List.of(), List.of())).view();
