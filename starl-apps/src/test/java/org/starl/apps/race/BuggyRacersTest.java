@@ -55,6 +55,7 @@ class BuggyRacersTest {
     "FIRST_HEARD_COUNTS, race.agreed",
     "RACES_ON, race.moves_on",
     "DOES_NOT_WAIT, race.confirmed",
+    "MAKES_WAY_BRIEFLY, race.makes_way",
   })
   void aBuggyRacerIsSeen(BuggyRacer.Bug bug, String lemma) {
     long seed = 0;

@@ -10,7 +10,9 @@ package org.starl.apps.race.logic;
 public final class Patience {
 
   private static final int TRIES = 3;
-  private static final double NEARER_MM = 50;
+
+  /** A motion that has brought the robot less near was in vain. */
+  public static final double NEARER_MM = 50;
 
   private final RacePoint point;
   private final double bodyRadiusMm;

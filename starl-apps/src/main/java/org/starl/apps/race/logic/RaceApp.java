@@ -33,8 +33,10 @@ public final class RaceApp extends LogicThread {
   /** A robot that has not acknowledged the winners after so long is taken for dead. */
   public static final long TELL_PATIENCE_MS = 90_000;
 
+  /** So long a robot draws back at least, unless the point is won. */
+  public static final long MAKE_WAY_MS = 3_000;
+
   private static final long PERIOD_MS = 100;
-  private static final long MAKE_WAY_MS = 3_000;
 
   private final List<RacePoint> points;
   private final Drive drive;

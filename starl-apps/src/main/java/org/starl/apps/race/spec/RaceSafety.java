@@ -3,13 +3,13 @@ package org.starl.apps.race.spec;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
 import org.starl.apps.race.logic.RaceApp;
-import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RaceFact.Arrived;
 import org.starl.apps.race.logic.RaceFact.Taken;
@@ -39,6 +39,8 @@ import org.starl.trace.TraceEvent.Variable;
  *   <li>{@code moves_on}: a robot arrives only at a point whose winner it does not know.
  *   <li>{@code confirmed}: when a robot is done, all robots that were never down know the winners, unless it
  *       has told them for long.
+ *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, or until the point
+ *       is won.
  * </ul>
  */
 public final class RaceSafety extends LemmaMonitor {
@@ -48,18 +50,26 @@ public final class RaceSafety extends LemmaMonitor {
   private static final String ONE_WINNER = "race.one_winner";
   private static final String MOVES_ON = "race.moves_on";
   private static final String CONFIRMED = "race.confirmed";
+  private static final String MAKES_WAY = "race.makes_way";
 
   // By a clock that runs fast, too.
   private static final long TELLS_NS = RaceApp.TELL_PATIENCE_MS * Time.NS_PER_MS / 2;
+  private static final long MAKES_WAY_NS = RaceApp.MAKE_WAY_MS * Time.NS_PER_MS * 9 / 10;
   private static final double ROUNDING_MM = 0.01;
+
+  // By so much a robot may err about how much nearer a motion has brought it.
+  private static final double SURE_MM = 200;
 
   private final List<RacePoint> points;
   private final Bodies bodies = new Bodies();
   private final Records records = new Records();
+  private final Map<RobotId, RacePoint> racingTo = new TreeMap<>();
   private final Map<RobotId, Integer> inVain = new TreeMap<>();
+  private final Map<RobotId, Double> nearestMm = new TreeMap<>(); // of the motions in vain
   private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
   private final Set<Claim> made = new TreeSet<>();
   private final Map<RobotId, Long> tellsFromNs = new TreeMap<>();
+  private final Map<RobotId, Long> makesWayFromNs = new TreeMap<>();
   private final Set<RobotId> wereDown = new TreeSet<>();
 
   public RaceSafety(List<RacePoint> points) {
@@ -73,6 +83,8 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         CONFIRMED,
         "When a robot is done, all that were never down know the winners, or it has told them for long.");
+    lemma(
+        MAKES_WAY, "A robot that draws back for others does so for 3 s, unless the point is won.");
     this.points = List.copyOf(points);
   }
 
@@ -84,18 +96,63 @@ public final class RaceSafety extends LemmaMonitor {
           arrived(action, arrived, report);
       case Action action when action.fact() instanceof Taken taken ->
           taken(action, taken.claim(), report);
-      case Variable variable when variable.of(RaceFact.POINT) != null ->
-          inVain.put(variable.robot(), 0);
+      case Variable variable when variable.of(RaceFact.POINT) != null -> sets(variable);
       case Variable variable when variable.of(MotionFact.FLAG) == MotionFlag.FAIL ->
-          inVain.merge(variable.robot(), 1, Integer::sum);
-      case Variable variable when variable.of(RaceFact.LOCATION) == Location.TELL ->
-          tellsFromNs.put(variable.robot(), variable.timeNs());
-      case Variable variable when variable.of(RaceFact.LOCATION) == Location.DONE ->
-          checkConfirmed(variable, report);
-      case Fault fault when fault.name().equals(Fault.CRASH) -> wereDown.add(fault.robot());
+          failed(variable);
+      case Variable variable when variable.of(RaceFact.LOCATION) != null ->
+          goesOn(variable, report);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> {
+        wereDown.add(fault.robot());
+        makesWayFromNs.remove(fault.robot());
+      }
       default -> {}
     }
     records.observe(event);
+  }
+
+  private void sets(Variable point) {
+    RobotId robot = point.robot();
+    inVain.put(robot, 0);
+    nearestMm.remove(robot);
+    racingTo.remove(robot);
+    points.stream()
+        .filter(each -> each.name().equals(point.of(RaceFact.POINT)))
+        .forEach(each -> racingTo.put(robot, each));
+  }
+
+  /** Motions before one that has brought the robot nearer for certain do not count. */
+  private void failed(Variable flag) {
+    RobotId robot = flag.robot();
+    RacePoint point = racingTo.get(robot);
+    if (point != null && bodies.isOnFloor(robot)) {
+      double mm = bodies.poseAt(robot, flag.timeNs()).distanceMm(point.at());
+      double beforeMm = nearestMm.getOrDefault(robot, Double.POSITIVE_INFINITY);
+      if (mm < beforeMm - Patience.NEARER_MM - SURE_MM) {
+        inVain.put(robot, 0);
+      }
+      nearestMm.put(robot, Math.min(mm, beforeMm));
+    }
+    inVain.merge(robot, 1, Integer::sum);
+  }
+
+  private void goesOn(Variable location, Report report) {
+    RobotId robot = location.robot();
+    Long sinceNs = makesWayFromNs.remove(robot);
+    switch (Objects.requireNonNull(location.of(RaceFact.LOCATION))) {
+      case MAKE_WAY -> makesWayFromNs.put(robot, location.timeNs());
+      case RACE -> {
+        report.checked(MAKES_WAY);
+        if (sinceNs != null && location.timeNs() - sinceNs < MAKES_WAY_NS) {
+          String detail = "makes way for " + Time.text(location.timeNs() - sinceNs, 1) + " only";
+          report.violated(MAKES_WAY, location.timeNs(), List.of(robot), detail);
+        }
+      }
+      case TELL -> tellsFromNs.put(robot, location.timeNs());
+      case DONE -> checkConfirmed(location, report);
+      case START, PICK -> {
+        // Nothing is promised.
+      }
+    }
   }
 
   private void arrived(Action action, Arrived arrived, Report report) {
@@ -141,7 +198,9 @@ public final class RaceSafety extends LemmaMonitor {
     }
     for (RobotId robot : records.robots()) {
       for (int point = 0; point < points.size() && !wereDown.contains(robot); point++) {
-        if (records.claim(robot, point) == null) {
+        Claim mine = records.claim(done.robot(), point);
+        Claim theirs = records.claim(robot, point);
+        if (theirs == null || (mine != null && mine.compareTo(theirs) < 0)) {
           String detail = robot + " does not know the winner of " + points.get(point).name();
           report.violated(CONFIRMED, done.timeNs(), List.of(done.robot()), detail);
           return;

@@ -26,6 +26,8 @@ public final class BuggyRacer extends LogicThread {
     RACES_ON,
     /** Is done at once. */
     DOES_NOT_WAIT,
+    /** Draws back for a moment. */
+    MAKES_WAY_BRIEFLY,
     /** Stands still. */
     DOES_NOT_DRIVE
   }
@@ -59,6 +61,11 @@ public final class BuggyRacer extends LogicThread {
       if (bug != Bug.DOES_NOT_DRIVE) {
         gvh.plat.moat.setParameters(Drive.motion(gvh.plat.moat.parameters(), next));
         gvh.plat.moat.doMove(new ItemPosition(next.name(), next.at().xMm(), next.at().yMm()));
+      }
+      if (bug == Bug.MAKES_WAY_BRIEFLY) {
+        location.set(RaceApp.Location.MAKE_WAY);
+        sleep(100);
+        location.set(RaceApp.Location.RACE);
       }
       while ((!best.containsKey(point) || bug == Bug.RACES_ON)
           && gvh.gps.pose().distanceMm(next.at()) > next.radiusMm()

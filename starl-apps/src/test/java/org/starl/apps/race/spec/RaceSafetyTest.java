@@ -1,0 +1,113 @@
+package org.starl.apps.race.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.apps.race.logic.RaceApp.Location;
+import org.starl.apps.race.logic.RaceFact;
+import org.starl.apps.race.logic.RacePoint;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.motion.MotionFact;
+import org.starl.motion.MotionFlag;
+import org.starl.spec.Monitors;
+import org.starl.time.Time;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Variable;
+
+/** The safety of a race on handwritten traces: a body of 165 mm, a point of 75 mm. */
+class RaceSafetyTest {
+
+  private static final RobotId ROBOT = new RobotId("bot0");
+  private static final RobotId OTHER = new RobotId("bot1");
+
+  // From there a robot may win after three motions in vain.
+  private static final double AFAR_MM = 400;
+
+  private final Monitors monitors =
+      new Monitors(List.of(new RaceSafety(List.of(new RacePoint("goal", new Point(0, 0), 75)))));
+
+  RaceSafetyTest() {
+    monitors.observe(new Variable(0, ROBOT, Instance.APP, RaceFact.POINT, "goal"));
+  }
+
+  private static void place(Monitors monitors, RobotId robot, double awayMm) {
+    monitors.observe(new Joined(0, robot, new Pose(awayMm, 0, 0), 165));
+  }
+
+  /** A motion ends in vain so far from the point. */
+  private void fail(double awayMm) {
+    place(monitors, ROBOT, awayMm);
+    for (MotionFlag flag : List.of(MotionFlag.MOVING, MotionFlag.FAIL)) {
+      monitors.observe(new Variable(0, ROBOT, MotionFact.SOURCE, MotionFact.FLAG, flag));
+    }
+  }
+
+  private void enter(long atMs, Location location) {
+    monitors.observe(
+        new Variable(atMs * Time.NS_PER_MS, ROBOT, Instance.APP, RaceFact.LOCATION, location));
+  }
+
+  private void take(RobotId robot, long claimedNs) {
+    RaceFact.Taken taken = new RaceFact.Taken(0, "goal", OTHER, claimedNs, 0);
+    monitors.observe(Action.of(0, robot, Instance.APP, RaceFact.Taken.SHAPE, taken));
+  }
+
+  private long winsFromAfar() {
+    monitors.observe(
+        Action.of(
+            0,
+            ROBOT,
+            Instance.APP,
+            RaceFact.Arrived.SHAPE,
+            new RaceFact.Arrived(0, "goal", AFAR_MM, 0, AFAR_MM)));
+    return monitors.report().violations("race.at_the_point");
+  }
+
+  @Test
+  void aRobotMayWinFromAfarAfterThreeMotionsThatBroughtItNoNearer() {
+    for (double mm : List.of(AFAR_MM, AFAR_MM + 100, AFAR_MM)) {
+      fail(mm);
+    }
+    assertThat(winsFromAfar()).isZero();
+  }
+
+  @Test
+  void motionsBeforeOneThatBroughtItNearerDoNotCount() {
+    for (double mm : List.of(AFAR_MM + 600, AFAR_MM + 600, AFAR_MM)) {
+      fail(mm);
+    }
+    assertThat(winsFromAfar()).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotMakesWayForThreeSecondsUnlessThePointIsWon() {
+    enter(0, Location.MAKE_WAY);
+    enter(3_000, Location.RACE);
+    enter(4_000, Location.MAKE_WAY);
+    enter(4_100, Location.PICK);
+    enter(4_200, Location.RACE);
+    assertThat(monitors.report().violations("race.makes_way")).isZero();
+    enter(5_000, Location.MAKE_WAY);
+    enter(6_000, Location.RACE);
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotIsDoneWhenTheOthersKnowAsGoodAWinner() {
+    place(monitors, ROBOT, 0);
+    place(monitors, OTHER, 0);
+    take(ROBOT, 1);
+    take(OTHER, 2);
+    enter(0, Location.TELL);
+    enter(100, Location.DONE);
+    assertThat(monitors.report().violations("race.confirmed")).isEqualTo(1);
+    take(OTHER, 1);
+    enter(200, Location.DONE);
+    assertThat(monitors.report().violations("race.confirmed")).isEqualTo(1);
+  }
+}
