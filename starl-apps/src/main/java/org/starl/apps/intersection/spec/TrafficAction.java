@@ -30,6 +30,12 @@ public sealed interface TrafficAction extends Action {
 
   record unregister(ProcessId i) implements TrafficAction {}
 
+  /** the request ends without access; i may ask again */
+  record withdraw(ProcessId i) implements TrafficAction {}
+
+  /** i neither holds nor asks for zones any more */
+  record give_up(ProcessId i) implements TrafficAction {}
+
   @Override
   default List<Object> args() {
     return switch (this) {
@@ -43,6 +49,8 @@ public sealed interface TrafficAction extends Action {
       case advance a -> List.of(a.i);
       case release a -> List.of(a.i, a.RS);
       case unregister a -> List.of(a.i);
+      case withdraw a -> List.of(a.i);
+      case give_up a -> List.of(a.i);
     };
   }
 }

@@ -37,8 +37,11 @@ import org.starl.spec.automaton.Undefined;
  * from Keeps of Registration_decls). - `decide' happens only if it lets somebody in or out, `learn'
  * only of a newer list: so runs without time are short (Traffic_progress).
  *
- * <p>No request is withdrawn. A car that crashes acts no more; if it is carried away,
- * Traffic_bodies says what follows.
+ * <p>A process is one attempt of a car to take part: a car whose program restarts before it has its
+ * zones, or that others have given up, begins anew as another process, and the earlier one gives up
+ * (`give_up'). No process begins anew for a car among the zones: one that crashes there acts no
+ * more; if it is carried away, Traffic_bodies says what follows. Bounds in time and in steps are of
+ * runs in which no request is withdrawn and no process gives up (`calm').
  *
  * <p>What the primitives do of themselves (decide, learn, od_mutex) is enabled when they say so.
  * What they are asked to do is enabled when the protocol says so; that the primitives allow it is
@@ -105,7 +108,8 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
     mutex_wait,
     move_wait,
     S1,
-    done
+    done,
+    over
   }
 
   /** Where the car is: before, in or past the critical zones. */
@@ -156,6 +160,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
    * @param timer_reg in register_wait
    * @param timer_move with the present zone
    * @param timer_grant of waiting while nobody holds a zone
+   * @param calm no request was withdrawn, and no process gave up
    */
   public record States(
       Fun<ProcessId, Locations> loc,
@@ -166,6 +171,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
       Fun<ProcessId, Long> timer_reg,
       Fun<ProcessId, Long> timer_move,
       long timer_grant,
+      boolean calm,
       MutexGroupAutomaton.States mux,
       RegistrationAutomaton.States reg) {
 
@@ -180,52 +186,57 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
 
     private States with_loc(Fun<ProcessId, Locations> loc) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_myseq(Fun<ProcessId, List<String>> myseq) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_pos(Fun<ProcessId, Position> pos) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_age(Fun<ProcessId, Long> age) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_timer_start(Fun<ProcessId, Long> timer_start) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_timer_reg(Fun<ProcessId, Long> timer_reg) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_timer_move(Fun<ProcessId, Long> timer_move) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_timer_grant(long timer_grant) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+    }
+
+    private States with_calm(boolean calm) {
+      return new States(
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_mux(MutexGroupAutomaton.States mux) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
 
     private States with_reg(RegistrationAutomaton.States reg) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, mux, reg);
+          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
     }
   }
 
@@ -245,28 +256,29 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
         Fun.always(0L),
         Fun.always(0L),
         0L,
+        true,
         muxAutomaton.start(),
         regAutomaton.start());
   }
 
   public static List<String> rest(List<String> l) {
-    return l.isEmpty() ? List.of() : Undefined.tail("Traffic_decls.starl:78:58", l);
+    return l.isEmpty() ? List.of() : Undefined.tail("Traffic_decls.starl:84:58", l);
   }
 
   /** The first zone of the way; departed if there is none. */
   public static Position first_pos(List<String> l) {
     return l.isEmpty()
         ? new Position.departed()
-        : new Position.inside(Undefined.head("Traffic_decls.starl:81:76", l));
+        : new Position.inside(Undefined.head("Traffic_decls.starl:87:76", l));
   }
 
   /** The zone after the one that the car is in; departed after the last. */
   public static Position next_pos(List<String> l) {
-    return l.isEmpty() || Undefined.tail("Traffic_decls.starl:85:16", l).isEmpty()
+    return l.isEmpty() || Undefined.tail("Traffic_decls.starl:91:16", l).isEmpty()
         ? new Position.departed()
         : new Position.inside(
             Undefined.head(
-                "Traffic_decls.starl:85:55", Undefined.tail("Traffic_decls.starl:85:60", l)));
+                "Traffic_decls.starl:91:55", Undefined.tail("Traffic_decls.starl:91:60", l)));
   }
 
   @Override
@@ -394,7 +406,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                               .equals(
                                   new Position.inside(
                                       Undefined.head(
-                                          "Traffic_decls.starl:126:79", s.myseq.at(a.i())))),
+                                          "Traffic_decls.starl:132:79", s.myseq.at(a.i())))),
                   () ->
                       String.format(
                           "pos(%s) = %s, myseq(%s) = %s",
@@ -414,7 +426,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                       a.RS()
                           .equals(
                               Sets.singleton(
-                                  Undefined.head("Traffic_decls.starl:130:49", s.myseq.at(a.i())))),
+                                  Undefined.head("Traffic_decls.starl:136:49", s.myseq.at(a.i())))),
                   () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
               .and(
                   "pos(i) = next_pos(myseq(i))",
@@ -427,6 +439,16 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
           Enabled.when(
               "loc(i) = S1",
               s.loc.at(a.i()) == Locations.S1,
+              () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+      case TrafficAction.withdraw a ->
+          Enabled.when(
+              "loc(i) = mutex_wait",
+              s.loc.at(a.i()) == Locations.mutex_wait,
+              () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+      case TrafficAction.give_up a ->
+          Enabled.when(
+              "loc(i) = register_wait or loc(i) = mutex_wait",
+              s.loc.at(a.i()) == Locations.register_wait || s.loc.at(a.i()) == Locations.mutex_wait,
               () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
     };
   }
@@ -487,7 +509,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.register_wait))
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:107:32",
+                          "Traffic_decls.starl:113:32",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.do_register(a.i()),
@@ -497,7 +519,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
           enabled(action, s).isTrue()
               ? s.with_reg(
                   Undefined.step(
-                      "Traffic_decls.starl:111:7",
+                      "Traffic_decls.starl:117:7",
                       "reg",
                       regAutomaton,
                       new RegistrationAction.decide(a.L()),
@@ -508,7 +530,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_mux(
                       s.loc.at(a.i()) == Locations.mutex_wait
                           ? Undefined.step(
-                              "Traffic_decls.starl:115:24",
+                              "Traffic_decls.starl:121:24",
                               "mux",
                               muxAutomaton,
                               new MutexGroupAction.known(a.i(), s.reg.list().at(a.n())),
@@ -516,7 +538,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                           : s.mux)
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:115:7",
+                          "Traffic_decls.starl:121:7",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.learn(a.i(), a.n()),
@@ -527,7 +549,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.mutex_wait))
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:119:29",
+                          "Traffic_decls.starl:125:29",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.do_mutex(a.i(), a.RS(), s.reg.rList(a.i())),
@@ -540,7 +562,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   .with_timer_grant(0L)
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:123:66",
+                          "Traffic_decls.starl:129:66",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.od_mutex(a.i(), a.RS()),
@@ -565,7 +587,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   .with_timer_move(s.timer_move.with(a.i(), 0L))
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:133:7",
+                          "Traffic_decls.starl:139:7",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.release(a.i(), a.RS()),
@@ -576,10 +598,43 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.done))
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:137:23",
+                          "Traffic_decls.starl:143:23",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.unregister(a.i()),
+                          s.reg))
+              : s;
+      case TrafficAction.withdraw a ->
+          enabled(action, s).isTrue()
+              ? s.with_loc(s.loc.with(a.i(), Locations.register_wait))
+                  .with_calm(false)
+                  .with_mux(
+                      Undefined.step(
+                          "Traffic_decls.starl:147:32",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.withdraw(a.i()),
+                          s.mux))
+              : s;
+      case TrafficAction.give_up a ->
+          enabled(action, s).isTrue()
+              ? s.with_loc(s.loc.with(a.i(), Locations.over))
+                  .with_calm(false)
+                  .with_mux(
+                      s.loc.at(a.i()) == Locations.mutex_wait
+                          ? Undefined.step(
+                              "Traffic_decls.starl:151:39",
+                              "mux",
+                              muxAutomaton,
+                              new MutexGroupAction.withdraw(a.i()),
+                              s.mux)
+                          : s.mux)
+                  .with_reg(
+                      Undefined.step(
+                          "Traffic_decls.starl:151:23",
+                          "reg",
+                          regAutomaton,
+                          new RegistrationAction.give_up(a.i()),
                           s.reg))
               : s;
     };
