@@ -7,12 +7,15 @@ import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SortedSet;
 import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.intersection.logic.CrossingFact.Way;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.robot.Car;
 import org.starl.apps.intersection.robot.CarProgram;
@@ -23,18 +26,28 @@ import org.starl.apps.intersection.spec.TrafficConformance;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.primitives.mutex.MutexPrim;
+import org.starl.primitives.registration.RegistrationAction;
+import org.starl.primitives.registration.RegistrationFact;
 import org.starl.random.Rng;
+import org.starl.shape.RecordShape;
+import org.starl.shape.Shapes;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.spec.automaton.Sets;
+import org.starl.trace.Instance;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
 
 /** Runs of cars after Figure 4 are runs of {@code Traffic_decls}; those of cars with a bug are not. */
 class TrafficConformanceTest {
@@ -42,6 +55,13 @@ class TrafficConformanceTest {
   private static final int CARS = 4;
   private static final String THEORY = "Traffic_decls";
   private static final RobotId BOT0 = new RobotId("bot0");
+  private static final Instance REGISTRATION = Instance.of(RegistrationFact.PRIMITIVE, "crossing");
+  private static final RecordShape<RegistrationAction.do_register> DO_REGISTER =
+      Shapes.of(
+              RegistrationAction.do_register.class,
+              Shapes.part("i", Shapes.PROCESS, RegistrationAction.do_register::i),
+              RegistrationAction.do_register::new)
+          .named("do_register");
 
   /** How a car asks for its zones, and gives them back. */
   private record Manners(
@@ -116,10 +136,7 @@ class TrafficConformanceTest {
   void aRunIsOneOfTheTheory(long seed) {
     SpecReport report = run(Manners.GOOD, seed);
     assertThat(report.violations()).isEmpty();
-    assertThat(
-            report.reached().keySet().stream()
-                .filter(each -> each.theory().equals(THEORY) && each.conjunct().isEmpty())
-                .map(each -> each.action().getSimpleName()))
+    assertThat(taken(report))
         .contains("dt", "arrive", "do_register", "decide", "learn", "do_mutex", "od_mutex")
         .contains("advance", "release", "unregister");
   }
@@ -182,9 +199,25 @@ class TrafficConformanceTest {
   }
 
   @Test
-  void nothingIsCheckedAfterARegisteredRobotRestarts() {
+  void aRoadsideUnitThatRestartsGivesItsIdUp() {
     SpecReport report = onOpenRoad("crash(roadside0,at=1s,restart=2s)");
-    assertThat(report.inPart()).containsEntry(THEORY, "roadside0 restarts at 3.000 s");
+    assertThat(report.inPart()).doesNotContainKey(THEORY);
+    assertThat(taken(report)).contains("give_up");
+  }
+
+  /** The others give it up, and ask again and again until it says that it is in no zone. */
+  @Test
+  void aCarThatWaitsMayCrashAndRestart() {
+    SpecReport report = drawn("crash(bot1,at=25s,restart=25s)");
+    assertThat(report.inPart()).doesNotContainKey(THEORY);
+    assertThat(taken(report)).contains("withdraw", "give_up", "unregister");
+  }
+
+  @Test
+  void nothingIsCheckedAfterACarAmongTheZonesRestarts() {
+    SpecReport report = drawn("crash(bot2,at=10s,restart=5s)");
+    assertThat(report.inPart())
+        .containsEntry(THEORY, "bot2 restarts while it holds zones at 15.000 s");
   }
 
   @Test
@@ -198,6 +231,63 @@ class TrafficConformanceTest {
   @Test
   void anIdThatNoListHasIsGivenUp() {
     assertThat(onOpenRoad("").inPart()).doesNotContainKey(THEORY);
+  }
+
+  private static Action registered(ProcessId i) {
+    return Action.of(
+        1, i.robot(), REGISTRATION, DO_REGISTER, new RegistrationAction.do_register(i));
+  }
+
+  private static Action mutex(MutexFact fact) {
+    return Action.of(3, BOT0, MutexFact.source("crossing"), MutexFact.SHAPE, fact);
+  }
+
+  /** Two cars are listed, and bot0 asks for its zones; then bot1 gives it up, or does not. */
+  private static SpecReport granted(boolean isGivenUp) {
+    ProcessId i = ProcessId.first(BOT0, 1);
+    ProcessId j = ProcessId.first(new RobotId("bot1"), 1);
+    SortedSet<ProcessId> others = Sets.of(List.of(j));
+    Way way = new Way("A1", Optional.empty(), List.of("A", "A1"));
+    SortedSet<String> zones = Sets.of(way.zones());
+    Confinement word = new Confinement(i, zones, others);
+    List<TraceEvent> events = new ArrayList<>();
+    events.add(Action.of(0, BOT0, Instance.APP, Way.SHAPE, way));
+    events.add(registered(i));
+    events.add(registered(j));
+    View both = View.closed(List.of(i, j));
+    events.add(new Variable(2, BOT0, REGISTRATION, RegistrationFact.VIEW, both));
+    events.add(mutex(new MutexFact.DoMutex(i, 1, 1, zones, others)));
+    if (isGivenUp) {
+      events.add(Action.of(3, j.robot(), REGISTRATION, Confinement.SHAPE, word));
+    }
+    events.add(mutex(new MutexFact.OdMutex(i, 1, zones)));
+    Monitors monitors = new Monitors(List.of(new TrafficConformance("crossing")));
+    events.forEach(monitors::observe);
+    monitors.finish(4);
+    return monitors.report();
+  }
+
+  /** Those who vouch for it may have consented to its request before. */
+  @Test
+  void nothingIsCheckedAfterACarThatOthersGaveUpGoesOn() {
+    assertThat(granted(false).violations()).isEmpty();
+    assertThat(granted(false).inPart()).isEmpty();
+    assertThat(granted(true).violations()).isEmpty();
+    assertThat(granted(true).inPart().get(THEORY))
+        .startsWith("bot0 is granted zones after others gave it up");
+  }
+
+  private static SpecReport drawn(String faults) {
+    return IntersectionTest.run(
+            IntersectionTest.request(12, 6, Map.of("car", "paper")), Map.of("faults", faults))
+        .spec();
+  }
+
+  private static List<String> taken(SpecReport report) {
+    return report.reached().keySet().stream()
+        .filter(each -> each.theory().equals(THEORY) && each.conjunct().isEmpty())
+        .map(each -> each.action().getSimpleName())
+        .toList();
   }
 
   private static SpecReport onOpenRoad(String faults) {

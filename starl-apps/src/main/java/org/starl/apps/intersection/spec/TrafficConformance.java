@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -20,21 +21,28 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * Every run of an intersection of cars after Figure 4 is a run of the theory {@code Traffic_decls}, the
- * composition of registration, mutex and cars. The map from events to actions:
+ * composition of registration, mutex and cars. A process of the theory is one id of a robot. The map
+ * from events to actions:
  *
  * <pre>
  * event                                    action, where i is an id of the event's robot
  * registration: do_register i              arrive(i), do_register(i), and learn(i, n) if its robot
  *                                          knows list n; if an earlier id of the robot is past
- *                                          register_wait, do_register of that id
- * registration: unregister i               unregister(i)
- * registration: give_up i                 none, while no list has i: it waits for one for ever
+ *                                          register_wait, has not given up and was not ended by a
+ *                                          restart, do_register of that id
+ * registration: unregister i               unregister(i); give_up(i), if a program that restarted
+ *                                          past the zones never asked for any
+ * registration: give_up i                  give_up(i); unregister(i), if i is past its last zone;
+ *                                          none, if i has left the list, or has given up
+ * registration: confine j, by its own      the same of j, an earlier id
+ * robot, or with those who vouch for j
  * registration: view n, for the first time decide(L), if L is not the list before
  * registration: view n                     learn(i, m), m being the number of the list of view n, if
  *                                          it is a newer one; rList(i) is L
  * mutex: do_mutex i, RS                    do_mutex(i, RS); plist(i) is known
  * mutex: known i                           none; plist(i) is known, while i waits
  * mutex: od_mutex i, RS                    od_mutex(i, RS)
+ * mutex: withdraw i                        withdraw(i), if i has not given up
  * mutex: release i, RS                     release(i, RS); crit_set(i) is what the fact says is left
  * any of these, of any car; a movement     advance(i) of each car whose true body is in a later zone
  * any of these, after time has passed      dt
@@ -46,9 +54,11 @@ import org.starl.trace.TraceEvent.Variable;
  * given back. Bodies are looked at when an action is taken, and when they move in another way; {@link
  * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
  *
- * <p>The theory has no restart of a car, or of another robot that has registered. In it no car withdraws a request, and no car is removed as crashed. If one
- * of these happens, the replay ends, and the report says so ({@link #inPart}). A car that crashes acts
- * no more, as in the theory. Runs in real time are not replayed: bodies are measured there, with errors.
+ * <p>A robot that restarts takes another id: the earlier one acts no more, as in the theory. But a car
+ * among the zones is there under one id only, in the theory. So the replay ends, and the report says so
+ * ({@link #inPart}), when a car that holds zones restarts, or is given up by others; when others have
+ * given up a car that then goes on; and when a restarted car asks for a part of its way. Runs in real time
+ * are not replayed: bodies are measured there, with errors.
  */
 public final class TrafficConformance extends LemmaMonitor {
 
@@ -80,8 +90,12 @@ public final class TrafficConformance extends LemmaMonitor {
     run.observe(event, report);
     CrossingFact.trip(event).ifPresent(trip -> ways.putIfAbsent(event.robot(), trip.zones()));
     switch (event) {
-      case Fault fault when fault.name().equals(Fault.RESTART) && run.hasId(event.robot()) ->
-          end(event, "restarts");
+      case Fault fault when fault.name().equals(Fault.RESTART) -> {
+        if (run.holdsZones(event.robot())) {
+          end(event, event.robot() + " restarts while it holds zones");
+        }
+        run.restarts(event.robot());
+      }
       case Fault fault when fault.isRealTime() -> {
         hasEnded = true;
         never(TrafficAutomaton.TRAFFIC_DECLS, "in real time bodies are measured, with errors");
@@ -91,9 +105,8 @@ public final class TrafficConformance extends LemmaMonitor {
           ofRegistration(action, report);
       case Variable variable when variable.source().equals(registration) -> {
         View view = variable.of(RegistrationFact.VIEW);
-        String why = view == null || view.number() == 0 ? "" : run.saw(event, view, report);
-        if (!why.isEmpty()) {
-          end(event, why);
+        if (view != null && view.number() > 0 && !run.saw(event, view, report)) {
+          end(event, event.robot() + " shows a list after later ones");
         }
       }
       default -> {
@@ -104,30 +117,38 @@ public final class TrafficConformance extends LemmaMonitor {
 
   private void end(TraceEvent event, String what) {
     hasEnded = true;
-    ends(
-        TrafficAutomaton.TRAFFIC_DECLS,
-        event.robot() + " " + what + " at " + Time.text(event.timeNs(), 3));
+    ends(TrafficAutomaton.TRAFFIC_DECLS, what + " at " + Time.text(event.timeNs(), 3));
   }
 
   private void ofRegistration(Action action, Report report) {
     switch (action.fact()) {
       case RegistrationAction.do_register asked -> run.registers(action, asked.i(), report);
       case RegistrationAction.unregister left -> run.unregisters(action, left.i(), report);
-      case RegistrationAction.give_up id -> {
-        if (!run.givesUp(id.i())) {
-          end(action, "gives up an id");
-        }
-      }
-      case Confinement confinement -> end(action, "gives up " + confinement.who());
+      case RegistrationAction.give_up id -> givesUp(action, id.i(), report);
+      case Confinement confinement when confinement.isSaidBy(action.robot()) ->
+          givesUp(action, confinement.who(), report);
       default -> {
         // The acceptors.
       }
     }
   }
 
+  private void givesUp(Action action, ProcessId i, Report report) {
+    if (!run.givesUp(action, i, report)) {
+      end(action, i + " is given up while it holds zones");
+    }
+  }
+
   private void ofMutex(Action action, Report report) {
     switch (action.fact()) {
-      case MutexFact.DoMutex f when !f.sequence().isEmpty() -> end(action, "asks for a sequence");
+      case MutexFact.DoMutex f when !f.sequence().isEmpty() ->
+          end(action, f.who() + " asks for a sequence");
+      case MutexFact.DoMutex f when run.isGivenUpByOthers(f.who()) ->
+          end(action, f.who() + " asks for zones after others gave it up");
+      case MutexFact.OdMutex f when run.isGivenUpByOthers(f.who()) ->
+          end(action, f.who() + " is granted zones after others gave it up");
+      case MutexFact.DoMutex f when run.asksForAPart(f.who(), f.want()) ->
+          end(action, f.who() + " asks for a part of its way");
       case MutexFact.DoMutex f -> {
         run.step(action, new TrafficAction.do_mutex(f.who(), f.want()), report);
         run.asks(action, f.who(), f.known(), report);
@@ -139,10 +160,7 @@ public final class TrafficConformance extends LemmaMonitor {
         run.step(action, new TrafficAction.release(f.who(), f.given()), report);
         run.holds(action, f.who(), f.left(), report);
       }
-      case MutexFact.Withdraw f when f.num() > 0 -> end(action, "withdraws a request");
-      case MutexFact.Fence f -> end(action, "gives up " + f.suspect());
-      case MutexFact.StandsIn f when run.hasId(action.robot()) ->
-          end(action, "says where it stands");
+      case MutexFact.Withdraw f when f.num() > 0 -> run.withdraws(action, f.who(), report);
       default -> {
         // Of the protocol.
       }

@@ -34,8 +34,10 @@ final class TrafficRun {
   private final Function<RobotId, List<String>> ways;
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, ProcessId> cars = new TreeMap<>();
-  // Those that wait for a list for ever: their robots ask under other ids.
-  private final Set<ProcessId> givenUp = new TreeSet<>();
+  // Those of them whose program has ended: the next one of the robot asks under another id.
+  private final Set<ProcessId> restarted = new TreeSet<>();
+  // Those that may not know it, and go on.
+  private final Set<ProcessId> givenUpByOthers = new TreeSet<>();
   // The numbers of the views that were shown, and of the lists that they have.
   private final TreeMap<Long, Long> lists = new TreeMap<>();
   private final Map<RobotId, Long> known = new TreeMap<>();
@@ -66,15 +68,27 @@ final class TrafficRun {
     }
   }
 
-  /** Whether this robot has asked to be listed. */
-  boolean hasId(RobotId robot) {
-    return cars.containsKey(robot);
+  private Locations location(ProcessId i) {
+    return replay.state().loc().at(i);
+  }
+
+  boolean holdsZones(RobotId robot) {
+    ProcessId i = cars.get(robot);
+    return i != null && location(i) == Locations.move_wait;
+  }
+
+  /** What the earlier program knew, the next one has to learn again. */
+  void restarts(RobotId robot) {
+    known.remove(robot);
+    ProcessId i = cars.get(robot);
+    if (i != null) {
+      restarted.add(i);
+    }
   }
 
   void registers(TraceEvent event, ProcessId i, Report report) {
     ProcessId before = cars.get(i.robot());
-    Locations location = before == null ? Locations.away : replay.state().loc().at(before);
-    if (before != null && location != Locations.register_wait) {
+    if (before != null && !mayAskAgain(before)) {
       step(event, new TrafficAction.do_register(before), report);
       return;
     }
@@ -84,24 +98,64 @@ final class TrafficRun {
     learn(event, i, known.getOrDefault(i.robot(), 0L), report);
   }
 
+  private boolean mayAskAgain(ProcessId i) {
+    return switch (location(i)) {
+      case register_wait, over -> true;
+      default -> restarted.contains(i);
+    };
+  }
+
   void unregisters(TraceEvent event, ProcessId i, Report report) {
-    if (!replay.state().reg().gone().contains(i)) {
-      step(event, new TrafficAction.unregister(i), report);
+    if (replay.state().reg().gone().contains(i)) {
+      return;
+    }
+    boolean hasAskedForNone = location(i) == Locations.register_wait && isOfRestarted(i);
+    step(
+        event,
+        hasAskedForNone ? new TrafficAction.give_up(i) : new TrafficAction.unregister(i),
+        report);
+  }
+
+  private boolean isOfRestarted(ProcessId i) {
+    return restarted.stream().anyMatch(each -> each.robot().equals(i.robot()));
+  }
+
+  /** Returns false if it holds zones. */
+  boolean givesUp(TraceEvent event, ProcessId i, Report report) {
+    if (!event.robot().equals(i.robot())) {
+      givenUpByOthers.add(i);
+    }
+    switch (location(i)) {
+      case register_wait, mutex_wait -> step(event, new TrafficAction.give_up(i), report);
+      case S1 -> step(event, new TrafficAction.unregister(i), report);
+      case move_wait -> {
+        return false;
+      }
+      case away, S0, done, over -> {
+        // It is on no list, or may be left out already.
+      }
+    }
+    return true;
+  }
+
+  boolean isGivenUpByOthers(ProcessId i) {
+    return givenUpByOthers.contains(i);
+  }
+
+  /** Where its body may be, or may not be, is not certain after a restart. */
+  boolean asksForAPart(ProcessId i, SortedSet<String> want) {
+    return isOfRestarted(i) && !want.equals(Sets.of(ways.apply(i.robot())));
+  }
+
+  void withdraws(TraceEvent event, ProcessId i, Report report) {
+    if (location(i) != Locations.over) {
+      step(event, new TrafficAction.withdraw(i), report);
     }
   }
 
-  /** An id that no list has acts no more; returns false if one has it. */
-  boolean givesUp(ProcessId i) {
-    givenUp.add(i);
-    return replay.state().loc().at(i) == Locations.register_wait && !latest().contains(i);
-  }
-
-  /** Returns why the theory has no such list: empty if it has. */
-  String saw(TraceEvent event, View view, Report report) {
+  /** Returns false if the theory has no such list. */
+  boolean saw(TraceEvent event, View view, Report report) {
     SortedSet<ProcessId> list = Sets.of(view.admitted().keySet());
-    if (list.stream().anyMatch(givenUp::contains)) {
-      return "shows a list with an id that was given up";
-    }
     if (lists.isEmpty() || view.number() > lists.lastKey()) {
       if (!list.equals(latest())) {
         step(event, new TrafficAction.decide(list), report);
@@ -110,15 +164,15 @@ final class TrafficRun {
     }
     Long number = lists.get(view.number());
     if (number == null) {
-      return "shows a list after later ones";
+      return false;
     }
     known.put(event.robot(), number);
     ProcessId i = cars.get(event.robot());
-    if (i != null) {
+    if (i != null && !restarted.contains(i)) {
       learn(event, i, number, report);
       replay.result(event, "rList", i, list, replay.state().reg().rList(i), report);
     }
-    return "";
+    return true;
   }
 
   private SortedSet<ProcessId> latest() {
@@ -133,8 +187,8 @@ final class TrafficRun {
 
   /** A request needs the consent of {@code asked}, some of which may be on later lists alone. */
   void asks(TraceEvent event, ProcessId i, SortedSet<ProcessId> asked, Report report) {
-    if (replay.state().loc().at(i) != Locations.mutex_wait) {
-      return; // it has all consents
+    if (location(i) != Locations.mutex_wait) {
+      return; // it has all consents, or asks no more
     }
     SortedSet<ProcessId> list = replay.state().mux().plist().at(i);
     SortedSet<ProcessId> both = Sets.intersection(list, Sets.add(i, asked));

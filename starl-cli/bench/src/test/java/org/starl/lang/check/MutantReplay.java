@@ -100,7 +100,7 @@ final class MutantReplay {
           Map.entry("Ledger_decls", Twin.of("ledger", "ledger.LedgerConformance")),
           Map.entry("Geocast_decls", Twin.of("geocast", "geocast.GeocastConformance")),
           Map.entry("MotionControl_decls", Twin.of("motion", "motion.MotionConformance")),
-          // Without restarts: the theory has none.
+          // Without restarts: the theory has none of a car that holds zones.
           Map.entry(
               "Traffic_decls",
               new Twin(
