@@ -301,18 +301,18 @@ public final class LiveTraces implements AutoCloseable {
 
     @Override
     public int read(byte[] into, int offset, int length) throws IOException {
-      long nowNs = realNs.getAsLong();
-      int count = file.read(into, offset, length);
-      while (count < 0 && !isClosed) {
+      while (true) {
+        long nowNs = realNs.getAsLong();
+        int count = file.read(into, offset, length);
+        if (count >= 0 || isClosed) {
+          return count;
+        }
         past.tell();
         if (whenWaiting.test(nowNs)) {
-          break;
+          return count;
         }
         pause();
-        nowNs = realNs.getAsLong();
-        count = file.read(into, offset, length);
       }
-      return count;
     }
 
     @Override
