@@ -312,9 +312,9 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
 
     private void learned(ProcessId i, View view) {
       run.admitted.putAll(view.admitted());
+      // One that was fenced, and that this view removes, may ask for the first time later.
       Set<ProcessId> all = new TreeSet<>(run.requests.keySet());
-      all.addAll(
-          run.fencedBy.keySet()); // one that this view removes may ask for the first time later
+      all.addAll(run.fencedBy.keySet());
       for (ProcessId j : all) {
         if (run.isGone(j, view)) {
           fencers(j, view).forEach(f -> take(new ProtocolAction.fence(f, j)));
