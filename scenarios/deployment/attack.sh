@@ -90,7 +90,7 @@ root=$here/../.. attacker=$here/../../starl-cli/launch/target/test-classes
 [ -e "$attacker/org/starl/launch/Attacker.class" ] || $starl test -DskipTests >"$work/build.log" || { cat "$work/build.log"; exit 1; }
 # The Java that the launcher finds.
 java=$(STARL_JAVA_OPTS=-XshowSettings:properties $starl list 2>&1 | sed -n 's/^ *java\.home = //p')/bin/java
-attacker=$attacker:$root/target/starl-maven/starl.jar:$(cat "$root/starl-apps/kotlin/target/classpath.txt")
+attacker=$attacker:$root/target/starl-maven/starl.jar:$(cat "$root/starl-apps/kotlin/target/run/classpath.txt")
 # shellcheck disable=SC2086
 coproc ATTACK { exec "$java" $STARL_JAVA_OPTS -cp "$attacker" org.starl.launch.Attacker "$base"; }
 $starl keygen "$work/crossing.key" >/dev/null || exit 1

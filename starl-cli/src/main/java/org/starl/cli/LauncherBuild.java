@@ -175,7 +175,7 @@ final class LauncherBuild {
       case "test" -> test(words);
       case "install" -> install(words);
       case "apk" ->
-          ended(maven(System.err, false, List.of("compile", "-pl", "starl-android/apk", "-am")));
+          ended(maven(System.err, false, toRun("compile", "starl-android/apk", List.of())));
       default -> throw new IllegalArgumentException(part);
     };
   }
@@ -194,12 +194,12 @@ final class LauncherBuild {
   // --- what is built -----------------------------------------------------------------------------
 
   private int compile() throws IOException {
-    boolean isFirst = !Files.exists(root.resolve(LAST_MODULE + "/target/classpath.txt"));
+    boolean isFirst = !Files.exists(root.resolve(LAST_MODULE + "/target/run/classpath.txt"));
     say(
         isFirst
             ? "building for the first time (some minutes; libraries are fetched once)"
             : "compiling what has changed");
-    int status = ended(maven(System.err, isFirst, List.of("compile", "-pl", LAST_MODULE, "-am")));
+    int status = ended(maven(System.err, isFirst, toRun("compile", LAST_MODULE, List.of())));
     return status == 0 ? makeJar() : status;
   }
 
@@ -212,7 +212,7 @@ final class LauncherBuild {
     List<String> words =
         new ArrayList<>(List.of("--create", "--no-compress", "--file", made.toString()));
     for (String module : modules()) {
-      Path classes = root.resolve(module).resolve("target/classes");
+      Path classes = root.resolve(module).resolve("target/run/classes");
       if (Files.exists(classes)) {
         words.addAll(List.of("-C", classes.toString(), "."));
       }
@@ -241,17 +241,8 @@ final class LauncherBuild {
             .formatted(what, megabytes));
     Path begun = Files.createTempFile(state, part, ".begun");
     FileTime time = Files.getLastModifiedTime(begun);
-    List<String> goals =
-        List.of(
-            "package",
-            "-P" + part,
-            "-pl",
-            module,
-            "-am",
-            "-Dmaven.test.skip=true",
-            "-Dmaven.source.skip=true",
-            "-Dmaven.javadoc.skip=true");
-    int status = ended(maven(System.err, true, goals));
+    List<String> more = List.of("-P" + part, "-Dmaven.source.skip=true");
+    int status = ended(maven(System.err, true, toRun("package", module, more)));
     if (status == 0) {
       Files.move(begun, state.resolve(part), StandardCopyOption.REPLACE_EXISTING);
       Files.setLastModifiedTime(state.resolve(part), time);
@@ -320,18 +311,8 @@ final class LauncherBuild {
     say(
         "installing StarL into the local Maven repository (the first time some minutes; libraries"
             + " are fetched once)");
-    List<String> goals =
-        new ArrayList<>(
-            List.of(
-                "install",
-                "-pl",
-                "starl-bom," + LAST_MODULE + ",starl-android/apk",
-                "-am",
-                "-Dmaven.test.skip=true",
-                "-Dmaven.javadoc.skip=true",
-                "-Dspotless.check.skip=true"));
-    goals.addAll(words);
-    int status = ended(maven(System.err, true, goals));
+    String modules = "starl-bom," + LAST_MODULE + ",starl-android/apk";
+    int status = ended(maven(System.err, true, toRun("install", modules, words)));
     if (status == 0) {
       say("installed");
     }
@@ -342,9 +323,10 @@ final class LauncherBuild {
   private int makeApk(List<String> words) throws IOException {
     StringBuilder path = new StringBuilder();
     for (String module : Stream.concat(modules().stream(), ANDROID.stream()).toList()) {
-      path.append(root.resolve(module).resolve("target/classes")).append(File.pathSeparator);
+      path.append(root.resolve(module).resolve("target/run/classes")).append(File.pathSeparator);
     }
-    path.append(Files.readString(root.resolve("starl-android/apk/target/classpath.txt")).strip());
+    path.append(
+        Files.readString(root.resolve("starl-android/apk/target/run/classpath.txt")).strip());
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -367,6 +349,13 @@ final class LauncherBuild {
   }
 
   // --- Maven -------------------------------------------------------------------------------------
+
+  /** Words for Maven: a build of what is run, without the gates, as many modules at once as there are processors. */
+  private static List<String> toRun(String goal, String modules, List<String> more) {
+    List<String> words = new ArrayList<>(List.of(goal, "-Prun", "-T1C", "-pl", modules, "-am"));
+    words.addAll(more);
+    return words;
+  }
 
   /**
    * Runs Maven, which speaks only when something is wrong; with {@code isTelling} also of its progress.

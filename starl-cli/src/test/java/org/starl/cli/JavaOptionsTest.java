@@ -53,8 +53,8 @@ class JavaOptionsTest {
     file("jdk/bin/javac", "");
     file("jdk/bin/java", PRINT_WORDS);
     file("bin/mvn", "");
-    file("starl-apps/kotlin/target/begun", "");
-    file("starl-apps/kotlin/target/classpath.txt", folder.resolve("pom.xml").toString());
+    file("starl-apps/kotlin/target/run/begun", "");
+    file("starl-apps/kotlin/target/run/classpath.txt", folder.resolve("pom.xml").toString());
     file("target/starl-maven/starl.jar", "");
     ProcessBuilder builder = new ProcessBuilder(folder.resolve("starl").toString());
     builder.command().addAll(List.of(line));

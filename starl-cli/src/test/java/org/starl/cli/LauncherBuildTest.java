@@ -25,13 +25,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LauncherBuildTest {
 
   private static final String BUILD = "starl-cli/src/main/java/org/starl/cli/LauncherBuild.java";
-  private static final String KOTLIN = "starl-apps/kotlin/target/";
+  private static final String KOTLIN = "starl-apps/kotlin/target/run/";
 
   /** What a build leaves. */
   private static final String COMPILES =
-      "mkdir -p starl-apps/kotlin/target/classes\n"
-          + "echo >starl-apps/kotlin/target/begun\nsleep 0.1\n"
-          + "echo \"$PWD/pom.xml\" >starl-apps/kotlin/target/classpath.txt\n";
+      "mkdir -p starl-apps/kotlin/target/run/classes\n"
+          + "echo >starl-apps/kotlin/target/run/begun\nsleep 0.1\n"
+          + "echo \"$PWD/pom.xml\" >starl-apps/kotlin/target/run/classpath.txt\n";
 
   @TempDir private Path folder;
 
@@ -123,6 +123,24 @@ class LauncherBuildTest {
 
     Files.delete(folder.resolve("target/starl-maven/starl.jar"));
     assertThat(lines(0, "list")).as("the jar alone").hasSize(1);
+  }
+
+  @Test
+  void testsAreOfCheckedClassesAndAllElseIsBuiltWithoutTheGates() throws Exception {
+    file("bin/mvn", "#!/bin/sh\necho \"$*\" >>words\n" + COMPILES);
+    file("bin/aapt2", "");
+
+    lines(0, "list");
+    lines(0, "install");
+    start("apk").waitFor(); // its maker is not there
+    lines(0, "test");
+
+    assertThat(Files.readAllLines(folder.resolve("words")))
+        .satisfiesExactly(
+            list -> assertThat(list).contains("compile -Prun "),
+            install -> assertThat(install).contains("install -Prun "),
+            apk -> assertThat(apk).contains("compile -Prun "),
+            test -> assertThat(test).contains("verify ").doesNotContain("-Prun"));
   }
 
   @Test
