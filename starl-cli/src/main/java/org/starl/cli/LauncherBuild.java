@@ -197,7 +197,7 @@ final class LauncherBuild {
     boolean isFirst = !Files.exists(root.resolve(LAST_MODULE + "/target/run/classpath.txt"));
     say(
         isFirst
-            ? "building for the first time (some minutes; libraries are fetched once)"
+            ? "building for the first time (a minute or two; libraries are fetched once)"
             : "compiling what has changed");
     int status = ended(maven(System.err, isFirst, toRun("compile", LAST_MODULE, List.of())));
     return status == 0 ? makeJar() : status;

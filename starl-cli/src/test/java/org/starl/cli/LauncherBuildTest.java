@@ -113,7 +113,8 @@ class LauncherBuildTest {
 
     assertThat(lines(0, "list"))
         .first()
-        .isEqualTo("starl: building for the first time (some minutes; libraries are fetched once)");
+        .isEqualTo(
+            "starl: building for the first time (a minute or two; libraries are fetched once)");
     assertThat(lines(0, "list")).singleElement().asString().startsWith("runs ");
 
     file("starl-apps/kotlin/src/main/A.kt", "");
