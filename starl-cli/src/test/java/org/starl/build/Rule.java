@@ -41,7 +41,7 @@ record Rule(
   /** A pattern in the code, comments and literals apart. */
   static Function<SourceFile, List<Integer>> inCode(String regex) {
     Pattern pattern = Pattern.compile(regex);
-    return file -> linesWith(pattern, file.codeLines());
+    return file -> linesWith(pattern, file.code().lines().toList());
   }
 
   /** A pattern anywhere in the file. */
@@ -54,7 +54,7 @@ record Rule(
   static Function<SourceFile, List<Integer>> acrossLines(String regex) {
     Pattern pattern = Pattern.compile(regex);
     return file -> {
-      String code = JavaText.codeOf(file.text());
+      String code = file.code();
       List<Integer> found = new ArrayList<>();
       Matcher matcher = pattern.matcher(code);
       while (matcher.find()) {

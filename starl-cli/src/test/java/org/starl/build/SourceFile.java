@@ -2,12 +2,28 @@ package org.starl.build;
 
 import java.util.List;
 
-/**
- * One text file of the project.
- *
- * @param path from the project's root, with slashes
- */
-record SourceFile(String path, String text) {
+/** One text file of the project. */
+final class SourceFile {
+
+  private final String path;
+  private final String text;
+  private String code = "";
+
+  /**
+   * @param path from the project's root, with slashes
+   */
+  SourceFile(String path, String text) {
+    this.path = path;
+    this.text = text;
+  }
+
+  String path() {
+    return path;
+  }
+
+  String text() {
+    return text;
+  }
 
   List<String> lines() {
     return text.lines().toList();
@@ -27,8 +43,11 @@ record SourceFile(String path, String text) {
     return isCode() && path.contains("/src/main/");
   }
 
-  /** The lines with the contents of comments and of string literals blanked out. */
-  List<String> codeLines() {
-    return JavaText.codeOf(text).lines().toList();
+  /** The text with the contents of comments and of string literals blanked out. */
+  String code() {
+    if (code.isEmpty()) {
+      code = JavaText.codeOf(text); // once: each rule asks
+    }
+    return code;
   }
 }

@@ -13,18 +13,17 @@ class TidyTest {
 
   private static final List<SourceFile> FILES = Repository.here().textFiles();
 
+  private static final List<Rule.Finding> FINDINGS =
+      FILES.stream().flatMap(file -> rules().flatMap(r -> r.findings(file).stream())).toList();
+
   static Stream<Rule> rules() {
     return Stream.concat(CodeRules.all().stream(), TextRules.all().stream());
-  }
-
-  private static List<Rule.Finding> findings() {
-    return FILES.stream().flatMap(file -> rules().flatMap(r -> r.findings(file).stream())).toList();
   }
 
   @Test
   void everySourceIsTidy() {
     List<Rule.Finding> notAllowed =
-        findings().stream()
+        FINDINGS.stream()
             .filter(finding -> Allowance.all().stream().noneMatch(a -> a.covers(finding)))
             .toList();
     assertThat(notAllowed).isEmpty();
@@ -32,9 +31,8 @@ class TidyTest {
 
   @Test
   void everyAllowanceIsNeeded() {
-    List<Rule.Finding> findings = findings();
     assertThat(Allowance.all())
-        .allSatisfy(a -> assertThat(findings).as("needed for").anyMatch(a::covers));
+        .allSatisfy(a -> assertThat(FINDINGS).as("needed for").anyMatch(a::covers));
   }
 
   @Test

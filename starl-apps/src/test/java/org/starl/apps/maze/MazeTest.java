@@ -335,8 +335,8 @@ class MazeTest {
 
   @Test
   void aRobotThatWandersIsNotRequiredToKeepApart() {
-    SimResult result = run(1, 4, Map.of(), Map.of("randomRobots", "1"));
-    assertThat(result.spec().exceptions())
+    Plan plan = plan(1, 4, Map.of(), Map.of("randomRobots", "1", "duration", "1s"));
+    assertThat(plan.simulation().build().run().spec().exceptions())
         .containsExactly("not required of bot3, which leave their way: maze.Apart maze.held");
   }
 }
