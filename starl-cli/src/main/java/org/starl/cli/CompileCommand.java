@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -84,9 +85,12 @@ final class CompileCommand extends SourceCommand {
     }
     for (Automaton each : automata) {
       out().println(each.name() + ": " + each.actions().size() + " actions");
-      if (!each.claims().isEmpty() && (java != null || pvs != null)) {
-        String names = String.join(", ", each.claims());
-        out().println(each.name() + ": not in Java and PVS, see 'starl check': progress " + names);
+      List<String> left = new ArrayList<>();
+      each.claims().forEach(name -> left.add("progress " + name));
+      each.constraints().forEach(constraint -> left.add("constraint " + constraint.name()));
+      if (!left.isEmpty() && (java != null || pvs != null)) {
+        String names = String.join(", ", left);
+        out().println(each.name() + ": not in Java and PVS, see 'starl check': " + names);
       }
       for (Refinement refinement : java == null ? List.<Refinement>of() : each.refinements()) {
         out().println(each.name() + ": not in Java, see 'starl check': " + refinement.title());

@@ -39,6 +39,18 @@ class CheckTest {
       action pass eff turn := (turn + 1) mod N
       """;
 
+  /** It has 1 + 2 + 4 states with at most two in the line, and 8 with three. */
+  private static final String LINE =
+      """
+      automaton Line
+      state line: list[0..1]
+      start line = []
+      constraint Short: length(line) <= 2
+      action join(k: 0..1) eff line := line ++ [k]
+      action leave pre line != [] eff line := tail(line)
+      invariant Few: length(line) <= 3
+      """;
+
   /** Registers twice under one id. */
   static final String TWICE =
       """
@@ -110,6 +122,55 @@ class CheckTest {
         .startsWith(
             "Ring (N 0): the start is undefined",
             "  " + folder.resolve("lamps.starl") + ":3:13: the range 0..-1 is empty");
+  }
+
+  @Test
+  void noStepIsTakenFromWhereAConstraintIsFalse() throws IOException {
+    Cli cli = check(LINE, "--nat", "3");
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.out())
+        .containsExactly(
+            "Line: 7 states, 20 steps, at most 3 steps from a start; Few holds within Short",
+            "  8 states outside, whose steps are not looked at");
+    String file = folder.resolve("line.saved").toString();
+    check(LINE, "--nat", "3", "--most", "9", "--checkpoint", file);
+    assertThat(check(LINE, "--nat", "3", "--checkpoint", file, "--resume").out())
+        .isEqualTo(cli.out());
+
+    Cli outside = check(LINE.replace("<= 3", "<= 2"), "--nat", "3");
+    assertThat(outside.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(outside.out()).first().isEqualTo("Line: Few is false after 3 steps");
+
+    Cli bounds = check(LINE); // a list of three is beyond --nat 2
+    assertThat(bounds.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+
+    Cli none = check(LINE.replace("<= 2", "= 1"));
+    assertThat(none.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+    assertThat(none.out())
+        .first()
+        .asString()
+        .contains("not decided: NO START STATE SATISFIES THE CONSTRAINTS");
+  }
+
+  @Test
+  void aConstraintThatIsNeverFalseIsNamedAndProgressBeyondOneIsNotDecided() throws IOException {
+    String closed = LINE.replace("eff line := line ++", "pre length(line) < 2 eff line := line ++");
+    Cli cli = check(closed);
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.out())
+        .containsExactly(
+            "Line: 7 states, 12 steps, at most 2 steps from a start; Few holds",
+            "  never false: constraint Short");
+    String leaves = "progress Leaves: line = [1] leads to line != [1]\n";
+    String fair = LINE.replace("action leave", "action leave fair") + leaves;
+    assertThat(check(closed.replace("action leave", "action leave fair") + leaves).status())
+        .isZero();
+    Cli progress = check(fair, "--nat", "3");
+    assertThat(progress.status()).isEqualTo(ExitStatus.NOT_DECIDED);
+    assertThat(progress.out())
+        .first()
+        .asString()
+        .contains("not decided: progress of runs that leave the constraints");
   }
 
   @Test

@@ -173,19 +173,25 @@ class VerdictTest {
   void progressIsDecidedByCheckAndNotLookedAtElsewhere(String fair, int status, String headline)
       throws IOException {
     String text =
-        Files.readString(source("", "c < 2", "c = 0", "progress Full: eventually c = 2"))
+        Files.readString(
+                source(
+                    "", "c < 2", "c = 0", "constraint Low: c < 9 progress Full: eventually c = 2"))
             .replace("bad := true", "bad := false");
     Path file = folder.resolve("p.starl");
     Files.writeString(file, text.replace("action inc", "action inc " + (fair == null ? "" : fair)));
     hasVerdict(Cli.run("check", file.toString()), status, headline);
     Cli cli = Cli.run("compile", file.toString(), "--pvs", folder.toString());
-    assertThat(cli.out()).contains("C: not in Java and PVS, see 'starl check': progress Full");
-    assertThat(Files.readString(folder.resolve("C.pvs"))).contains("progress: Full");
+    assertThat(cli.out())
+        .contains("C: not in Java and PVS, see 'starl check': progress Full, constraint Low");
+    assertThat(Files.readString(folder.resolve("C.pvs")))
+        .contains("progress: Full; constraint: Low");
     Cli prove = Cli.run("prove", file.toString());
     assertThat(prove.status()).isEqualTo(ExitStatus.NOT_DECIDED);
     assertThat(prove.out())
         .contains(
-            "C: Full is not looked at: 'starl check' asks for progress", "C: not decided: Full");
+            "C: Low bounds 'starl check' alone: what is proved is so of all states",
+            "C: Full is not looked at: 'starl check' asks for progress",
+            "C: not decided: Full");
   }
 
   @ParameterizedTest

@@ -24,6 +24,7 @@ part
     | START expression (',' expression)*                            # startPart
     | ACTION name=id binders? fairness? pre? eff?                   # actionPart
     | INVARIANT name=id ':' expression                              # invariantPart
+    | CONSTRAINT name=id ':' expression                             # constraintPart
     | JAVA STRING                                                   # javaClassPart
     | JAVA type '=' of=STRING (START first=STRING)?                 # javaTypePart
     ;
@@ -183,7 +184,7 @@ namedArgument: name=id ':=' expression;
 id
     : ID | ASSUME | TYPE | STATE | START | ACTION | JAVA | MEASURE | RECORD | SET | LIST | OPTION | MAP
     | GIVEN | EVERY | RESTART | PROGRESS | LEADS | TO | FAIR | STRONGLY | AS | FOR | NO | DEADLOCK | UNLESS | LET | CHOOSE
-    | REFINES | BY | NOTHING
+    | REFINES | BY | NOTHING | CONSTRAINT
     ;
 
 AUTOMATON: 'automaton';
@@ -207,6 +208,7 @@ FUN: 'fun';
 START: 'start';
 ACTION: 'action';
 INVARIANT: 'invariant';
+CONSTRAINT: 'constraint';
 PROGRESS: 'progress';
 EVENTUALLY: 'eventually';
 LEADS: 'leads';

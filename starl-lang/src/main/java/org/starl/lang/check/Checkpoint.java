@@ -20,7 +20,7 @@ import java.util.zip.InflaterInputStream;
  */
 public final class Checkpoint {
 
-  private static final String FORMAT = "starl check 1";
+  private static final String FORMAT = "starl check 2";
 
   private final Search search;
   private final Counts counts;

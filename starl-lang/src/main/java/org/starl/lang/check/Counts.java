@@ -15,6 +15,9 @@ final class Counts {
   long beyond;
   long beyondArguments;
 
+  /** The states in which a constraint is false. */
+  int outside;
+
   /** Of each action, how often it was taken. */
   final long[] taken;
 
@@ -36,6 +39,7 @@ final class Counts {
     steps = other.steps;
     beyond = other.beyond;
     beyondArguments = other.beyondArguments;
+    outside = other.outside;
     System.arraycopy(other.taken, 0, taken, 0, taken.length);
     for (int i = 0; i < falses.length; i++) {
       System.arraycopy(other.falses[i], 0, falses[i], 0, falses[i].length);
@@ -48,6 +52,7 @@ final class Counts {
     out.writeLong(steps);
     out.writeLong(beyond);
     out.writeLong(beyondArguments);
+    out.writeInt(outside);
     for (int i = 0; i < taken.length; i++) {
       out.writeLong(taken[i]);
       for (boolean isFalse : falses[i]) {
@@ -65,6 +70,7 @@ final class Counts {
     steps = in.readLong();
     beyond = in.readLong();
     beyondArguments = in.readLong();
+    outside = in.readInt();
     for (int i = 0; i < taken.length; i++) {
       taken[i] = in.readLong();
       for (int c = 0; c < falses[i].length; c++) {

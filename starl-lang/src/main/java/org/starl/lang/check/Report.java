@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.starl.lang.eval.Sizes;
 import org.starl.lang.tree.Automaton;
@@ -48,6 +49,11 @@ public final class Report {
             },
             () -> lines.add(head + counts + "; " + verdict(automaton, result) + never(result)));
     addNotes(lines, sizes, result);
+    if (result.outside() == 0 && result.isComplete()) {
+      automaton
+          .constraints()
+          .forEach(each -> lines.add("  never false: constraint " + each.name()));
+    }
     automaton.refinements().forEach(each -> addUnused(lines, each, result));
     addFairness(lines, automaton);
     return List.copyOf(lines);
@@ -61,7 +67,7 @@ public final class Report {
               + "; to go on, repeat it with a larger --most, more memory"
               + " (STARL_JAVA_OPTS=-Xmx...), or smaller sizes (--robots, --size, --nat, --time)");
     }
-    if (result.states() == 0 && result.finding().isEmpty()) {
+    if (result.states() + result.outside() == 0 && result.finding().isEmpty()) {
       lines.add("  no values %s meet the assumptions and the start".formatted(within(sizes)));
     }
     if (!result.asymmetric().isEmpty()) {
@@ -73,6 +79,11 @@ public final class Report {
       lines.add(
           "  states that differ in the names of elements alone count once: "
               + String.join(", ", result.symmetric()));
+    }
+    if (result.outside() > 0) {
+      lines.add(
+          "  %s outside, whose steps are not looked at"
+              .formatted(count(result.outside(), "state")));
     }
     result
         .open()
@@ -157,6 +168,12 @@ public final class Report {
           + String.join(", ", result.undecided())
           + (result.states() == 0 ? "" : "; nothing is wrong so far");
     }
+    String within =
+        result.outside() == 0
+            ? ""
+            : automaton.constraints().stream()
+                .map(Invariant::name)
+                .collect(Collectors.joining(", ", " within ", ""));
     List<String> names =
         Stream.concat(
                 automaton.refined().invariants().stream().map(Invariant::name),
@@ -167,12 +184,12 @@ public final class Report {
       String and =
           (refined.isEmpty() ? "" : " and " + String.join(", ", refined))
               + (automaton.claims().isEmpty() ? "" : " and progress");
-      return "all %d invariants%s hold".formatted(names.size() - refined.size(), and);
+      return "all %d invariants%s hold%s".formatted(names.size() - refined.size(), and, within);
     }
     return switch (names.size()) {
       case 0 -> "it has no invariant";
-      case 1 -> names.getFirst() + " holds";
-      default -> String.join(", ", names) + " hold";
+      case 1 -> names.getFirst() + " holds" + within;
+      default -> String.join(", ", names) + " hold" + within;
     };
   }
 

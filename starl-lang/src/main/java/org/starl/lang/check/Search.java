@@ -32,7 +32,9 @@ public final class Search {
   /**
    * What a search found.
    *
-   * @param states the number of those visited; of states that differ in names alone, one counts
+   * @param states the number of those visited in which all constraints hold; of states that differ in
+   *     names alone, one counts
+   * @param outside the number of those in which a constraint is false: their steps are not looked at
    * @param steps the number of steps from them
    * @param depth the number of steps to the farthest of them
    * @param stopped why the search ended early; empty if it did not
@@ -52,6 +54,7 @@ public final class Search {
    */
   public record Result(
       int states,
+      int outside,
       long steps,
       int depth,
       String stopped,
@@ -87,8 +90,10 @@ public final class Search {
       List<String> all = new ArrayList<>();
       if (!stopped.isEmpty()) {
         all.add("THE SEARCH DID NOT END");
-      } else if (states == 0) {
+      } else if (states + outside == 0) {
         all.add("THERE IS NO START STATE");
+      } else if (states == 0) {
+        all.add("NO START STATE SATISFIES THE CONSTRAINTS");
       }
       if (beyond + beyondArguments > 0) {
         all.add("steps are not taken");
@@ -218,6 +223,9 @@ public final class Search {
       }
       if (graph != null && graph.states() == states.size()) {
         finding = new Runs(this, graph).find().orElse(null);
+        if (counts.outside > 0) {
+          unasked.add("progress of runs that leave the constraints");
+        }
       }
     } catch (Found found) {
       finding = found.finding;
@@ -284,7 +292,8 @@ public final class Search {
       }
     }
     return new Result(
-        states.size(),
+        states.size() - counts.outside,
+        counts.outside,
         counts.steps,
         depth,
         stopped,
@@ -319,6 +328,7 @@ public final class Search {
       if (parent < 0) {
         ask(ofStarts, numbers, number);
       }
+      counts.outside += isWithin(numbers, number, true) ? 0 : 1;
     }
     return number;
   }
@@ -335,6 +345,23 @@ public final class Search {
         found(invariant, e, number);
       }
     }
+  }
+
+  /** Whether all constraints hold; a state of which this is not known is none to go on from. */
+  private boolean isWithin(int[] state, int number, boolean isNew) {
+    for (Invariant constraint : automaton.constraints()) {
+      try {
+        if (!successors.holds(constraint, state)) {
+          return false;
+        }
+      } catch (Beyond e) {
+        counts.unevaluated.merge(constraint.name(), isNew ? 1L : 0L, Long::sum);
+        return false;
+      } catch (EvalError e) {
+        found(constraint, e, number);
+      }
+    }
+    return true;
   }
 
   /** Tells a run by the numbers of its states. */
@@ -408,6 +435,12 @@ public final class Search {
     boolean[] isEnd = {true};
     if (graph != null) {
       graph.beginState();
+    }
+    if (!isWithin(state, number, false)) {
+      if (graph != null) {
+        graph.addUntaken();
+      }
+      return;
     }
     successors.steps(
         state,

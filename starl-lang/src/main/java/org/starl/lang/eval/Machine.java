@@ -83,7 +83,8 @@ public final class Machine {
     Compiler compiler = compiler();
     automaton.actions().forEach(action -> acts.add(new Act(action, compiler)));
     automaton.sides().forEach(side -> acts.add(new Act(side, compiler)));
-    Stream.of(automaton.invariants(), automaton.ends(), automaton.starts()).forEach(asked::addAll);
+    Stream.of(automaton.invariants(), automaton.constraints(), automaton.ends(), automaton.starts())
+        .forEach(asked::addAll);
     for (Invariant invariant : asked) {
       Compiler.Scope scope = new Compiler.Scope();
       Code code = compiler.code(invariant.condition(), scope);

@@ -89,6 +89,7 @@ final class ProgramWriter {
         List.of(),
         List.of(),
         List.of(),
+        List.of(),
         program.javaClass(),
         javaTypes,
         program.comment(),

@@ -96,6 +96,15 @@ public final class Prover {
       claims.addAll(new Induction(automaton.invariants()).claims(Induction.worst(claims)));
     }
     automaton
+        .constraints()
+        .forEach(each ->
+            claims.add(
+                new Claim(
+                    each.name(),
+                    Verdict.PROVED,
+                    "bounds 'starl check' alone: what is proved is so of all states",
+                    List.of())));
+    automaton
         .claims()
         .forEach(each ->
             claims.add(

@@ -78,10 +78,11 @@ public final class PvsTheory {
     return text.append("END ").append(PvsNames.id(automaton.name())).append('\n').toString();
   }
 
-  /** Fairness and progress are not stated: the reader is told. */
+  /** Fairness, progress and constraints of a search are not stated: the reader is told. */
   private void addLeftOut() {
     List<String> out = new ArrayList<>(automaton.fairness());
     automaton.claims().forEach(name -> out.add("progress: " + name));
+    automaton.constraints().forEach(each -> out.add("constraint: " + each.name()));
     if (!out.isEmpty()) {
       block(List.of("  % Not stated here, see 'starl check': " + String.join("; ", out)));
     }

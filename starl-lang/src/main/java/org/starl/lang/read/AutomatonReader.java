@@ -98,6 +98,7 @@ final class AutomatonReader extends PartsReader {
     List<Action> actions = new ArrayList<>();
     each(StarlParser.ActionPartContext.class, at -> actions.add(action(at)));
     List<Invariant> invariants = invariants();
+    List<Invariant> constraints = constraints();
     ProgressReader progress = new ProgressReader(this);
     progress.read(invariants);
     RefinementReader refines = new RefinementReader(this, actions);
@@ -130,6 +131,7 @@ final class AutomatonReader extends PartsReader {
         List.copyOf(start),
         List.copyOf(actions),
         invariants,
+        constraints,
         List.copyOf(progress.ends),
         List.copyOf(progress.all),
         List.copyOf(refinements),

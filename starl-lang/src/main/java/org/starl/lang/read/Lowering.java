@@ -101,10 +101,12 @@ final class Lowering {
    * The automaton.
    *
    * @param own the invariants of the source
+   * @param constraints those of the source
    * @param asked what is to happen, as far as it is read
    * @param isWhole whether value parameters are left out that nothing reads
    */
-  Automaton automaton(List<Invariant> own, ProgressReader asked, boolean isWhole) {
+  Automaton automaton(
+      List<Invariant> own, List<Invariant> constraints, ProgressReader asked, boolean isWhole) {
     List<Invariant> all = new ArrayList<>(invariants);
     all.addAll(own);
     List<Declared> types = new ArrayList<>(program.types());
@@ -113,6 +115,7 @@ final class Lowering {
     Set<String> mentioned = new TreeSet<>();
     start.forEach(each -> mention(each, mentioned));
     all.forEach(each -> mention(each.condition(), mentioned));
+    constraints.forEach(each -> mention(each.condition(), mentioned));
     List<Progress> progress = new ArrayList<>(assumed);
     progress.addAll(asked.all);
     asked.ends.forEach(each -> mention(each.condition(), mentioned));
@@ -142,6 +145,7 @@ final class Lowering {
         start,
         List.copyOf(actions),
         List.copyOf(all),
+        constraints,
         List.copyOf(asked.ends),
         List.copyOf(progress),
         List.of(),

@@ -124,6 +124,15 @@ class PartsReader {
     return List.copyOf(invariants);
   }
 
+  final List<Invariant> constraints() {
+    List<Invariant> constraints = new ArrayList<>();
+    each(
+        StarlParser.ConstraintPartContext.class,
+        at -> constraints.add(condition(at, at.name, at.expression())));
+    requireUnique("constraint", StarlParser.ConstraintPartContext.class, at -> at.name);
+    return List.copyOf(constraints);
+  }
+
   final Invariant condition(
       PartContext at, StarlParser.IdContext name, StarlParser.ExpressionContext condition) {
     return new Invariant(newName(name), expressions.bool(condition), source.before(at), pos(at));

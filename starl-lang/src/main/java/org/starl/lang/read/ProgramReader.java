@@ -104,11 +104,11 @@ final class ProgramReader extends PartsReader {
     Lowering lowering = new Lowering(program, asks);
     PartsReader all = new PartsReader(unit, scope.automaton, parts(unit), source, problems);
     ProgressReader progress = new ProgressReader(all);
-    all.scope.enter(lowering.automaton(List.of(), progress, false));
+    all.scope.enter(lowering.automaton(List.of(), List.of(), progress, false));
     all.scope.places.putAll(scope.places);
     List<Invariant> invariants = all.invariants();
     progress.read(invariants);
-    return lowering.automaton(invariants, progress, true);
+    return lowering.automaton(invariants, all.constraints(), progress, true);
   }
 
   private <P extends ProgramPartContext> void every(Class<P> kind, Consumer<P> read) {

@@ -48,6 +48,7 @@ public final class SourceReader {
           StarlLexer.TYPE,
           StarlLexer.FUN,
           StarlLexer.INVARIANT,
+          StarlLexer.CONSTRAINT,
           StarlLexer.ASSUME,
           StarlLexer.PROGRESS,
           StarlLexer.WHEN,

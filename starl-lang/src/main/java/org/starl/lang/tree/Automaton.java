@@ -22,6 +22,7 @@ import org.starl.lang.tree.Type.Field;
  * @param state the components of its state, those of used automata included, in order
  * @param uses the automata that it is composed with, by component
  * @param start the conjuncts that hold of a start state
+ * @param constraints a search goes on from the states in which all of them hold
  * @param ends each holds wherever no action is possible: there is no deadlock
  * @param progress what is to happen in each run, and what is assumed to
  * @param refinements the automata that it refines
@@ -42,6 +43,7 @@ public record Automaton(
     List<Expr> start,
     List<Action> actions,
     List<Invariant> invariants,
+    List<Invariant> constraints,
     List<Invariant> ends,
     List<Progress> progress,
     List<Refinement> refinements,
@@ -69,7 +71,7 @@ public record Automaton(
    */
   public record JavaType(String name, String start) {}
 
-  /** What is to hold in every state that can be reached, or of every parameter. */
+  /** What is to hold in every state that can be reached, or of every parameter; or, as a constraint, of the states that a search looks at. */
   public record Invariant(String name, Expr condition, List<String> comment, Pos pos) {}
 
   /**
@@ -160,6 +162,7 @@ public record Automaton(
         List.of(),
         List.of(),
         List.of(),
+        List.of(),
         "",
         Map.of(),
         List.of(),
@@ -182,6 +185,7 @@ public record Automaton(
         start,
         actions,
         invariants,
+        constraints,
         ends,
         progress,
         refinements,
@@ -221,7 +225,7 @@ public record Automaton(
                     Stream.concat(
                         action.pre().stream().map(Action.Conjunct::condition),
                         action.eff().stream().flatMap(effect -> effect.parts().stream()))),
-            Stream.of(assumptions(), invariants(), ends())
+            Stream.of(assumptions(), invariants(), constraints(), ends())
                 .flatMap(List::stream)
                 .map(Invariant::condition))
         .flatMap(of -> of);

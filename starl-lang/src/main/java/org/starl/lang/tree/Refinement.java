@@ -77,6 +77,7 @@ public record Refinement(
         List.copyOf(start),
         a.actions().stream().map(this::beside).toList(),
         List.copyOf(invariants),
+        a.constraints(),
         a.ends(),
         a.progress(),
         a.refinements(),

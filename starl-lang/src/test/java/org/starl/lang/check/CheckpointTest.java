@@ -123,7 +123,7 @@ class CheckpointTest {
   @Label("a search that is saved anywhere ends as it would have ended")
   void anySearchGoesOn(@ForAll long seed) throws IOException, SourceErrors {
     Random random = new Random(seed);
-    Automaton automaton = automaton(new RandomAutomaton(random).source());
+    Automaton automaton = automaton(new RandomAutomaton(random).constrained());
     endsAlike(automaton, random.nextBoolean(), 1 + random.nextInt(40));
   }
 

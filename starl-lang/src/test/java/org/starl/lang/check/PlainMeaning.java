@@ -195,6 +195,11 @@ final class PlainMeaning {
         .allMatch(invariant -> (Boolean) value(invariant.condition(), state, Map.of()));
   }
 
+  boolean isWithin(Map<String, Object> state) {
+    return automaton.constraints().stream()
+        .allMatch(constraint -> (Boolean) value(constraint.condition(), state, Map.of()));
+  }
+
   /** As a domain writes it. */
   static String text(Object value) {
     return switch (value) {

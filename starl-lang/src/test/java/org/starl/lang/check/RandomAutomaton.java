@@ -50,6 +50,14 @@ final class RandomAutomaton {
     return text.toString();
   }
 
+  /** One of two has a constraint. */
+  String constrained() {
+    String source = source();
+    return random.nextBoolean()
+        ? source + "constraint C: " + bool(2, List.of(), List.of("n")) + "\n"
+        : source;
+  }
+
   private List<String> effects(List<String> ids, List<String> nats) {
     List<String> all = new ArrayList<>();
     if (random.nextBoolean()) {

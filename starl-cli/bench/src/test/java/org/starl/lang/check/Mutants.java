@@ -75,6 +75,7 @@ public final class Mutants {
         of.start(),
         actions,
         of.invariants(),
+        of.constraints(),
         of.ends(),
         of.progress(),
         of.refinements(),
