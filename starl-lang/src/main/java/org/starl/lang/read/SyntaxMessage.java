@@ -61,6 +61,12 @@ final class SyntaxMessage {
           "let|var|variables|const|constants|init|transition|rule|def|function|"
               + "choose|property|safety|liveness|require|requires|guard|effect|ensures|all|any|div");
 
+  /** Before a name, a colon and a condition. */
+  private static final Set<Integer> NAMED =
+      Set.of(
+          StarlParser.ASSUME, StarlParser.INVARIANT, StarlParser.CONSTRAINT, StarlParser.PROGRESS);
+
+  private static final int FEW = 4;
   private static final int MOST_NAMED = 6;
   private static final String NEXT = " the next declaration or branch";
 
@@ -69,7 +75,7 @@ final class SyntaxMessage {
       Map.ofEntries(
           entry("&", "'and'"),
           entry("|", "'or'"),
-          entry("\\", "'and' or 'or'"),
+          entry("\\", "'and', 'or', 'forall', 'exists' or 'in'"),
           entry("!", "'not'"),
           entry("->", "'=>' for an implication"),
           entry("%", "'mod'"),
@@ -114,7 +120,9 @@ final class SyntaxMessage {
           entry("then", "'eff' before effects, or 'if' before the condition"),
           entry("if", "',' or an operator before it"),
           entry("all", "'forall'"),
-          entry("any", "'exists'"));
+          entry("any", "'exists'"),
+          entry("to", "'..' between the bounds of a range"),
+          entry("end", "nothing: a declaration ends where the next one begins"));
 
   private SyntaxMessage() {}
 
@@ -164,6 +172,10 @@ final class SyntaxMessage {
     if (NO_WAY.matcher(message).matches() && isInside(at, StarlParser.MappingContext.class)) {
       return "':=' after a component, or 'is' after an action";
     }
+    String cure = cureHere(found, at);
+    if (!cure.isEmpty()) {
+      return cure;
+    }
     boolean isEffect = isInside(at, StarlParser.EffContext.class);
     if (NO_WAY.matcher(message).matches() && isEffect) {
       return text.equals("[") ? cureOf(text) : "':=' after the place, as in 'c := c + 1'";
@@ -176,7 +188,7 @@ final class SyntaxMessage {
       return "";
     }
     String expected = of(message);
-    String cure = cureOf(text);
+    cure = cureOf(text);
     boolean isProgram = isInProgram(at, found);
     if (cure.isEmpty()) {
       boolean mayBeName = found.getType() == StarlParser.ID && expected.endsWith(NEXT);
@@ -189,6 +201,56 @@ final class SyntaxMessage {
     }
     boolean isOwn = isProgram && (text.equals(";") || text.equals("when") || text.equals("do"));
     return isOwn ? "" : cure;
+  }
+
+  /** What is written otherwise where the parser is. */
+  private static String cureHere(Token found, Parser at) {
+    String text = found.getText();
+    Token last = previous(at, found);
+    Token before = previous(at, last);
+    boolean isNamed = NAMED.contains(last.getType()) || NAMED.contains(before.getType());
+    if (isNamed && !text.equals(":")) {
+      String word = NAMED.contains(last.getType()) ? last.getText() : before.getText();
+      String said = word.equals("progress") ? "n > 0 leads to n = 0" : "n > 0";
+      return "a name and ':' before what is said, as in '" + word + " Some: " + said + "'";
+    }
+    if (text.equals(")") && last.getText().equals("(")) {
+      return "no parentheses where nothing is in them";
+    }
+    if (text.equals(")") && isInside(at, StarlParser.BinderGroupContext.class)) {
+      return "':' and a type after a name, as in '(i: PIDS)'";
+    }
+    boolean isComponent = at.getContext() instanceof StarlParser.ComponentContext;
+    if (isComponent && !WORDS.matcher(last.getText()).matches()) {
+      return "':' and a type after each component, as in 'state a: nat b: nat'";
+    }
+    if (text.equals("(") && last.getType() == StarlParser.RECORD) {
+      return "a name: declare 'type Name = record(...)', and use it here";
+    }
+    if ((text.equals("{") || text.equals(",")) && isInType(at, found)) {
+      return "forms with '|' between them, as in 'type Color = red | green'";
+    }
+    if (!isInside(at, StarlParser.EffContext.class)) {
+      return "";
+    }
+    return switch (last.getType()) {
+      case StarlParser.LET -> "'let' behind ':=', as in 'c := let x = c + 1 :: x * x'";
+      case StarlParser.FOR -> "all values of a map at once, as in 'm := [i: PIDS -> 0]'";
+      default ->
+          text.equals(":=") ? "the condition behind ':=', as in 'c := if a then 1 else c'" : "";
+    };
+  }
+
+  /** Whether a declaration of a type begins some words before. */
+  private static boolean isInType(Parser at, Token found) {
+    Token token = found;
+    for (int i = 0; i < FEW && token.getTokenIndex() > 0; i++) {
+      token = previous(at, token);
+      if (token.getType() == StarlParser.TYPE) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static Token previous(Parser at, Token found) {

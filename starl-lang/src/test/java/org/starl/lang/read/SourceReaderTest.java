@@ -63,6 +63,19 @@ class SourceReaderTest {
           fun free?: bool = by = none ~ fun free?: bool = 1 % 2 = 0 ~ 8:21: found '%'; expected 'mod'
           fun free?: bool = by = none ~ fun free?: bool = free? ~ 8:1: 'free?' calls itself; expected 'measure' and a natural number that becomes smaller with each call
           fun free?: bool = by = none ~ fun free?: bool = dark? or lit? fun dark?: bool = by = none fun lit?: bool = not free? ~ 8:1: 'free?' calls itself through 'lit?'; expected a function that calls itself directly
+          fun free?: bool = by = none ~ assume 1 > 0 fun free?: bool = by = none ~ 8:8: found '1'; expected a name and ':' before what is said, as in 'assume Some: n > 0'
+          fun free?: bool = by = none ~ invariant by = none fun free?: bool = by = none ~ 8:14: found '='; expected a name and ':' before what is said, as in 'invariant Some: n > 0'
+          fun free?: bool = by = none ~ progress eventually by = none fun free?: bool = by = none ~ 8:10: found 'eventually'; expected a name and ':' before what is said, as in 'progress Some: n > 0 leads to n = 0'
+          action take(i: PIDS) ~ action take(i) ~ 10:14: found ')'; expected ':' and a type after a name, as in '(i: PIDS)'
+          action take(i: PIDS) ~ action take() ~ 10:13: found ')'; expected no parentheses where nothing is in them
+          shows: Color ~ shows Color ~ 6:9: found 'Color'; expected ':' and a type after each component, as in 'state a: nat b: nat'
+          shows: Color ~ shows, was: Color ~ 6:8: found ','; expected ':' and a type after each component, as in 'state a: nat b: nat'
+          type Color = red | green ~ type Color = red, green ~ 3:17: found ','; expected forms with '|' between them, as in 'type Color = red | green'
+          type Color = red | green ~ type Color = {red, green} ~ 3:14: found '{'; expected forms with '|' between them, as in 'type Color = red | green'
+          by: option[PIDS] ~ by: option[record(i: PIDS)] ~ 5:20: found '('; expected a name: declare 'type Name = record(...)', and use it here
+          eff by := some(i) ~ eff if free? then by := some(i) ~ 12:24: found ':='; expected the condition behind ':=', as in 'c := if a then 1 else c'
+          eff by := some(i) ~ eff let x = some(i) :: by := x ~ 12:11: found 'x'; expected 'let' behind ':=', as in 'c := let x = c + 1 :: x * x'
+          eff by := some(i) ~ eff for j in PIDS by := some(j) ~ 12:11: found 'j'; expected all values of a map at once, as in 'm := [i: PIDS -> 0]'
           // A lamp. ~ # A lamp. ~ 1:1: found '#'; expected '//' before a comment
           type Color = red ~ type Färbung = red ~ 3:7: found 'ä'; expected names of the letters a to z, digits and '_'
           type Color = red ~ type Both = record(in: bool) type Color = red ~ 3:20: found 'in'; expected a name, which no word of the language is
