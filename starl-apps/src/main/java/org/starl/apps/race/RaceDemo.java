@@ -20,6 +20,7 @@ import org.starl.apps.race.spec.RaceProgress;
 import org.starl.apps.race.spec.RaceSafety;
 import org.starl.apps.race.view.RaceLayer;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
@@ -40,6 +41,9 @@ public final class RaceDemo implements FactoryDemo {
 
   /** Chaos ends before a race does, so that progress is required. */
   private static final Duration CHAOS = Duration.ofSeconds(30);
+
+  /** Half the side of a box. */
+  private static final double BOX_MM = 100;
 
   @Override
   public AppFactory factory() {
@@ -74,7 +78,10 @@ public final class RaceDemo implements FactoryDemo {
 
   @Override
   public Request varied(Request request) {
-    return request.drawRobots(2, 12).drawParameter(RaceFactory.DRAWN, "10");
+    return request
+        .drawRobots(2, 12)
+        .drawParameter(RaceFactory.DRAWN, "10")
+        .drawParameter(RaceFactory.BOXES, "2");
   }
 
   @Override
@@ -97,10 +104,27 @@ public final class RaceDemo implements FactoryDemo {
     Simulation.Builder simulation =
         Simulation.builder()
             .settings(isCut ? settings.with(Setting.CHAOS_FOR, CHAOS) : settings)
+            .obstacles(boxes(points, request.whole(RaceFactory.BOXES)))
             .robots(robots, RaceFactory.program(points).app())
             .observer(story);
     watch(simulation, points, settings);
-    return new Plan(simulation, story, new RaceLayer(points), Obstacles.NONE);
+    return new Plan(simulation, story, new RaceLayer(points), simulation.obstacles());
+  }
+
+  /** No robot gets to the first {@code count} points: it wins them from beside a hidden box. */
+  private static Obstacles boxes(List<RacePoint> points, int count) {
+    List<Obstacle> boxes = new ArrayList<>();
+    for (RacePoint point : points.subList(0, Math.min(count, points.size()))) {
+      Point at = point.at();
+      List<Point> corners =
+          List.of(
+              at.plus(new Point(-BOX_MM, -BOX_MM)),
+              at.plus(new Point(BOX_MM, -BOX_MM)),
+              at.plus(new Point(BOX_MM, BOX_MM)),
+              at.plus(new Point(-BOX_MM, BOX_MM)));
+      boxes.add(new Obstacle(corners, true, true, Obstacle.FOREVER));
+    }
+    return new Obstacles(boxes);
   }
 
   /** Adds all monitors of a run. */

@@ -97,6 +97,25 @@ class RaceTest {
     }
   }
 
+  @Test
+  void aPointUnderABoxIsWonFromBesideIt() {
+    Plan plan = plan(1, 1, Map.of("drawn", "2", "boxes", "1"), Map.of());
+    Map<Integer, Integer> keptOffMm = new TreeMap<>();
+    SimObserver wins =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            Claim claim = RaceFact.taken(event);
+            if (claim != null) {
+              keptOffMm.put(claim.point(), claim.keptOffMm());
+            }
+          }
+        };
+    checked(plan.simulation().observer(wins), "boxes=1");
+    assertThat(keptOffMm.get(0)).isBetween(200, 405);
+    assertThat(keptOffMm.get(1)).isZero();
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5, 9, 30})
   void anyNumberOfRobotsFinishes(int robots) {

@@ -26,6 +26,12 @@ public final class RaceFactory implements AppFactory {
           "a .wpt file: its WAY lines are the points, in order; empty: drawn from the seed");
   public static final Parameter DRAWN =
       new Parameter("drawn", "5", "number of points drawn from the seed", Form.whole(1, 100));
+  public static final Parameter BOXES =
+      new Parameter(
+          "boxes",
+          "0",
+          "number of points, the first ones, on which a box stands",
+          Form.whole(0, 100));
 
   private static final String XID = "race";
   private static final int MAX_ROBOTS = 1000;
@@ -51,12 +57,13 @@ public final class RaceFactory implements AppFactory {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(POINTS, DRAWN);
+    return List.of(POINTS, DRAWN, BOXES);
   }
 
   @Override
   public RobotProgram program(Request request) {
     request.refuseOnRobots(POINTS);
+    request.refuseOnRobots(BOXES);
     checkRobots(request.robots().orElse(1));
     double scale = floorScale(request);
     return program(drawn(request, Math.ceil(scale * WIDTH_MM), Math.ceil(scale * HEIGHT_MM)));

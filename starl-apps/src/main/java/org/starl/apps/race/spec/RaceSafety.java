@@ -31,12 +31,13 @@ import org.starl.trace.TraceEvent.Variable;
  * <ul>
  *   <li>{@code at_the_point}: a robot that arrives at a point is there by its true body: within the
  *       point's radius and the error bound of its position; or, kept off, within the distance
- *       that its {@link Patience} allows.
+ *       that its {@link Patience} allows. Only then it claims to have been kept off.
  *   <li>{@code truly_won}: every winner that a robot knows has arrived and has claimed the point
  *       itself.
  *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a
  *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
- *   <li>{@code moves_on}: a robot arrives only at a point whose winner it does not know.
+ *   <li>{@code moves_on}: a robot arrives only at a point whose winner it does not know; when it knows all,
+ *       its motion has ended.
  *   <li>{@code confirmed}: when a robot is done, all robots that were never down know the winners, unless it
  *       has told them for long.
  *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, or until the point
@@ -64,6 +65,7 @@ public final class RaceSafety extends LemmaMonitor {
   private final Bodies bodies = new Bodies();
   private final Records records = new Records();
   private final Map<RobotId, RacePoint> racingTo = new TreeMap<>();
+  private final Map<RobotId, MotionFlag> flags = new TreeMap<>();
   private final Map<RobotId, Integer> inVain = new TreeMap<>();
   private final Map<RobotId, Double> nearestMm = new TreeMap<>(); // of the motions in vain
   private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
@@ -79,7 +81,9 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         ONE_WINNER,
         "A robot knows one winner of each point, and replaces it only by a better one.");
-    lemma(MOVES_ON, "A robot arrives only at a point whose winner it does not know.");
+    lemma(
+        MOVES_ON,
+        "A robot arrives only at points without a known winner, and stops when it knows all.");
     lemma(
         CONFIRMED,
         "When a robot is done, all that were never down know the winners, or it has told them for long.");
@@ -97,8 +101,7 @@ public final class RaceSafety extends LemmaMonitor {
       case Action action when action.fact() instanceof Taken taken ->
           taken(action, taken.claim(), report);
       case Variable variable when variable.of(RaceFact.POINT) != null -> sets(variable);
-      case Variable variable when variable.of(MotionFact.FLAG) == MotionFlag.FAIL ->
-          failed(variable);
+      case Variable variable when variable.of(MotionFact.FLAG) != null -> ends(variable);
       case Variable variable when variable.of(RaceFact.LOCATION) != null ->
           goesOn(variable, report);
       case Fault fault when fault.name().equals(Fault.CRASH) -> {
@@ -120,9 +123,14 @@ public final class RaceSafety extends LemmaMonitor {
         .forEach(each -> racingTo.put(robot, each));
   }
 
-  /** Motions before one that has brought the robot nearer for certain do not count. */
-  private void failed(Variable flag) {
+  /** Failed motions before one that has brought the robot nearer for certain do not count. */
+  private void ends(Variable flag) {
     RobotId robot = flag.robot();
+    MotionFlag now = Objects.requireNonNull(flag.of(MotionFact.FLAG));
+    flags.put(robot, now);
+    if (now != MotionFlag.FAIL) {
+      return;
+    }
     RacePoint point = racingTo.get(robot);
     if (point != null && bodies.isOnFloor(robot)) {
       double mm = bodies.poseAt(robot, flag.timeNs()).distanceMm(point.at());
@@ -147,7 +155,13 @@ public final class RaceSafety extends LemmaMonitor {
           report.violated(MAKES_WAY, location.timeNs(), List.of(robot), detail);
         }
       }
-      case TELL -> tellsFromNs.put(robot, location.timeNs());
+      case TELL -> {
+        tellsFromNs.put(robot, location.timeNs());
+        if (flags.get(robot) == MotionFlag.MOVING) {
+          String detail = "knows all winners, and drives on";
+          report.violated(MOVES_ON, location.timeNs(), List.of(robot), detail);
+        }
+      }
       case DONE -> checkConfirmed(location, report);
       case START, PICK -> {
         // Nothing is promised.
@@ -169,14 +183,11 @@ public final class RaceSafety extends LemmaMonitor {
       report.violated(MOVES_ON, action.timeNs(), List.of(robot), detail);
     }
     report.checked(AT_THE_POINT);
-    double truthMm = Double.POSITIVE_INFINITY;
-    double bodyMm = 0;
-    if (bodies.isOnFloor(robot)) {
-      truthMm = bodies.poseAt(robot, action.timeNs()).distanceMm(point.at());
-      bodyMm = bodies.radiusMm(robot);
-    }
-    int tries = inVain.getOrDefault(robot, 0);
-    double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
+    double truthMm =
+        bodies.isOnFloor(robot)
+            ? bodies.poseAt(robot, action.timeNs()).distanceMm(point.at())
+            : Double.POSITIVE_INFINITY;
+    double allowedMm = Math.max(point.radiusMm(), patienceMm(robot, point));
     if (truthMm > Math.min(saidMm, allowedMm) + errorMm + ROUNDING_MM) {
       String detail =
           String.format(
@@ -189,6 +200,12 @@ public final class RaceSafety extends LemmaMonitor {
               errorMm);
       report.violated(AT_THE_POINT, action.timeNs(), List.of(robot), detail);
     }
+  }
+
+  /** From so far the robot may claim that it was kept off; not above 0 for from nowhere. */
+  private double patienceMm(RobotId robot, RacePoint point) {
+    double bodyMm = bodies.isOnFloor(robot) ? bodies.radiusMm(robot) : 0;
+    return Patience.allowedMm(point, bodyMm, inVain.getOrDefault(robot, 0));
   }
 
   private void checkConfirmed(Variable done, Report report) {
@@ -215,6 +232,10 @@ public final class RaceSafety extends LemmaMonitor {
     Integer here = robot.equals(claim.winner()) ? arrivedAt.remove(robot) : null;
     if (here != null && here == claim.point()) {
       made.add(claim);
+      if (claim.wasKeptOff() && patienceMm(robot, points.get(here)) <= 0) {
+        String detail = claim + ", after " + inVain.getOrDefault(robot, 0) + " motions in vain";
+        report.violated(AT_THE_POINT, event.timeNs(), concerned, detail);
+      }
     }
     report.checked(TRULY_WON);
     if (!made.contains(claim)) {

@@ -53,18 +53,21 @@ class RaceSafetyTest {
   }
 
   private void take(RobotId robot, long claimedNs) {
-    RaceFact.Taken taken = new RaceFact.Taken(0, "goal", OTHER, claimedNs, 0);
+    take(robot, new RaceFact.Taken(0, "goal", OTHER, claimedNs, 0));
+  }
+
+  private void take(RobotId robot, RaceFact.Taken taken) {
     monitors.observe(Action.of(0, robot, Instance.APP, RaceFact.Taken.SHAPE, taken));
   }
 
+  private void arrive(double awayMm) {
+    RaceFact.Arrived arrived = new RaceFact.Arrived(0, "goal", awayMm, 0, Math.max(75, awayMm));
+    monitors.observe(Action.of(0, ROBOT, Instance.APP, RaceFact.Arrived.SHAPE, arrived));
+  }
+
   private long winsFromAfar() {
-    monitors.observe(
-        Action.of(
-            0,
-            ROBOT,
-            Instance.APP,
-            RaceFact.Arrived.SHAPE,
-            new RaceFact.Arrived(0, "goal", AFAR_MM, 0, AFAR_MM)));
+    arrive(AFAR_MM);
+    take(ROBOT, new RaceFact.Taken(0, "goal", ROBOT, 1, (int) AFAR_MM));
     return monitors.report().violations("race.at_the_point");
   }
 
@@ -81,7 +84,27 @@ class RaceSafetyTest {
     for (double mm : List.of(AFAR_MM + 600, AFAR_MM + 600, AFAR_MM)) {
       fail(mm);
     }
-    assertThat(winsFromAfar()).isEqualTo(1);
+    assertThat(winsFromAfar()).isEqualTo(2); // it is told, and claimed
+  }
+
+  @Test
+  void aRobotAtThePointWasNotKeptOff() {
+    place(monitors, ROBOT, 50);
+    arrive(50);
+    take(ROBOT, new RaceFact.Taken(0, "goal", ROBOT, 1, 50));
+    assertThat(monitors.report().violations("race.at_the_point")).isEqualTo(1);
+    assertThat(monitors.report().violations("race.truly_won")).isZero();
+  }
+
+  @Test
+  void aRobotThatKnowsAllWinnersDrivesNoFurther() {
+    monitors.observe(new Variable(0, ROBOT, MotionFact.SOURCE, MotionFact.FLAG, MotionFlag.MOVING));
+    monitors.observe(new Variable(0, ROBOT, MotionFact.SOURCE, MotionFact.FLAG, MotionFlag.IDLE));
+    enter(100, Location.TELL);
+    assertThat(monitors.report().violations("race.moves_on")).isZero();
+    monitors.observe(new Variable(0, ROBOT, MotionFact.SOURCE, MotionFact.FLAG, MotionFlag.MOVING));
+    enter(200, Location.TELL);
+    assertThat(monitors.report().violations("race.moves_on")).isEqualTo(1);
   }
 
   @Test
