@@ -1,6 +1,7 @@
 package org.starl.apps.maze;
 
 import static org.starl.apps.maze.robot.MazeFactory.CELL;
+import static org.starl.apps.maze.robot.MazeFactory.COLLISION;
 import static org.starl.apps.maze.robot.MazeFactory.DRAWN;
 import static org.starl.apps.maze.robot.MazeFactory.FILES;
 import static org.starl.apps.maze.robot.MazeFactory.MAP;
@@ -115,7 +116,9 @@ public final class MazeDemo implements FactoryDemo {
 
   @Override
   public Request varied(Request request) {
-    return request.drawRobots(2, 8);
+    return request
+        .drawRobots(2, 8)
+        .drawParameter(COLLISION, request.seed() % 2 == 0 ? "discover" : "stop");
   }
 
   @Override

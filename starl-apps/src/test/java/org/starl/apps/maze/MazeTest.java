@@ -10,7 +10,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -70,6 +73,16 @@ class MazeTest {
   }
 
   /** Its wheels slip, so it believes to have arrived too early, and a fix tells it before it answers. */
+  @Test
+  void chaosDrawsEachCollisionMode() {
+    SortedSet<String> modes = new TreeSet<>();
+    for (long seed = 1; seed <= 20; seed++) {
+      Request request = new Request(seed, OptionalInt.empty(), DEMO.defaults(), Set.of());
+      modes.add(DEMO.varied(request).parameter("collision"));
+    }
+    assertThat(modes).containsExactly("back", "discover", "stop");
+  }
+
   @Test
   void aRobotThatLearnsOnItsArrivalThatItIsNotThereDrivesOn() {
     for (long seed = 1; seed <= 10; seed++) {
