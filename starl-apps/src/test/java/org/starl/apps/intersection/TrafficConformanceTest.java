@@ -205,6 +205,17 @@ class TrafficConformanceTest {
     assertThat(taken(report)).contains("give_up");
   }
 
+  @Test
+  void aCarThatCrashedIsTakenOffTheRoad() {
+    SpecReport report =
+        onOpenRoad(
+            "crash(any,at=25s); crash(any,at=30s); crash(any,at=40s); crash(any,at=50s);"
+                + " crash(any,at=60s)",
+            "180s");
+    assertThat(report.inPart()).doesNotContainKey(THEORY);
+    assertThat(taken(report)).contains("give_up", "towed", "stands_in");
+  }
+
   /** The others give it up, and ask again and again until it says that it is in no zone. */
   @Test
   void aCarThatWaitsMayCrashAndRestart() {
@@ -213,11 +224,56 @@ class TrafficConformanceTest {
     assertThat(taken(report)).contains("withdraw", "give_up", "unregister");
   }
 
+  /** It goes on as another process, from where its body is. */
   @Test
-  void nothingIsCheckedAfterACarAmongTheZonesRestarts() {
+  void aCarAmongTheZonesMayCrashAndRestart() {
     SpecReport report = drawn("crash(bot2,at=10s,restart=5s)");
-    assertThat(report.inPart())
-        .containsEntry(THEORY, "bot2 restarts while it holds zones at 15.000 s");
+    assertThat(report.inPart()).doesNotContainKey(THEORY);
+    assertThat(taken(report)).contains("give_up", "restart", "stands_in", "skip");
+  }
+
+  /** The first car is granted A and A1; its program begins anew; then the other one is granted A. */
+  private static SpecReport grantedAfterARestart(Optional<List<String>> standsIn) {
+    ProcessId i = ProcessId.first(BOT0, 1);
+    ProcessId j = ProcessId.first(new RobotId("bot1"), 1);
+    List<TraceEvent> events = new ArrayList<>(bothListed(i, j));
+    SortedSet<String> zones = Sets.of(List.of("A", "A1"));
+    SortedSet<ProcessId> first = Sets.of(List.of(i));
+    events.add(mutex(new MutexFact.DoMutex(i, 1, 1, zones, Sets.of(List.of(j)))));
+    events.add(mutex(new MutexFact.OdMutex(i, 1, zones)));
+    events.add(new Fault(4, BOT0, Fault.CRASH, ""));
+    events.add(new Fault(5, BOT0, Fault.RESTART, ""));
+    standsIn.ifPresent(
+        each -> events.add(mutex(new MutexFact.StandsIn(ProcessId.first(BOT0, 2), Sets.of(each)))));
+    SortedSet<String> a = Sets.of(List.of("A"));
+    events.add(
+        Action.of(
+            6,
+            j.robot(),
+            MutexFact.source("crossing"),
+            MutexFact.SHAPE,
+            new MutexFact.DoMutex(j, 1, 2, a, first)));
+    events.add(
+        Action.of(
+            6,
+            j.robot(),
+            MutexFact.source("crossing"),
+            MutexFact.SHAPE,
+            new MutexFact.OdMutex(j, 1, a)));
+    return observed(events);
+  }
+
+  @Test
+  void whatARestartedCarHeldIsKeptUntilItSaysWhereItIs() {
+    for (Optional<List<String>> standsIn :
+        List.of(Optional.<List<String>>empty(), Optional.of(List.of("A")))) {
+      SpecReport report = grantedAfterARestart(standsIn);
+      assertThat(report.inPart()).isEmpty();
+      assertThat(report.violations())
+          .singleElement()
+          .satisfies(each -> assertThat(each.detail()).contains("od_mutex(bot1, [A])"));
+    }
+    assertThat(grantedAfterARestart(Optional.of(List.of())).violations()).isEmpty();
   }
 
   @Test
@@ -247,23 +303,38 @@ class TrafficConformanceTest {
     ProcessId i = ProcessId.first(BOT0, 1);
     ProcessId j = ProcessId.first(new RobotId("bot1"), 1);
     SortedSet<ProcessId> others = Sets.of(List.of(j));
-    Way way = new Way("A1", Optional.empty(), List.of("A", "A1"));
-    SortedSet<String> zones = Sets.of(way.zones());
+    SortedSet<String> zones = Sets.of(List.of("A", "A1"));
     Confinement word = new Confinement(i, zones, others);
-    List<TraceEvent> events = new ArrayList<>();
-    events.add(Action.of(0, BOT0, Instance.APP, Way.SHAPE, way));
-    events.add(registered(i));
-    events.add(registered(j));
-    View both = View.closed(List.of(i, j));
-    events.add(new Variable(2, BOT0, REGISTRATION, RegistrationFact.VIEW, both));
+    List<TraceEvent> events = new ArrayList<>(bothListed(i, j));
     events.add(mutex(new MutexFact.DoMutex(i, 1, 1, zones, others)));
     if (isGivenUp) {
       events.add(Action.of(3, j.robot(), REGISTRATION, Confinement.SHAPE, word));
     }
     events.add(mutex(new MutexFact.OdMutex(i, 1, zones)));
+    return observed(events);
+  }
+
+  private static List<TraceEvent> bothListed(ProcessId i, ProcessId j) {
+    View both = View.closed(List.of(i, j));
+    return List.of(
+        Action.of(
+            0,
+            i.robot(),
+            Instance.APP,
+            Way.SHAPE,
+            new Way("A1", Optional.empty(), List.of("A", "A1"))),
+        Action.of(
+            0, j.robot(), Instance.APP, Way.SHAPE, new Way("A", Optional.empty(), List.of("A"))),
+        registered(i),
+        registered(j),
+        new Variable(2, i.robot(), REGISTRATION, RegistrationFact.VIEW, both),
+        new Variable(2, j.robot(), REGISTRATION, RegistrationFact.VIEW, both));
+  }
+
+  private static SpecReport observed(List<TraceEvent> events) {
     Monitors monitors = new Monitors(List.of(new TrafficConformance("crossing")));
     events.forEach(monitors::observe);
-    monitors.finish(4);
+    monitors.finish(7);
     return monitors.report();
   }
 
@@ -291,8 +362,12 @@ class TrafficConformanceTest {
   }
 
   private static SpecReport onOpenRoad(String faults) {
+    return onOpenRoad(faults, "90s");
+  }
+
+  private static SpecReport onOpenRoad(String faults, String duration) {
     Map<String, String> open = Map.of("scenario", "open", "car", "paper", "arrivals", "12/min");
-    Map<String, String> settings = Map.of("duration", "90s", "faults", faults);
+    Map<String, String> settings = Map.of("duration", duration, "faults", faults);
     return IntersectionTest.run(IntersectionTest.request(3, 0, open), settings).spec();
   }
 }

@@ -22,6 +22,9 @@ public sealed interface MutexAction extends Action {
   /** i's program begins anew, after a crash */
   record restart(ProcessId i) implements MutexAction {}
 
+  /** i is the process of j's robot from now on */
+  record take_over(ProcessId i, ProcessId j) implements MutexAction {}
+
   /** the program says where its body stands */
   record stands_in(ProcessId i, SortedSet<String> RS) implements MutexAction {}
 
@@ -33,6 +36,7 @@ public sealed interface MutexAction extends Action {
       case release a -> List.of(a.i, a.RS);
       case withdraw a -> List.of(a.i);
       case restart a -> List.of(a.i);
+      case take_over a -> List.of(a.i, a.j);
       case stands_in a -> List.of(a.i, a.RS);
     };
   }

@@ -9,6 +9,7 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Finite;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
+import org.starl.spec.automaton.Undefined;
 
 /**
  * The automaton Mutex_decls, executable.
@@ -18,9 +19,9 @@ import org.starl.spec.automaton.Sets;
  *
  * <p>A process asks for a set of zones, is granted the whole set at once, and gives zones back one
  * by one or together. In which order requests are granted is left open. A program may begin anew
- * after a crash: what it held then, its body may still stand in, until the program says where its
- * body is. What is asked of the caller (do_mutex and stands_in with sense, release of what is held)
- * stands in the enabling conditions.
+ * after a crash, also as another process: what it held then, its body may still stand in, until the
+ * program says where its body is. What is asked of the caller (do_mutex and stands_in with sense,
+ * release of what is held) stands in the enabling conditions.
  *
  * <p>Java: org.starl.primitives.mutex.MutexPrim; this automaton: MutexAutomaton; monitors:
  * MutexSpec, MutexConformance.
@@ -108,6 +109,16 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
               !s.req_set.at(a.i()).isEmpty(),
               () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()));
       case MutexAction.restart a -> Enabled.TRUE;
+      case MutexAction.take_over a ->
+          Enabled.when("not i = j", !a.i().equals(a.j()), () -> "i = " + a.i() + ", j = " + a.j())
+              .and(
+                  "crit_set(i) = {}",
+                  s.crit_set.at(a.i()).isEmpty(),
+                  () -> "crit_set(" + a.i() + ") = " + s.crit_set.at(a.i()))
+              .and(
+                  "req_set(i) = {}",
+                  s.req_set.at(a.i()).isEmpty(),
+                  () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()));
       case MutexAction.stands_in a -> Enabled.TRUE;
     };
   }
@@ -132,6 +143,19 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
               s.crit_set.with(a.i(), Sets.emptyset()),
               s.req_set.with(a.i(), Sets.emptyset()),
               s.rest_set.with(a.i(), s.held(a.i())));
+      case MutexAction.take_over a ->
+          Undefined.once(
+              "Mutex_decls.starl:56:44",
+              a.i().equals(a.j())
+                  && !Sets.union(s.rest_set.at(a.i()), s.held(a.j())).isEmpty()
+                  && enabled(action, s).isTrue(),
+              "take_over",
+              new States(
+                  s.crit_set.with(a.j(), Sets.emptyset()),
+                  s.req_set.with(a.j(), Sets.emptyset()),
+                  s.rest_set
+                      .with(a.i(), Sets.union(s.rest_set.at(a.i()), s.held(a.j())))
+                      .with(a.j(), Sets.emptyset())));
       case MutexAction.stands_in a ->
           new States(
               s.crit_set,

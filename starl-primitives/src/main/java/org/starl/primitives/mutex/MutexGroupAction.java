@@ -21,6 +21,14 @@ public sealed interface MutexGroupAction extends Action {
 
   record withdraw(ProcessId i) implements MutexGroupAction {}
 
+  /** i's program begins anew, or others have given i up */
+  record restart(ProcessId i) implements MutexGroupAction {}
+
+  /** i is the process of j's robot from now on */
+  record take_over(ProcessId i, ProcessId j) implements MutexGroupAction {}
+
+  record stands_in(ProcessId i, SortedSet<String> RS) implements MutexGroupAction {}
+
   @Override
   default List<Object> args() {
     return switch (this) {
@@ -29,6 +37,9 @@ public sealed interface MutexGroupAction extends Action {
       case od_mutex a -> List.of(a.i, a.RS);
       case release a -> List.of(a.i, a.RS);
       case withdraw a -> List.of(a.i);
+      case restart a -> List.of(a.i);
+      case take_over a -> List.of(a.i, a.j);
+      case stands_in a -> List.of(a.i, a.RS);
     };
   }
 }

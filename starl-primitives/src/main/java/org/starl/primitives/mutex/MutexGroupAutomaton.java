@@ -16,7 +16,8 @@ import org.starl.spec.automaton.Undefined;
  *
  * <p>The mutex as it is used (paper, section 4.5: do_mutex with a list of participants), above
  * Mutex_decls: a request is granted once those hold nothing of it who are on its list, or on whose
- * list it is.
+ * list it is; and nothing of it is left of what a process held that began anew, or was given up.
+ * Such a process may be on no list any more: everybody knows what is left of it.
  *
  * <p>Assumed of the caller (connects?): of everybody who holds or waits for something he has on his
  * list whoever does not have him on theirs. It is what lists of a registration give that never
@@ -35,11 +36,9 @@ public final class MutexGroupAutomaton
   /** The states. */
   public record States(Fun<ProcessId, SortedSet<ProcessId>> plist, MutexAutomaton.States mux) {
 
-    /** i holds or waits for something. */
+    /** i holds or waits for something, by its present program. */
     public boolean isActive(ProcessId i) {
-      return !mux.crit_set().at(i).isEmpty()
-          || !mux.req_set().at(i).isEmpty()
-          || !mux.rest_set().at(i).isEmpty();
+      return !mux.crit_set().at(i).isEmpty() || !mux.req_set().at(i).isEmpty();
     }
 
     public boolean isPeer(ProcessId i, ProcessId j) {
@@ -53,12 +52,9 @@ public final class MutexGroupAutomaton
               List.of(i),
               mux.crit_set().arguments(),
               mux.req_set().arguments(),
-              mux.rest_set().arguments(),
               P,
               plist.arguments())
-          && (!(!mux.crit_set().defaultValue().isEmpty()
-                  || !mux.req_set().defaultValue().isEmpty()
-                  || !mux.rest_set().defaultValue().isEmpty())
+          && (!(!mux.crit_set().defaultValue().isEmpty() || !mux.req_set().defaultValue().isEmpty())
               || plist.defaultValue().contains(i));
     }
   }
@@ -93,17 +89,13 @@ public final class MutexGroupAutomaton
                               String.format(
                                   "%s, plist(%s) = %s",
                                   !s.mux.crit_set().at(j).isEmpty()
-                                          || !s.mux.req_set().at(j).isEmpty()
-                                      ? (!s.mux.crit_set().at(j).isEmpty()
-                                          ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
-                                          : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j))
-                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j),
+                                      ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
+                                      : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j),
                                   j,
                                   s.plist.at(j)),
                           List.of(a.i()),
                           s.mux.crit_set().arguments(),
                           s.mux.req_set().arguments(),
-                          s.mux.rest_set().arguments(),
                           a.P(),
                           s.plist.arguments()));
       case MutexGroupAction.known a ->
@@ -124,17 +116,13 @@ public final class MutexGroupAutomaton
                               String.format(
                                   "%s, plist(%s) = %s",
                                   !s.mux.crit_set().at(j).isEmpty()
-                                          || !s.mux.req_set().at(j).isEmpty()
-                                      ? (!s.mux.crit_set().at(j).isEmpty()
-                                          ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
-                                          : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j))
-                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j),
+                                      ? "mux.crit_set(" + j + ") = " + s.mux.crit_set().at(j)
+                                      : "mux.req_set(" + j + ") = " + s.mux.req_set().at(j),
                                   j,
                                   s.plist.at(j)),
                           List.of(a.i()),
                           s.mux.crit_set().arguments(),
                           s.mux.req_set().arguments(),
-                          s.mux.rest_set().arguments(),
                           a.P(),
                           s.plist.arguments()));
       case MutexGroupAction.od_mutex a ->
@@ -144,17 +132,19 @@ public final class MutexGroupAutomaton
                   a.RS().equals(s.mux.req_set().at(a.i())),
                   () -> "mux.req_set(" + a.i() + ") = " + s.mux.req_set().at(a.i()))
               .and(
-                  "forall j: PIDS :: not i = j and peer?(i, j) => RS disjoint mux.held(j)",
+                  "forall j: PIDS :: not i = j and (peer?(i, j) or mux.rest_set(j) != {}) => RS disjoint mux.held(j)",
                   Finite.forAll(
                           j ->
-                              !(!a.i().equals(j) && s.isPeer(a.i(), j))
+                              !(!a.i().equals(j)
+                                      && (s.isPeer(a.i(), j) || !s.mux.rest_set().at(j).isEmpty()))
                                   || Sets.disjoint(a.RS(), s.mux.held(j)),
                           List.of(a.i()),
                           s.plist.at(a.i()),
                           s.plist.arguments(),
-                          s.mux.crit_set().arguments(),
-                          s.mux.rest_set().arguments())
-                      && (!s.plist.defaultValue().contains(a.i())
+                          s.mux.rest_set().arguments(),
+                          s.mux.crit_set().arguments())
+                      && (!(s.plist.defaultValue().contains(a.i())
+                              || !s.mux.rest_set().defaultValue().isEmpty())
                           || Sets.disjoint(
                               a.RS(),
                               Sets.union(
@@ -163,21 +153,24 @@ public final class MutexGroupAutomaton
                   () ->
                       Finite.first(
                           j ->
-                              !(!(!a.i().equals(j) && s.isPeer(a.i(), j))
+                              !(!(!a.i().equals(j)
+                                      && (s.isPeer(a.i(), j) || !s.mux.rest_set().at(j).isEmpty()))
                                   || Sets.disjoint(a.RS(), s.mux.held(j))),
                           j ->
                               String.format(
                                   "%s, held(%s) = %s",
-                                  s.plist.at(a.i()).contains(j)
-                                      ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
-                                      : "plist(" + j + ") = " + s.plist.at(j),
+                                  s.isPeer(a.i(), j)
+                                      ? (s.plist.at(a.i()).contains(j)
+                                          ? "plist(" + a.i() + ") = " + s.plist.at(a.i())
+                                          : "plist(" + j + ") = " + s.plist.at(j))
+                                      : "mux.rest_set(" + j + ") = " + s.mux.rest_set().at(j),
                                   j,
                                   s.mux.held(j)),
                           List.of(a.i()),
                           s.plist.at(a.i()),
                           s.plist.arguments(),
-                          s.mux.crit_set().arguments(),
-                          s.mux.rest_set().arguments()));
+                          s.mux.rest_set().arguments(),
+                          s.mux.crit_set().arguments()));
       case MutexGroupAction.release a ->
           Enabled.when(
               "mux.release(i, RS)",
@@ -185,6 +178,17 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.withdraw a ->
           Enabled.when(
               "mux.withdraw(i)", muxAutomaton.enabled(new MutexAction.withdraw(a.i()), s.mux));
+      case MutexGroupAction.restart a ->
+          Enabled.when(
+              "mux.restart(i)", muxAutomaton.enabled(new MutexAction.restart(a.i()), s.mux));
+      case MutexGroupAction.take_over a ->
+          Enabled.when(
+              "mux.take_over(i, j)",
+              muxAutomaton.enabled(new MutexAction.take_over(a.i(), a.j()), s.mux));
+      case MutexGroupAction.stands_in a ->
+          Enabled.when(
+              "mux.stands_in(i, RS)",
+              muxAutomaton.enabled(new MutexAction.stands_in(a.i(), a.RS()), s.mux));
     };
   }
 
@@ -196,7 +200,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist.with(a.i(), a.P()),
                   Undefined.step(
-                      "Mutex_group_decls.starl:37:7",
+                      "Mutex_group_decls.starl:38:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.do_mutex(a.i(), a.RS()),
@@ -208,7 +212,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:46:7",
+                      "Mutex_group_decls.starl:48:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.od_mutex(a.i(), a.RS()),
@@ -219,7 +223,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:50:7",
+                      "Mutex_group_decls.starl:52:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.release(a.i(), a.RS()),
@@ -230,10 +234,43 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:54:7",
+                      "Mutex_group_decls.starl:56:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.withdraw(a.i()),
+                      s.mux))
+              : s;
+      case MutexGroupAction.restart a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.plist,
+                  Undefined.step(
+                      "Mutex_group_decls.starl:60:7",
+                      "mux",
+                      muxAutomaton,
+                      new MutexAction.restart(a.i()),
+                      s.mux))
+              : s;
+      case MutexGroupAction.take_over a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.plist,
+                  Undefined.step(
+                      "Mutex_group_decls.starl:64:7",
+                      "mux",
+                      muxAutomaton,
+                      new MutexAction.take_over(a.i(), a.j()),
+                      s.mux))
+              : s;
+      case MutexGroupAction.stands_in a ->
+          enabled(action, s).isTrue()
+              ? new States(
+                  s.plist,
+                  Undefined.step(
+                      "Mutex_group_decls.starl:68:7",
+                      "mux",
+                      muxAutomaton,
+                      new MutexAction.stands_in(a.i(), a.RS()),
                       s.mux))
               : s;
     };

@@ -33,8 +33,20 @@ public sealed interface TrafficAction extends Action {
   /** the request ends without access; i may ask again */
   record withdraw(ProcessId i) implements TrafficAction {}
 
-  /** i neither holds nor asks for zones any more */
+  /** i acts no more; what it held is kept */
   record give_up(ProcessId i) implements TrafficAction {}
+
+  /** the car of i, which has crashed, is taken off the road */
+  record towed(ProcessId i) implements TrafficAction {}
+
+  /** the car of j goes on as i */
+  record restart(ProcessId i, ProcessId j) implements TrafficAction {}
+
+  /** the program says where its body stands */
+  record stands_in(ProcessId i, SortedSet<String> RS) implements TrafficAction {}
+
+  /** the first zone of its way is behind it, and not asked for again */
+  record skip(ProcessId i) implements TrafficAction {}
 
   @Override
   default List<Object> args() {
@@ -51,6 +63,10 @@ public sealed interface TrafficAction extends Action {
       case unregister a -> List.of(a.i);
       case withdraw a -> List.of(a.i);
       case give_up a -> List.of(a.i);
+      case towed a -> List.of(a.i);
+      case restart a -> List.of(a.i, a.j);
+      case stands_in a -> List.of(a.i, a.RS);
+      case skip a -> List.of(a.i);
     };
   }
 }

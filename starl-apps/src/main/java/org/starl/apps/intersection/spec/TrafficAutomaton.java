@@ -3,6 +3,7 @@
 package org.starl.apps.intersection.spec;
 
 import java.util.List;
+import java.util.SortedSet;
 import java.util.function.Function;
 import org.starl.id.ProcessId;
 import org.starl.primitives.mutex.MutexGroupAction;
@@ -37,11 +38,12 @@ import org.starl.spec.automaton.Undefined;
  * from Keeps of Registration_decls). - `decide' happens only if it lets somebody in or out, `learn'
  * only of a newer list: so runs without time are short (Traffic_progress).
  *
- * <p>A process is one attempt of a car to take part: a car whose program restarts before it has its
- * zones, or that others have given up, begins anew as another process, and the earlier one gives up
- * (`give_up'). No process begins anew for a car among the zones: one that crashes there acts no
- * more; if it is carried away, Traffic_bodies says what follows. Bounds in time and in steps are of
- * runs in which no request is withdrawn and no process gives up (`calm').
+ * <p>A process is one attempt of a car to take part: a car whose program restarts, or that others
+ * have given up, begins anew as another process, and the earlier one gives up (`give_up'). What
+ * this one held, the car's body may still stand in: it is kept (rest_set) until the car is taken
+ * off the road (`towed'), or goes on as the next process (`restart'), says where its body is
+ * (`stands_in'), asks for the zones from there on (`skip'), and is granted them. Bounds in time are
+ * of runs in which no request is withdrawn, and no process gives up or begins anew (`calm').
  *
  * <p>What the primitives do of themselves (decide, learn, od_mutex) is enabled when they say so.
  * What they are asked to do is enabled when the protocol says so; that the primitives allow it is
@@ -160,7 +162,8 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
    * @param timer_reg in register_wait
    * @param timer_move with the present zone
    * @param timer_grant of waiting while nobody holds a zone
-   * @param calm no request was withdrawn, and no process gave up
+   * @param resumed began where an earlier process of its car had zones
+   * @param calm no request was withdrawn, no process gave up or began anew
    */
   public record States(
       Fun<ProcessId, Locations> loc,
@@ -171,72 +174,229 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
       Fun<ProcessId, Long> timer_reg,
       Fun<ProcessId, Long> timer_move,
       long timer_grant,
+      SortedSet<ProcessId> resumed,
       boolean calm,
       MutexGroupAutomaton.States mux,
       RegistrationAutomaton.States reg) {
+
+    /** What i holds, and what earlier processes of its car held. */
+    public SortedSet<String> holds(ProcessId i) {
+      return Sets.union(mux.mux().crit_set().at(i), mux.mux().rest_set().at(i));
+    }
 
     /** Somebody waits, and nobody holds anything. */
     public boolean isGrantable() {
       return (Finite.exists(i -> loc.at(i) == Locations.mutex_wait, loc.arguments())
               || loc.defaultValue() == Locations.mutex_wait)
           && Finite.forAll(
-              j -> mux.mux().crit_set().at(j).isEmpty(), mux.mux().crit_set().arguments())
-          && mux.mux().crit_set().defaultValue().isEmpty();
+              j -> holds(j).isEmpty(),
+              mux.mux().crit_set().arguments(),
+              mux.mux().rest_set().arguments())
+          && Sets.union(mux.mux().crit_set().defaultValue(), mux.mux().rest_set().defaultValue())
+              .isEmpty();
+    }
+
+    /** The car is where its way begins: before it, in its first zone, or just past this. */
+    public boolean isAtItsWay(ProcessId i) {
+      return !myseq.at(i).isEmpty()
+          && (pos.at(i).equals(new Position.arrival())
+              || pos.at(i)
+                  .equals(
+                      new Position.inside(
+                          Undefined.head("Traffic_decls.starl:101:40", myseq.at(i))))
+              || pos.at(i).equals(next_pos(myseq.at(i))));
     }
 
     private States with_loc(Fun<ProcessId, Locations> loc) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_myseq(Fun<ProcessId, List<String>> myseq) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_pos(Fun<ProcessId, Position> pos) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_age(Fun<ProcessId, Long> age) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_timer_start(Fun<ProcessId, Long> timer_start) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_timer_reg(Fun<ProcessId, Long> timer_reg) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_timer_move(Fun<ProcessId, Long> timer_move) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_timer_grant(long timer_grant) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
+    }
+
+    private States with_resumed(SortedSet<ProcessId> resumed) {
+      return new States(
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_calm(boolean calm) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_mux(MutexGroupAutomaton.States mux) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
 
     private States with_reg(RegistrationAutomaton.States reg) {
       return new States(
-          loc, myseq, pos, age, timer_start, timer_reg, timer_move, timer_grant, calm, mux, reg);
+          loc,
+          myseq,
+          pos,
+          age,
+          timer_start,
+          timer_reg,
+          timer_move,
+          timer_grant,
+          resumed,
+          calm,
+          mux,
+          reg);
     }
   }
 
@@ -256,29 +416,30 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
         Fun.always(0L),
         Fun.always(0L),
         0L,
+        Sets.emptyset(),
         true,
         muxAutomaton.start(),
         regAutomaton.start());
   }
 
   public static List<String> rest(List<String> l) {
-    return l.isEmpty() ? List.of() : Undefined.tail("Traffic_decls.starl:84:58", l);
+    return l.isEmpty() ? List.of() : Undefined.tail("Traffic_decls.starl:89:58", l);
   }
 
   /** The first zone of the way; departed if there is none. */
   public static Position first_pos(List<String> l) {
     return l.isEmpty()
         ? new Position.departed()
-        : new Position.inside(Undefined.head("Traffic_decls.starl:87:76", l));
+        : new Position.inside(Undefined.head("Traffic_decls.starl:92:76", l));
   }
 
   /** The zone after the one that the car is in; departed after the last. */
   public static Position next_pos(List<String> l) {
-    return l.isEmpty() || Undefined.tail("Traffic_decls.starl:91:16", l).isEmpty()
+    return l.isEmpty() || Undefined.tail("Traffic_decls.starl:96:16", l).isEmpty()
         ? new Position.departed()
         : new Position.inside(
             Undefined.head(
-                "Traffic_decls.starl:91:55", Undefined.tail("Traffic_decls.starl:91:60", l)));
+                "Traffic_decls.starl:96:55", Undefined.tail("Traffic_decls.starl:96:60", l)));
   }
 
   @Override
@@ -377,9 +538,23 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   s.reg.rList(a.i()).contains(a.i()),
                   () -> "rList(" + a.i() + ") = " + s.reg.rList(a.i()))
               .and(
-                  "RS = elements(Path(sd(i)))",
-                  a.RS().equals(Sets.of(Path.apply(sd.apply(a.i())))),
-                  () -> "RS = " + a.RS() + ", i = " + a.i());
+                  "RS = elements(myseq(i))",
+                  a.RS().equals(Sets.of(s.myseq.at(a.i()))),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "at_its_way?(i)",
+                  () -> s.isAtItsWay(a.i()),
+                  () ->
+                      s.myseq.at(a.i()).isEmpty()
+                          ? "myseq(" + a.i() + ") = " + s.myseq.at(a.i())
+                          : String.format(
+                              "pos(%s) = %s, myseq(%s) = %s, next_pos(%s) = %s",
+                              a.i(),
+                              s.pos.at(a.i()),
+                              a.i(),
+                              s.myseq.at(a.i()),
+                              s.myseq.at(a.i()),
+                              next_pos(s.myseq.at(a.i()))));
       case TrafficAction.od_mutex a ->
           Enabled.when(
                   "loc(i) = mutex_wait",
@@ -406,7 +581,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                               .equals(
                                   new Position.inside(
                                       Undefined.head(
-                                          "Traffic_decls.starl:132:79", s.myseq.at(a.i())))),
+                                          "Traffic_decls.starl:142:79", s.myseq.at(a.i())))),
                   () ->
                       String.format(
                           "pos(%s) = %s, myseq(%s) = %s",
@@ -426,7 +601,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                       a.RS()
                           .equals(
                               Sets.singleton(
-                                  Undefined.head("Traffic_decls.starl:136:49", s.myseq.at(a.i())))),
+                                  Undefined.head("Traffic_decls.starl:146:49", s.myseq.at(a.i())))),
                   () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
               .and(
                   "pos(i) = next_pos(myseq(i))",
@@ -447,9 +622,84 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
       case TrafficAction.give_up a ->
           Enabled.when(
-              "loc(i) = register_wait or loc(i) = mutex_wait",
-              s.loc.at(a.i()) == Locations.register_wait || s.loc.at(a.i()) == Locations.mutex_wait,
+              "loc(i) = register_wait or loc(i) = mutex_wait or loc(i) = move_wait",
+              s.loc.at(a.i()) == Locations.register_wait
+                  || s.loc.at(a.i()) == Locations.mutex_wait
+                  || s.loc.at(a.i()) == Locations.move_wait,
               () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()));
+      case TrafficAction.towed a ->
+          Enabled.when(
+                  "loc(i) = over",
+                  s.loc.at(a.i()) == Locations.over,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "pos(i) != departed",
+                  !s.pos.at(a.i()).equals(new Position.departed()),
+                  () -> "pos(" + a.i() + ") = " + s.pos.at(a.i()));
+      case TrafficAction.restart a ->
+          Enabled.when(
+                  "loc(i) = away",
+                  s.loc.at(a.i()) == Locations.away,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "loc(j) = over or loc(j) = S1 or loc(j) = done",
+                  s.loc.at(a.j()) == Locations.over
+                      || s.loc.at(a.j()) == Locations.S1
+                      || s.loc.at(a.j()) == Locations.done,
+                  () -> "loc(" + a.j() + ") = " + s.loc.at(a.j()))
+              .and(
+                  "sd(i) = sd(j)",
+                  sd.apply(a.i()).equals(sd.apply(a.j())),
+                  () -> "i = " + a.i() + ", j = " + a.j());
+      case TrafficAction.stands_in a ->
+          Enabled.when(
+              "pos(i) is inside => pos(i).zone in RS or pos(i).zone in mux.mux.crit_set(i)",
+              !(s.pos.at(a.i()) instanceof Position.inside)
+                  || a.RS()
+                      .contains(
+                          Undefined.form(
+                                  "Traffic_decls.starl:173:27",
+                                  "zone",
+                                  Position.inside.class,
+                                  s.pos.at(a.i()))
+                              .zone())
+                  || s.mux
+                      .mux()
+                      .crit_set()
+                      .at(a.i())
+                      .contains(
+                          Undefined.form(
+                                  "Traffic_decls.starl:173:48",
+                                  "zone",
+                                  Position.inside.class,
+                                  s.pos.at(a.i()))
+                              .zone()),
+              () ->
+                  String.format(
+                      "pos(%s) = %s, pos(%s).zone = %s, mux.mux.crit_set(%s) = %s",
+                      a.i(),
+                      s.pos.at(a.i()),
+                      a.i(),
+                      ((Position.inside) s.pos.at(a.i())).zone(),
+                      a.i(),
+                      s.mux.mux().crit_set().at(a.i())));
+      case TrafficAction.skip a ->
+          Enabled.when(
+                  "loc(i) = register_wait",
+                  s.loc.at(a.i()) == Locations.register_wait,
+                  () -> "loc(" + a.i() + ") = " + s.loc.at(a.i()))
+              .and(
+                  "myseq(i) != []",
+                  !s.myseq.at(a.i()).isEmpty(),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "tail(myseq(i)) != []",
+                  () -> !Undefined.tail("Traffic_decls.starl:177:47", s.myseq.at(a.i())).isEmpty(),
+                  () -> "myseq(" + a.i() + ") = " + s.myseq.at(a.i()))
+              .and(
+                  "pos(i) != arrival",
+                  !s.pos.at(a.i()).equals(new Position.arrival()),
+                  () -> "pos(" + a.i() + ") = " + s.pos.at(a.i()));
     };
   }
 
@@ -509,7 +759,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.register_wait))
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:113:32",
+                          "Traffic_decls.starl:123:32",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.do_register(a.i()),
@@ -519,7 +769,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
           enabled(action, s).isTrue()
               ? s.with_reg(
                   Undefined.step(
-                      "Traffic_decls.starl:117:7",
+                      "Traffic_decls.starl:127:7",
                       "reg",
                       regAutomaton,
                       new RegistrationAction.decide(a.L()),
@@ -530,7 +780,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_mux(
                       s.loc.at(a.i()) == Locations.mutex_wait
                           ? Undefined.step(
-                              "Traffic_decls.starl:121:24",
+                              "Traffic_decls.starl:131:24",
                               "mux",
                               muxAutomaton,
                               new MutexGroupAction.known(a.i(), s.reg.list().at(a.n())),
@@ -538,7 +788,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                           : s.mux)
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:121:7",
+                          "Traffic_decls.starl:131:7",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.learn(a.i(), a.n()),
@@ -549,7 +799,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.mutex_wait))
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:125:29",
+                          "Traffic_decls.starl:135:29",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.do_mutex(a.i(), a.RS(), s.reg.rList(a.i())),
@@ -562,7 +812,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   .with_timer_grant(0L)
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:129:66",
+                          "Traffic_decls.starl:139:66",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.od_mutex(a.i(), a.RS()),
@@ -587,7 +837,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   .with_timer_move(s.timer_move.with(a.i(), 0L))
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:139:7",
+                          "Traffic_decls.starl:149:7",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.release(a.i(), a.RS()),
@@ -598,7 +848,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.done))
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:143:23",
+                          "Traffic_decls.starl:153:23",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.unregister(a.i()),
@@ -610,7 +860,7 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
                   .with_calm(false)
                   .with_mux(
                       Undefined.step(
-                          "Traffic_decls.starl:147:32",
+                          "Traffic_decls.starl:157:32",
                           "mux",
                           muxAutomaton,
                           new MutexGroupAction.withdraw(a.i()),
@@ -621,21 +871,56 @@ public final class TrafficAutomaton implements Automaton<TrafficAutomaton.States
               ? s.with_loc(s.loc.with(a.i(), Locations.over))
                   .with_calm(false)
                   .with_mux(
-                      s.loc.at(a.i()) == Locations.mutex_wait
-                          ? Undefined.step(
-                              "Traffic_decls.starl:151:39",
-                              "mux",
-                              muxAutomaton,
-                              new MutexGroupAction.withdraw(a.i()),
-                              s.mux)
-                          : s.mux)
+                      Undefined.step(
+                          "Traffic_decls.starl:161:39",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.restart(a.i()),
+                          s.mux))
                   .with_reg(
                       Undefined.step(
-                          "Traffic_decls.starl:151:23",
+                          "Traffic_decls.starl:161:23",
                           "reg",
                           regAutomaton,
                           new RegistrationAction.give_up(a.i()),
                           s.reg))
+              : s;
+      case TrafficAction.towed a -> s.with_pos(s.pos.with(a.i(), new Position.departed()));
+      case TrafficAction.restart a ->
+          enabled(action, s).isTrue()
+              ? Undefined.once(
+                  "Traffic_decls.starl:169:39",
+                  a.i().equals(a.j())
+                      && !s.pos.at(a.j()).equals(new Position.departed())
+                      && enabled(action, s).isTrue(),
+                  "restart",
+                  s.with_loc(s.loc.with(a.i(), Locations.S0))
+                      .with_pos(
+                          s.pos.with(a.i(), s.pos.at(a.j())).with(a.j(), new Position.departed()))
+                      .with_resumed(Sets.add(a.i(), s.resumed))
+                      .with_calm(false)
+                      .with_mux(
+                          Undefined.step(
+                              "Traffic_decls.starl:170:7",
+                              "mux",
+                              muxAutomaton,
+                              new MutexGroupAction.take_over(a.i(), a.j()),
+                              s.mux)))
+              : s;
+      case TrafficAction.stands_in a ->
+          enabled(action, s).isTrue()
+              ? s.with_calm(false)
+                  .with_mux(
+                      Undefined.step(
+                          "Traffic_decls.starl:174:7",
+                          "mux",
+                          muxAutomaton,
+                          new MutexGroupAction.stands_in(a.i(), a.RS()),
+                          s.mux))
+              : s;
+      case TrafficAction.skip a ->
+          enabled(action, s).isTrue()
+              ? s.with_myseq(s.myseq.with(a.i(), rest(s.myseq.at(a.i()))))
               : s;
     };
   }

@@ -26,23 +26,28 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <pre>
  * event                                    action, where i is an id of the event's robot
- * registration: do_register i              arrive(i), do_register(i), and learn(i, n) if its robot
- *                                          knows list n; if an earlier id of the robot is past
+ * registration: do_register i              arrive(i), or restart(i, j) if the robot's earlier id j
+ *                                          was among the zones; do_register(i); and learn(i, n) if
+ *                                          its robot knows list n; if an earlier id of the robot is past
  *                                          register_wait, has not given up and was not ended by a
  *                                          restart, do_register of that id
  * registration: unregister i               unregister(i); give_up(i), if a program that restarted
  *                                          past the zones never asked for any
  * registration: give_up i                  give_up(i); unregister(i), if i is past its last zone;
  *                                          none, if i has left the list, or has given up
+ * restart of the robot                     give_up(i) of its id that asks for zones, or holds them
  * registration: confine j, by its own      the same of j, an earlier id
  * robot, or with those who vouch for j
  * registration: view n, for the first time decide(L), if L is not the list before
  * registration: view n                     learn(i, m), m being the number of the list of view n, if
  *                                          it is a newer one; rList(i) is L
- * mutex: do_mutex i, RS                    do_mutex(i, RS); plist(i) is known
+ * mutex: do_mutex i, RS                    skip(i) for each zone that i has restarted behind, and
+ *                                          do_mutex(i, RS); plist(i) is known
  * mutex: known i                           none; plist(i) is known, while i waits
  * mutex: od_mutex i, RS                    od_mutex(i, RS)
  * mutex: withdraw i                        withdraw(i), if i has not given up
+ * mutex: stands_in RS                      stands_in(i, RS), i being the robot's id that registered
+ *                                          last; before it towed(i), if the car is off the road
  * mutex: release i, RS                     release(i, RS); crit_set(i) is what the fact says is left
  * any of these, of any car; a movement     advance(i) of each car whose true body is in a later zone
  * any of these, after time has passed      dt
@@ -54,11 +59,11 @@ import org.starl.trace.TraceEvent.Variable;
  * given back. Bodies are looked at when an action is taken, and when they move in another way; {@link
  * TrafficSafety} looks at them at all times. The bounds B, R, G and T are never reached: {@link TrafficProgress} bounds the time.
  *
- * <p>A robot that restarts takes another id: the earlier one acts no more, as in the theory. But a car
- * among the zones is there under one id only, in the theory. So the replay ends, and the report says so
- * ({@link #inPart}), when a car that holds zones restarts, or is given up by others; when others have
- * given up a car that then goes on; and when a restarted car asks for a part of its way. Runs in real time
- * are not replayed: bodies are measured there, with errors.
+ * <p>A robot that restarts takes another id: the earlier one acts no more, as in the theory. What it held
+ * is kept for its car, which goes on under the next id. But in the theory no car acts under an id that was
+ * given up. So the replay ends, and the report says so ({@link #inPart}), when others give up a car that
+ * holds zones and has not crashed; and when others have given up a car that then asks for zones, or is
+ * granted them. Runs in real time are not replayed: bodies are measured there, with errors.
  */
 public final class TrafficConformance extends LemmaMonitor {
 
@@ -90,12 +95,8 @@ public final class TrafficConformance extends LemmaMonitor {
     run.observe(event, report);
     CrossingFact.trip(event).ifPresent(trip -> ways.putIfAbsent(event.robot(), trip.zones()));
     switch (event) {
-      case Fault fault when fault.name().equals(Fault.RESTART) -> {
-        if (run.holdsZones(event.robot())) {
-          end(event, event.robot() + " restarts while it holds zones");
-        }
-        run.restarts(event.robot());
-      }
+      case Fault fault when fault.name().equals(Fault.CRASH) -> run.crashes(event.robot());
+      case Fault fault when fault.name().equals(Fault.RESTART) -> run.restarts(event, report);
       case Fault fault when fault.isRealTime() -> {
         hasEnded = true;
         never(TrafficAutomaton.TRAFFIC_DECLS, "in real time bodies are measured, with errors");
@@ -147,10 +148,8 @@ public final class TrafficConformance extends LemmaMonitor {
           end(action, f.who() + " asks for zones after others gave it up");
       case MutexFact.OdMutex f when run.isGivenUpByOthers(f.who()) ->
           end(action, f.who() + " is granted zones after others gave it up");
-      case MutexFact.DoMutex f when run.asksForAPart(f.who(), f.want()) ->
-          end(action, f.who() + " asks for a part of its way");
       case MutexFact.DoMutex f -> {
-        run.step(action, new TrafficAction.do_mutex(f.who(), f.want()), report);
+        run.asksFor(action, f.who(), f.want(), report);
         run.asks(action, f.who(), f.known(), report);
       }
       case MutexFact.Known f -> run.asks(action, f.who(), f.known(), report);
@@ -160,6 +159,7 @@ public final class TrafficConformance extends LemmaMonitor {
         run.step(action, new TrafficAction.release(f.who(), f.given()), report);
         run.holds(action, f.who(), f.left(), report);
       }
+      case MutexFact.StandsIn f -> run.standsIn(action, f.sections(), report);
       case MutexFact.Withdraw f when f.num() > 0 -> run.withdraws(action, f.who(), report);
       default -> {
         // Of the protocol.

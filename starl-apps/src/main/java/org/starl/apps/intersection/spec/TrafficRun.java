@@ -36,6 +36,7 @@ final class TrafficRun {
   private final Map<RobotId, ProcessId> cars = new TreeMap<>();
   // Those of them whose program has ended: the next one of the robot asks under another id.
   private final Set<ProcessId> restarted = new TreeSet<>();
+  private final Set<RobotId> crashed = new TreeSet<>();
   // Those that may not know it, and go on.
   private final Set<ProcessId> givenUpByOthers = new TreeSet<>();
   // The numbers of the views that were shown, and of the lists that they have.
@@ -72,18 +73,40 @@ final class TrafficRun {
     return replay.state().loc().at(i);
   }
 
-  boolean holdsZones(RobotId robot) {
-    ProcessId i = cars.get(robot);
-    return i != null && location(i) == Locations.move_wait;
+  void crashes(RobotId robot) {
+    crashed.add(robot);
   }
 
   /** What the earlier program knew, the next one has to learn again. */
-  void restarts(RobotId robot) {
-    known.remove(robot);
-    ProcessId i = cars.get(robot);
+  void restarts(TraceEvent event, Report report) {
+    crashed.remove(event.robot());
+    known.remove(event.robot());
+    ProcessId i = cars.get(event.robot());
     if (i != null) {
       restarted.add(i);
+      if (mayGiveUp(i)) {
+        step(event, new TrafficAction.give_up(i), report);
+      }
     }
+  }
+
+  private boolean mayGiveUp(ProcessId i) {
+    return switch (location(i)) {
+      case register_wait, mutex_wait, move_wait -> true;
+      case away, S0, S1, done, over -> false;
+    };
+  }
+
+  void standsIn(TraceEvent event, SortedSet<String> sections, Report report) {
+    ProcessId i = cars.get(event.robot());
+    if (i == null) {
+      return;
+    }
+    boolean isOnRoad = bodies.isOnFloor(event.robot());
+    if (!isOnRoad && location(i) == Locations.over && place(i) < ways.apply(i.robot()).size()) {
+      step(event, new TrafficAction.towed(i), report);
+    }
+    step(event, new TrafficAction.stands_in(i, sections), report);
   }
 
   void registers(TraceEvent event, ProcessId i, Report report) {
@@ -92,8 +115,13 @@ final class TrafficRun {
       step(event, new TrafficAction.do_register(before), report);
       return;
     }
+    step(
+        event,
+        before != null && isAmongTheZones(before)
+            ? new TrafficAction.restart(i, before)
+            : new TrafficAction.arrive(i),
+        report);
     cars.put(i.robot(), i);
-    step(event, new TrafficAction.arrive(i), report);
     step(event, new TrafficAction.do_register(i), report);
     learn(event, i, known.getOrDefault(i.robot(), 0L), report);
   }
@@ -103,6 +131,12 @@ final class TrafficRun {
       case register_wait, over -> true;
       default -> restarted.contains(i);
     };
+  }
+
+  /** Whether the next process of its car goes on from there. */
+  private boolean isAmongTheZones(ProcessId i) {
+    boolean hasEnded = !mayGiveUp(i) && location(i) != Locations.S0;
+    return hasEnded && (place(i) >= 0 || !replay.state().mux().mux().rest_set().at(i).isEmpty());
   }
 
   void unregisters(TraceEvent event, ProcessId i, Report report) {
@@ -120,7 +154,7 @@ final class TrafficRun {
     return restarted.stream().anyMatch(each -> each.robot().equals(i.robot()));
   }
 
-  /** Returns false if it holds zones. */
+  /** Returns false if it holds zones, and its program may go on. */
   boolean givesUp(TraceEvent event, ProcessId i, Report report) {
     if (!event.robot().equals(i.robot())) {
       givenUpByOthers.add(i);
@@ -129,7 +163,10 @@ final class TrafficRun {
       case register_wait, mutex_wait -> step(event, new TrafficAction.give_up(i), report);
       case S1 -> step(event, new TrafficAction.unregister(i), report);
       case move_wait -> {
-        return false;
+        if (!crashed.contains(i.robot())) {
+          return false;
+        }
+        step(event, new TrafficAction.give_up(i), report);
       }
       case away, S0, done, over -> {
         // It is on no list, or may be left out already.
@@ -142,9 +179,20 @@ final class TrafficRun {
     return givenUpByOthers.contains(i);
   }
 
-  /** Where its body may be, or may not be, is not certain after a restart. */
-  boolean asksForAPart(ProcessId i, SortedSet<String> want) {
-    return isOfRestarted(i) && !want.equals(Sets.of(ways.apply(i.robot())));
+  /** A restarted program asks for the zones from the first in which its body may be. */
+  void asksFor(TraceEvent event, ProcessId i, SortedSet<String> want, Report report) {
+    while (isBehind(i, want) && !replay.hasDeviated()) {
+      step(event, new TrafficAction.skip(i), report);
+    }
+    step(event, new TrafficAction.do_mutex(i, want), report);
+  }
+
+  private boolean isBehind(ProcessId i, SortedSet<String> want) {
+    List<String> rest = replay.state().myseq().at(i);
+    return location(i) == Locations.register_wait
+        && replay.state().resumed().contains(i)
+        && rest.size() > 1
+        && !want.contains(rest.get(0));
   }
 
   void withdraws(TraceEvent event, ProcessId i, Report report) {
@@ -216,10 +264,10 @@ final class TrafficRun {
 
   private void advance(TraceEvent event, ProcessId i, Report report) {
     List<String> way = ways.apply(i.robot());
-    if (!bodies.isOnFloor(i.robot()) || way.isEmpty()) {
+    if (!bodies.isOnFloor(i.robot()) || way.isEmpty() || location(i) == Locations.over) {
       return;
     }
-    int at = place(i, way);
+    int at = place(i);
     while (at < target(event, i, way) && !isAhead(i, way) && !replay.hasDeviated()) {
       pass(event, report);
       replay.step(event, new TrafficAction.advance(i), report);
@@ -230,11 +278,12 @@ final class TrafficRun {
   /** Whether it has yet to give back the zone before the one that it is in. */
   private boolean isAhead(ProcessId i, List<String> way) {
     List<String> rest = replay.state().myseq().at(i);
-    return place(i, way) > way.size() - rest.size();
+    return place(i) > way.size() - rest.size();
   }
 
   /** The number of its zone; -1 before the first one. */
-  private int place(ProcessId i, List<String> way) {
+  private int place(ProcessId i) {
+    List<String> way = ways.apply(i.robot());
     return switch (replay.state().pos().at(i)) {
       case Position.arrival at -> -1;
       case Position.inside at -> way.indexOf(at.zone());
@@ -251,6 +300,6 @@ final class TrafficRun {
         return n;
       }
     }
-    return place(i, way) < 0 ? -1 : way.size();
+    return place(i) < 0 ? -1 : way.size();
   }
 }

@@ -100,13 +100,17 @@ final class MutantReplay {
           Map.entry("Ledger_decls", Twin.of("ledger", "ledger.LedgerConformance")),
           Map.entry("Geocast_decls", Twin.of("geocast", "geocast.GeocastConformance")),
           Map.entry("MotionControl_decls", Twin.of("motion", "motion.MotionConformance")),
-          // Without restarts: the theory has none of a car that holds zones.
+          // Cars crash among the zones, and go on from there.
           Map.entry(
               "Traffic_decls",
               new Twin(
                   "intersection",
                   List.of(Map.of("car", "paper")),
-                  Map.of("messageLoss", "0.2"),
+                  Map.of(
+                      "messageLoss",
+                      "0.2",
+                      "faults",
+                      "crash(bot0,at=9s,restart=5s); crash(bot2,at=14s,restart=5s)"),
                   INTERSECTION + "spec.TrafficConformance",
                   IntersectionFactory.XID,
                   INTERSECTION + "logic.CrossingFact",
