@@ -175,7 +175,7 @@ class RefinementTest {
     Automaton automaton = new SourceReader().read(RefinementModels.file("LockServer")).getLast();
     Sizes sizes = sizes(automaton);
     assertThat(Report.lines(automaton, sizes, result(automaton, sizes, 1000), of -> of))
-        .contains("  never a step of mutex: withdraw, restart, stands_in");
+        .contains("  never a step of mutex: withdraw, restart, take_over, stands_in");
     assertThat(lines(COUNTERS)).noneMatch(line -> line.contains("never a step"));
     assertThat(lines(counters("pre at(p) = 0,", "pre at(p) > 0,")))
         .contains("  never a step of total: add");

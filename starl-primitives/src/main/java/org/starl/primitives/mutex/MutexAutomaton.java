@@ -110,15 +110,7 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
               () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()));
       case MutexAction.restart a -> Enabled.TRUE;
       case MutexAction.take_over a ->
-          Enabled.when("not i = j", !a.i().equals(a.j()), () -> "i = " + a.i() + ", j = " + a.j())
-              .and(
-                  "crit_set(i) = {}",
-                  s.crit_set.at(a.i()).isEmpty(),
-                  () -> "crit_set(" + a.i() + ") = " + s.crit_set.at(a.i()))
-              .and(
-                  "req_set(i) = {}",
-                  s.req_set.at(a.i()).isEmpty(),
-                  () -> "req_set(" + a.i() + ") = " + s.req_set.at(a.i()));
+          Enabled.when("not i = j", !a.i().equals(a.j()), () -> "i = " + a.i() + ", j = " + a.j());
       case MutexAction.stands_in a -> Enabled.TRUE;
     };
   }
@@ -145,14 +137,14 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
               s.rest_set.with(a.i(), s.held(a.i())));
       case MutexAction.take_over a ->
           Undefined.once(
-              "Mutex_decls.starl:56:44",
+              "Mutex_decls.starl:55:68",
               a.i().equals(a.j())
                   && !Sets.union(s.rest_set.at(a.i()), s.held(a.j())).isEmpty()
                   && enabled(action, s).isTrue(),
               "take_over",
               new States(
                   s.crit_set.with(a.j(), Sets.emptyset()),
-                  s.req_set.with(a.j(), Sets.emptyset()),
+                  s.req_set,
                   s.rest_set
                       .with(a.i(), Sets.union(s.rest_set.at(a.i()), s.held(a.j())))
                       .with(a.j(), Sets.emptyset())));

@@ -178,17 +178,12 @@ public final class MutexGroupAutomaton
       case MutexGroupAction.withdraw a ->
           Enabled.when(
               "mux.withdraw(i)", muxAutomaton.enabled(new MutexAction.withdraw(a.i()), s.mux));
-      case MutexGroupAction.restart a ->
-          Enabled.when(
-              "mux.restart(i)", muxAutomaton.enabled(new MutexAction.restart(a.i()), s.mux));
+      case MutexGroupAction.restart a -> Enabled.TRUE;
       case MutexGroupAction.take_over a ->
           Enabled.when(
               "mux.take_over(i, j)",
               muxAutomaton.enabled(new MutexAction.take_over(a.i(), a.j()), s.mux));
-      case MutexGroupAction.stands_in a ->
-          Enabled.when(
-              "mux.stands_in(i, RS)",
-              muxAutomaton.enabled(new MutexAction.stands_in(a.i(), a.RS()), s.mux));
+      case MutexGroupAction.stands_in a -> Enabled.TRUE;
     };
   }
 
@@ -245,7 +240,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:60:7",
+                      "Mutex_group_decls.starl:59:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.restart(a.i()),
@@ -256,7 +251,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:64:7",
+                      "Mutex_group_decls.starl:63:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.take_over(a.i(), a.j()),
@@ -267,7 +262,7 @@ public final class MutexGroupAutomaton
               ? new States(
                   s.plist,
                   Undefined.step(
-                      "Mutex_group_decls.starl:68:7",
+                      "Mutex_group_decls.starl:66:7",
                       "mux",
                       muxAutomaton,
                       new MutexAction.stands_in(a.i(), a.RS()),
