@@ -100,27 +100,24 @@ final class Lowering {
   /**
    * The automaton.
    *
-   * @param own the invariants of the source
-   * @param constraints those of the source
+   * @param own the invariants of the source, beside those of its primitives
    * @param asked what is to happen, as far as it is read
    * @param isWhole whether value parameters are left out that nothing reads
    */
   Automaton automaton(
       List<Invariant> own, List<Invariant> constraints, ProgressReader asked, boolean isWhole) {
-    List<Invariant> all = new ArrayList<>(invariants);
-    all.addAll(own);
+    List<Invariant> all = Stream.concat(invariants.stream(), own.stream()).toList();
     List<Declared> types = new ArrayList<>(program.types());
     types.add(new Declared(location, List.of()));
     List<Expr> start = start();
     Set<String> mentioned = new TreeSet<>();
     start.forEach(each -> mention(each, mentioned));
-    all.forEach(each -> mention(each.condition(), mentioned));
-    constraints.forEach(each -> mention(each.condition(), mentioned));
-    List<Progress> progress = new ArrayList<>(assumed);
-    progress.addAll(asked.all);
-    asked.ends.forEach(each -> mention(each.condition(), mentioned));
-    progress.forEach(each -> mention(each.from(), mentioned));
-    progress.forEach(each -> mention(each.to(), mentioned));
+    Stream.of(all, constraints, asked.ends)
+        .flatMap(List::stream)
+        .forEach(each -> mention(each.condition(), mentioned));
+    List<Progress> progress = Stream.concat(assumed.stream(), asked.all.stream()).toList();
+    progress.forEach(
+        each -> List.of(each.from(), each.to()).forEach(side -> mention(side, mentioned)));
     actions.forEach(action -> mention(action, mentioned));
     List<Field> values = new ArrayList<>(valueParameters());
     Set<Field> used = usedParameters();
@@ -144,10 +141,10 @@ final class Lowering {
         program.functions(),
         start,
         List.copyOf(actions),
-        List.copyOf(all),
+        all,
         constraints,
         List.copyOf(asked.ends),
-        List.copyOf(progress),
+        progress,
         List.of(),
         "",
         Map.of(),
