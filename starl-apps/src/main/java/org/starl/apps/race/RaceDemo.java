@@ -42,8 +42,8 @@ public final class RaceDemo implements FactoryDemo {
   /** Chaos ends before a race does, so that progress is required. */
   private static final Duration CHAOS = Duration.ofSeconds(30);
 
-  /** Half the side of a box. */
-  private static final double BOX_MM = 100;
+  /** The side of a box. */
+  private static final double BOX_MM = 200;
 
   @Override
   public AppFactory factory() {
@@ -115,13 +115,7 @@ public final class RaceDemo implements FactoryDemo {
   private static Obstacles boxes(List<RacePoint> points, int count) {
     List<Obstacle> boxes = new ArrayList<>();
     for (RacePoint point : points.subList(0, Math.min(count, points.size()))) {
-      Point at = point.at();
-      List<Point> corners =
-          List.of(
-              at.plus(new Point(-BOX_MM, -BOX_MM)),
-              at.plus(new Point(BOX_MM, -BOX_MM)),
-              at.plus(new Point(BOX_MM, BOX_MM)),
-              at.plus(new Point(-BOX_MM, BOX_MM)));
+      List<Point> corners = Rectangle.around(point.at(), BOX_MM, BOX_MM).corners();
       boxes.add(new Obstacle(corners, true, true, Obstacle.FOREVER));
     }
     return new Obstacles(boxes);
