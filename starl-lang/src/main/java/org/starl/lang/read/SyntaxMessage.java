@@ -66,7 +66,9 @@ final class SyntaxMessage {
       Set.of(
           StarlParser.ASSUME, StarlParser.INVARIANT, StarlParser.CONSTRAINT, StarlParser.PROGRESS);
 
-  private static final int FEW = 4;
+  /** From {@code type T = a} to what follows. */
+  private static final int WORDS_OF_TYPE = 4;
+
   private static final int MOST_NAMED = 6;
   private static final String NEXT = " the next declaration or branch";
 
@@ -244,7 +246,7 @@ final class SyntaxMessage {
   /** Whether a declaration of a type begins some words before. */
   private static boolean isInType(Parser at, Token found) {
     Token token = found;
-    for (int i = 0; i < FEW && token.getTokenIndex() > 0; i++) {
+    for (int i = 0; i < WORDS_OF_TYPE && token.getTokenIndex() > 0; i++) {
       token = previous(at, token);
       if (token.getType() == StarlParser.TYPE) {
         return true;
