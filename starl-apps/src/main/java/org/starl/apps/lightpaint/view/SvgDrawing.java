@@ -22,10 +22,14 @@ import org.apache.batik.bridge.BridgeException;
 import org.apache.batik.bridge.ErrorConstants;
 import org.apache.batik.bridge.ExternalResourceSecurity;
 import org.apache.batik.bridge.GVTBuilder;
+import org.apache.batik.bridge.GraphicsNodeBridge;
 import org.apache.batik.bridge.Messages;
 import org.apache.batik.bridge.NoLoadExternalResourceSecurity;
+import org.apache.batik.bridge.SVGPathElementBridge;
 import org.apache.batik.bridge.SVGTextElementBridge;
+import org.apache.batik.bridge.SVGUseElementBridge;
 import org.apache.batik.bridge.UserAgentAdapter;
+import org.apache.batik.dom.util.XLinkSupport;
 import org.apache.batik.ext.awt.MultipleGradientPaint;
 import org.apache.batik.gvt.CompositeGraphicsNode;
 import org.apache.batik.gvt.CompositeShapePainter;
@@ -62,6 +66,7 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
   private static final double MAX_MM = 1e6;
 
   private static final double MM_PER_PX = 25.4 / 96;
+  private static final float BROWSERS_EM_PX = 16;
 
   private static final String NUMBER = "[+-]?(?:\\d*\\.)?\\d+(?:[eE][+-]?\\d+)?";
   private static final Pattern BOX = Pattern.compile("(?:%s[\\s,]+){3}%<s".formatted(NUMBER));
@@ -128,6 +133,9 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
     String name = quoted.find() ? quoted.group(1) : "";
     String value = element.getAttribute(name);
     String tag = "<" + element.getLocalName() + "> ";
+    if (error.getCode().equals(ErrorConstants.ERR_ATTRIBUTE_MISSING)) {
+      return svg.bad(svg.line(element), tag + "without " + name, SvgFile.expected(name));
+    }
     if (value.isEmpty()) {
       String link = element.getAttributeNS(SVGConstants.XLINK_NAMESPACE_URI, "href");
       String target = link.isEmpty() ? name.replaceFirst("^file:/+", "") : link;
@@ -201,6 +209,11 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
             }
 
             @Override
+            public float getMediumFontSize() {
+              return BROWSERS_EM_PX;
+            }
+
+            @Override
             public void displayError(Exception error) {
               if (!svg.isChecked() && error instanceof DOMException wrong) {
                 throw wrong;
@@ -227,6 +240,24 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
     public void registerSVGBridges() {
       super.registerSVGBridges();
       putBridge(
+          new SVGPathElementBridge() {
+            @Override
+            protected void buildShape(BridgeContext context, Element path, ShapeNode node) {
+              super.buildShape(context, path, node); // refuses a wrong path
+              node.setShape(PathShape.of(path.getAttribute("d")));
+            }
+          });
+      putBridge(
+          new SVGUseElementBridge() {
+            @Override
+            public GraphicsNode createGraphicsNode(BridgeContext context, Element use) {
+              String link = XLinkSupport.getXLinkHref(use);
+              return link.isEmpty() || isShown(context.getReferencedElement(use, link))
+                  ? super.createGraphicsNode(context, use)
+                  : new CompositeGraphicsNode();
+            }
+          });
+      putBridge(
           new SVGTextElementBridge() {
             @Override
             public GraphicsNode createGraphicsNode(BridgeContext context, Element text) {
@@ -237,6 +268,13 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
                   "its outlines as paths: fonts differ");
             }
           });
+    }
+
+    /** Whether a copy of it can be seen; Batik fails at copies of what it does not build. */
+    private boolean isShown(Element original) {
+      Bridge its = super.getBridge(original);
+      boolean isBuilt = its instanceof GraphicsNodeBridge node && node.getDisplay(original);
+      return isBuilt || original.getLocalName().equals("symbol");
     }
 
     @Override
@@ -272,7 +310,7 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
         return;
       }
       noteIf(
-          own != null && node.getClip() != null && !VIEWPORTS.contains(element.getLocalName()),
+          own != null && isCut(node, element),
           element,
           "a clip is not applied: lines are painted whole");
       noteIf(node.getMask() != null, element, "a mask is not applied: lines are painted whole");
@@ -290,6 +328,17 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
       } else if (node instanceof ShapeNode shape && shape.isVisible()) {
         shape(shape, element, toMm);
       }
+    }
+
+    /** Whether its clip may cut something off: that of a viewport does only beyond its edge. */
+    private static boolean isCut(GraphicsNode node, Element element) {
+      return node.getClip() != null
+          && !(VIEWPORTS.contains(element.getLocalName())
+              && (node.getGeometryBounds() == null
+                  || node.getClip()
+                      .getClipPath()
+                      .getBounds2D()
+                      .contains(node.getGeometryBounds())));
     }
 
     private void noteIf(boolean isTrue, Element element, String text) {

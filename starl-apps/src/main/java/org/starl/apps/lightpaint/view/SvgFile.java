@@ -366,6 +366,7 @@ final class SvgFile extends SAXSVGDocumentFactory {
       case "points" -> "numbers in pairs, such as 0,0 10,5";
       case "viewBox" -> "four numbers, the last two above 0";
       case "transform" -> "transforms such as translate(10,20) rotate(45)";
+      case "xlink:href" -> "a link to an element of the drawing, such as #a";
       case "fill", "stroke", "color" -> "a colour such as #ff8000, rgb(255,128,0) or red";
       default -> "a value of SVG 1.1, such as 12.5 or 3mm for a length";
     };

@@ -85,6 +85,23 @@ class SvgDrawingTest {
     assertThat(found.toString().strip()).isEqualTo(expected.strip());
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "M 0 90 C 0 60 0 30 0 0 T 20 0",
+        "M 0 90 C 0 60 0 30 0 0 t 20 0",
+        "M 0 90 Q 0 45 0 0 S 10 0 20 0",
+        "M 0 90 Q 0 45 0 0 s 10 0 20 0",
+        "M 0 0 C 0 0 9 9 0 9 Z S 10 0 20 0",
+        "M 0 0 q 0 0 9 9 z t 20 0"
+      })
+  void aSmoothCurveContinuesItsOwnKindOnly(String d) {
+    List<Line> lines = read("<path stroke='red' d='%s'/>".formatted(d));
+    List<Point> last = lines.get(lines.size() - 1).path().points();
+    assertThat(last.subList(last.size() - 2, last.size()))
+        .containsExactly(new Point(0, 1000), new Point(200, 1000));
+  }
+
   @Test
   void arcsAndCurvesAreFlattenedToTheTolerance() {
     // A half circle around (500, 0) mm, 400 mm wide.
@@ -143,6 +160,8 @@ class SvgDrawingTest {
         "<path d='M 0 0 A 1 1 0 2 0 5 5'/> | path, character 15, at '2 0 5 5': expected a path",
         "<line x1='one' y1='2'/> | <line> with x1='one': expected a value of SVG 1.1",
         "<rect width='-3' height='5'/> | <rect> with width='-3': expected a value",
+        "<ellipse rx='3'/> | <ellipse> without ry: expected a value of SVG 1.1",
+        "<use/> | <use> without xlink:href: expected a link to an element",
         "<polyline points='1,2 3'/> | <polyline> with points='1,2 3': expected numbers in pairs",
         "<g transform='scale(1'/> | <g> with transform='scale(1': expected transforms",
         "<line x2='5' stroke='redd'/> | stroke='redd': expected a colour",
@@ -188,6 +207,11 @@ class SvgDrawingTest {
         "<line x2='5' stroke='red' style='stroke:light-dark(#00ff00, rgb(1, 2, 3))'/>",
         "<line x1='-5' style='transform:translate(5px, 0);stroke:lime'/>",
         "<line x2='2.5%' stroke='lime'/>",
+        "<line x2='.3125em' stroke='lime'/>",
+        "<line id='a' x2='9' display='none'/><use href='#a'/><line x2='5' stroke='lime'/>",
+        "<defs id='a'><line x2='9'/></defs><use href='#a'/><line x2='5' stroke='lime'/>",
+        "<g id='b'><use href='#a'/></g><defs><line id='a' display='none'/></defs>"
+            + "<use href='#b'/><line x2='5' stroke='lime'/>",
         "<switch><g systemLanguage='xx'><text>x</text></g><line x2='5' stroke='lime'/></switch>",
         "<g visibility='hidden'><line x2='5' stroke='lime' visibility='visible'/></g>",
         "<line id='a' x2='5' stroke='lime' stroke-width='1' visibility='hidden'/>"
@@ -231,7 +255,7 @@ class SvgDrawingTest {
         <style>@import url("https://example.org/a.css");</style>
         <image href="a.png"/>
         <clipPath id="c"><path d="M0 0h5v5"/></clipPath>
-        <rect width="5" height="5" fill="&red;"/> <circle r="5"/>
+        <rect width="5" height="5" fill="&red;"/> <circle cx="5" cy="5" r="5"/>
         <g clip-path="url(#c)"><line x2="5" stroke="red" stroke-dasharray="1 1"/></g>
         <line x2="5" stroke="red" stroke-width="0"/>
         <link xmlns="http://www.w3.org/1999/xhtml" rel="stylesheet" href="a.css"/>
@@ -251,6 +275,30 @@ class SvgDrawingTest {
     assertThat(drawing(svg, false, true).lines())
         .extracting(line -> line.ink().rgb())
         .containsExactly(0xff0000, 0, 0xff0000);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "<svg width='9' height='9'><line x2='%s'/></svg>",
+        "<symbol id='a'><svg width='9' height='9'><line x2='%s'/></svg></symbol><use href='#a'/>"
+      })
+  void aLineBeyondAnEdgeIsPaintedAndNamed(String inside) {
+    assertThat(notes(inside.formatted(9))).isEmpty();
+    assertThat(notes(inside.formatted(12)))
+        .containsExactly("a.svg:2: a clip is not applied: lines are painted whole");
+  }
+
+  @Test
+  void aLineBeyondThePageIsPaintedAndNamed() {
+    assertThat(notes("<line x2='101'/>"))
+        .containsExactly("a.svg:1: a clip is not applied: lines are painted whole");
+  }
+
+  private static List<String> notes(String inside) {
+    String head = "<svg xmlns='http://www.w3.org/2000/svg' stroke='red' width='100' height='100'>";
+    return drawing(head + "\n" + inside + "</svg>", false, false).notes();
   }
 
   @Test
