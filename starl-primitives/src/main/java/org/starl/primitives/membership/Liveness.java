@@ -18,8 +18,7 @@ public final class Liveness {
 
   private final FaultState faults = new FaultState();
   // The latest start of each robot's program, by the ids in its actions, and the latest ended one.
-  // A
-  // crash alone does not tell: before the boot number is stored, the next start uses it again.
+  // A crash alone does not tell: before the boot number is stored, the next start uses it again.
   private final Map<RobotId, Long> latest = new TreeMap<>();
   private final Map<RobotId, Long> ended = new TreeMap<>();
   // Each robot's id in its latest action, while it changes nothing: most actions repeat it.

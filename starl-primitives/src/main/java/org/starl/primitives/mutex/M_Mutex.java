@@ -69,8 +69,7 @@ public final class M_Mutex implements PipelinePrim {
   private @Nullable MutexProtocol lingering;
   private Resume resume = Resume.NOTHING;
   // What the earlier processes keep of it: also the way ahead. Another robot that got this, and
-  // waits
-  // for the body, would be in the way.
+  // waits for the body, would be in the way.
   private SortedSet<String> kept = Sections.NONE;
   // Older ids, permanently idle, each with the participants that it has fenced.
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();

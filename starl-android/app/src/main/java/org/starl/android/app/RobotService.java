@@ -102,8 +102,7 @@ public final class RobotService extends Service {
   private final AtomicInteger attempt = new AtomicInteger();
 
   // The worker sets this, then reads isEmergency and attempt; the main thread sets one of those,
-  // then
-  // reads this. So at least one of the two threads stops the wheels.
+  // then reads this. So at least one of the two threads stops the wheels.
   private volatile @Nullable Robot robot;
   private volatile boolean isEmergency;
 

@@ -49,8 +49,7 @@ final class ClockMap {
   private long newestSenderNs;
 
   // Without answers: what the fastest datagram since windowNs, and the one of the window before,
-  // show
-  // of the offset at least, plus its delay.
+  // show of the offset at least, plus its delay.
   private long windowNs;
   private long fastestNs;
   private long fastestBeforeNs;

@@ -23,8 +23,7 @@ public final class SerialLink {
    */
   public static ByteLink.Source at(String path, int baud) {
     // Loads the library now: it adds a shutdown hook, which is refused during a shutdown, and then
-    // a
-    // robot that had to kill its guard could not stop its wheels.
+    // a robot that had to kill its guard could not stop its wheels.
     SerialPort.getVersion();
     return () -> open(path, baud);
   }

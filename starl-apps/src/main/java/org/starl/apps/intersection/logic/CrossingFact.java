@@ -90,8 +90,7 @@ public final class CrossingFact {
   }
 
   // Where the names of IcpProgram, which are Figure 3's, differ from those of IntersectionApp. At
-  // S0 a
-  // restarted program finds out what lies ahead, as IntersectionApp does in RESUME.
+  // S0 a restarted program finds out what lies ahead, as IntersectionApp does in RESUME.
   private static @Nullable Location figure3(Variable variable) {
     IcpProgram.Location location = variable.of(IcpProgram.LOCATION);
     return location == null ? null : figure4(location);

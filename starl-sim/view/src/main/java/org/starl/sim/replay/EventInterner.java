@@ -23,8 +23,7 @@ final class EventInterner {
   private static final int MOTION_BYTES = 96;
 
   // Of a value's objects, and for each character of its JSON text: numbers take less, sets up to
-  // twice
-  // as much.
+  // twice as much.
   private static final int VALUE_BYTES = 32;
   private static final int CHARACTER_BYTES = 5;
 
