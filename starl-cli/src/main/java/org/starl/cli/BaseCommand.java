@@ -26,6 +26,19 @@ abstract class BaseCommand {
           "--shards",
           "--threads");
 
+  /** The main class, for another Java process; its package imports this one. */
+  static final String MAIN = "org.starl.cli.Main";
+
+  /** The command that all others are below. */
+  interface Root {
+
+    /** The apps that this command line knows. */
+    Demos demos();
+
+    /** What a signal does. */
+    UntilStopped stop();
+  }
+
   @Spec private @Nullable CommandSpec spec;
 
   final CommandSpec spec() {
@@ -41,12 +54,12 @@ abstract class BaseCommand {
   }
 
   final Demos demos() {
-    return main().demos();
+    return root().demos();
   }
 
   /** What a signal does. */
   final UntilStopped stop() {
-    return main().stop();
+    return root().stop();
   }
 
   /** Shows progress of this command, which a signal tells if the command cannot end early. */
@@ -56,8 +69,8 @@ abstract class BaseCommand {
     return line;
   }
 
-  private Main main() {
-    return (Main) spec().root().userObject();
+  private Root root() {
+    return (Root) spec().root().userObject();
   }
 
   /**

@@ -107,7 +107,7 @@ final class CompareCommand extends BaseCommand implements Callable<Integer> {
     if (TraceFile.isTrace(text)) {
       TraceFile trace = TraceFile.open(text, demos());
       trace.requireWhole();
-      Recording recording = LiveSite.recording(trace.plan());
+      Recording recording = Viewing.recording(trace.plan());
       String command = Shell.starl(List.of("replay", text));
       return new Prepared(command, recording, () -> trace.show(List.of(recording)));
     }
@@ -123,7 +123,7 @@ final class CompareCommand extends BaseCommand implements Callable<Integer> {
     long seed = words.seed.value();
     Plan plan = request.plan(seed);
     plan.simulation().build();
-    Recording recording = LiveSite.recording(plan);
+    Recording recording = Viewing.recording(plan);
     Plan own = request.plan(seed);
     own.simulation().carriers(Carriers.select(null, err())).observer(recording);
     return new Prepared(

@@ -1,15 +1,10 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -25,8 +20,6 @@ import org.starl.input.BadInput;
  * byte begins another file, and the old ones of the app are removed.
  */
 final class GoodSeeds {
-
-  private static final int DIGEST_BYTES = 10;
 
   private final Path folder;
   private final String app;
@@ -51,7 +44,7 @@ final class GoodSeeds {
             .filter(GoodSeeds::isFile)
             .sorted()
             .toList();
-    String digest = work.keys().getFirst() + "-" + digest(classes, inputs);
+    String digest = work.keys().getFirst() + "-" + FileDigest.of(classes, inputs);
     GoodSeeds seeds = new GoodSeeds(folder, name, folder.resolve(name + "-" + digest + ".rows"));
     if (Files.exists(seeds.file)) {
       int number = 0;
@@ -111,26 +104,7 @@ final class GoodSeeds {
   static String classes() {
     String separator = Pattern.quote(System.getProperty("path.separator"));
     String path = System.getProperty("java.class.path");
-    return digest(Runtime.version().toString(), List.of(path.split(separator, -1)));
-  }
-
-  /** A digest of a text, and of the files and the folders' files at these paths. */
-  static String digest(String text, List<String> paths) {
-    try {
-      MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      digest.update(text.getBytes(StandardCharsets.UTF_8));
-      for (String path : paths) {
-        for (Path file : files(Path.of(path))) {
-          digest.update(Path.of(path).relativize(file).toString().getBytes(StandardCharsets.UTF_8));
-          digest.update(Files.readAllBytes(file));
-        }
-      }
-      return HexFormat.of().formatHex(digest.digest(), 0, DIGEST_BYTES);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e);
-    } catch (IOException | UncheckedIOException e) {
-      throw new BadInput("a file of the class path or of a setting: " + e.getMessage());
-    }
+    return FileDigest.of(Runtime.version().toString(), List.of(path.split(separator, -1)));
   }
 
   private static boolean isFile(String value) {
@@ -139,17 +113,5 @@ final class GoodSeeds {
     } catch (InvalidPathException e) {
       return false; // another kind of value
     }
-  }
-
-  /** The regular files below an entry of the class path, in order. */
-  private static List<Path> files(Path entry) throws IOException {
-    if (!Files.isDirectory(entry)) {
-      return Files.isRegularFile(entry) ? List.of(entry) : List.of();
-    }
-    List<Path> files = new ArrayList<>();
-    try (Stream<Path> all = Files.walk(entry)) {
-      all.filter(Files::isRegularFile).sorted().forEach(files::add);
-    }
-    return files;
   }
 }

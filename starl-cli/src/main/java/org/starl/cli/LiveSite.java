@@ -39,7 +39,6 @@ final class LiveSite implements Site, AutoCloseable {
 
   private static final int MOST_SQUARES = 5_000;
   private static final long TICK_MS = 20;
-  private static final long MOST_BYTES_OF_A_RUN = 64L << 20;
 
   private record Kept(Shown shown, @Nullable LiveRun live) {
     boolean isOver() {
@@ -90,18 +89,13 @@ final class LiveSite implements Site, AutoCloseable {
     return lastNumber;
   }
 
-  /** A recording of a run of this plan, for one of several runs. */
-  static Recording recording(Plan plan) {
-    return new Recording(plan.obstacles(), plan.layer().copy(), MOST_BYTES_OF_A_RUN);
-  }
-
   /**
    * Starts a simulation.
    *
    * @param isPaced whether it goes on at the speed of its settings; else as fast as it can
    */
   int start(RunRequest request, long seed, Plan plan, boolean isPaced) {
-    Recording recording = recording(plan);
+    Recording recording = Viewing.recording(plan);
     plan.simulation().carriers(carriers);
     LiveRun live = new LiveRun(plan.simulation(), recording);
     double speed = isPaced ? ViewSettings.speed(request.settings()) : 0;

@@ -14,17 +14,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.apps.Demos;
-import org.starl.apps.fleet.FleetDemo;
-import org.starl.apps.hello.HelloDemo;
-import org.starl.apps.intersection.IntersectionDemo;
-import org.starl.apps.lightpaint.LightPaintDemo;
-import org.starl.apps.maze.MazeDemo;
-import org.starl.apps.race.RaceDemo;
-import org.starl.apps.search.SearchDemo;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.launch.StackTraces;
-import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
@@ -51,22 +43,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "Build the app for phones: starl apk",
       "Install StarL for projects of your own: starl install"
     })
-public final class Main implements Runnable {
-
-  /** The apps of this project. */
-  static final Demos APPS =
-      new Demos(
-          List.of(
-              new FleetDemo(),
-              new HelloDemo(),
-              new IntersectionDemo(),
-              new LightPaintDemo(),
-              new MazeDemo(),
-              new RaceDemo(),
-              new SearchDemo()));
-
-  /** The apps and the primitives, each primitive with its workload. */
-  static final Demos ALL = APPS.plus(PrimitiveWorkloads.ALL);
+public final class Main implements BaseCommand.Root, Runnable {
 
   private static final List<Class<?>> COMMANDS =
       List.of(
@@ -140,7 +117,7 @@ public final class Main implements Runnable {
     Demos demos;
     try {
       checkNames(args);
-      demos = installed();
+      demos = Apps.installed();
     } catch (BadInput error) {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
@@ -163,15 +140,6 @@ public final class Main implements Runnable {
         throw new BadInput(BadInput.quote(name) + problem + "LC_ALL=C.UTF-8");
       }
     }
-  }
-
-  /**
-   * The apps on the class path, then those of this project.
-   *
-   * @throws BadInput if one on the class path cannot be created
-   */
-  static Demos installed() {
-    return Demos.installed(ALL).plus(ALL.all());
   }
 
   /** Runs a command line with these apps. */
@@ -234,13 +202,13 @@ public final class Main implements Runnable {
     command.getSubcommands().values().forEach(Main::addHelp);
   }
 
-  /** What a signal does. */
-  UntilStopped stop() {
+  @Override
+  public UntilStopped stop() {
     return stop;
   }
 
-  /** The apps that this command line knows. */
-  Demos demos() {
+  @Override
+  public Demos demos() {
     return demos;
   }
 

@@ -81,7 +81,7 @@ final class MutantsCommand extends BaseCommand implements Callable<Integer> {
       BugWorker.serve(names, () -> firstBad(work, carriers, threads.count()));
       return ExitStatus.GOOD;
     }
-    List<String> words = new ArrayList<>(List.of(Main.class.getName()));
+    List<String> words = new ArrayList<>(List.of(MAIN));
     words.addAll(originalWords());
     words.add("--worker");
     try (BugProcess process = new BugProcess(names, words)) {

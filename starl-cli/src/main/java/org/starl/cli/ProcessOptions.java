@@ -106,7 +106,7 @@ final class ProcessOptions {
   static List<String> command(List<String> words) {
     List<String> args = new ArrayList<>(List.of(RobotCommand.NAME));
     args.addAll(words);
-    return JavaProcess.command(HEAP_MB, Main.class.getName(), args);
+    return JavaProcess.command(HEAP_MB, BaseCommand.MAIN, args);
   }
 
   private LaunchSettings settings(SimulationPlan plan) {

@@ -40,7 +40,7 @@ public record SeedPart(String header, long first, long last) implements Serializ
    * @throws org.starl.input.BadInput if this process has another version of StarL, or lacks the app
    */
   public List<String> run() throws InterruptedException {
-    return run(ShardHeader.read("engine", header).work("engine", Main.installed()));
+    return run(ShardHeader.read("engine", header).work("engine", Apps.installed()));
   }
 
   private <R> List<String> run(ShardWork<R> work) throws InterruptedException {

@@ -240,7 +240,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
     }
     String again = processes.again(request.replay(seedNumber));
     SimulationPlan simulation = plan.simulation().commands(() -> List.of(again)).build().plan();
-    Recording recording = LiveSite.recording(plan);
+    Recording recording = Viewing.recording(plan);
     String title = request.demo().name() + ", seed " + seedNumber;
     String command = request.replay(seedNumber) + processes.replay();
     site.add(new Site.Shown(title, command, recording, new LivePage(recording, 1)));
@@ -287,7 +287,7 @@ final class ServeCommand extends BaseCommand implements Callable<Integer> {
     String check = "check: " + Shell.starl(List.of("deploy", "merge")) + " " + Shell.quote(name);
     SimulationPlan simulation =
         plan.simulation().commands(() -> List.of(check + "/*.trace")).build().plan();
-    Recording recording = LiveSite.recording(plan);
+    Recording recording = Viewing.recording(plan);
     LiveMerge merge = new LiveMerge(simulation, List.of(recording));
     LiveTraces traces =
         new LiveTraces(

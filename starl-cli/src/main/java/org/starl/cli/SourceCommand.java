@@ -52,7 +52,7 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
 
   /** A digest of the source, and of the files beside it that it uses. */
   final String digest() {
-    return GoodSeeds.digest("", reader.files());
+    return FileDigest.of("", reader.files());
   }
 
   /** Where the branches of a program are whose actions have these names. */

@@ -13,6 +13,8 @@ import picocli.CommandLine.Option;
 /** Shows a run or a trace in a window. */
 final class Viewing {
 
+  private static final long MOST_BYTES_OF_SEVERAL = 64L << 20;
+
   @Option(names = "--dark", description = "Dark theme of the window; key D switches it.")
   private boolean dark;
 
@@ -34,6 +36,11 @@ final class Viewing {
           "no display for a window: run it in a desktop session, or under 'xvfb-run starl ...',"
               + " or write pictures without one: 'starl record'");
     }
+  }
+
+  /** A recording of a run of this plan, for one of several runs that are shown at once. */
+  static Recording recording(Plan plan) {
+    return new Recording(plan.obstacles(), plan.layer().copy(), MOST_BYTES_OF_SEVERAL);
   }
 
   /**

@@ -33,7 +33,7 @@ class AppFactoriesTest {
       Map.of("search", Map.of("object", "none"));
 
   static List<String> names() {
-    return Main.APPS.names();
+    return Apps.OWN.names();
   }
 
   private static Request request(AppFactory factory, int robots) {
@@ -55,7 +55,7 @@ class AppFactoriesTest {
   @MethodSource("names")
   void aPhoneAndABoardHaveOneMapAndCheckTheSameLemmas(String name) {
     AppFactory factory = AppFactory.installed().get(name);
-    Demo demo = Main.APPS.byName(name).orElseThrow();
+    Demo demo = Apps.OWN.byName(name).orElseThrow();
     assertThat(demo.parameters()).isEqualTo(factory.parameters());
     Request request = request(factory, 4);
     RobotProgram program = factory.program(request);
@@ -69,7 +69,7 @@ class AppFactoriesTest {
   @MethodSource("names")
   void theMapsAllowForTheDeploymentsLimits(String name) {
     AppFactory factory = AppFactory.installed().get(name);
-    Demo demo = Main.APPS.byName(name).orElseThrow();
+    Demo demo = Apps.OWN.byName(name).orElseThrow();
     SimSettings errors =
         SimSettings.builder().set("reaction", "200ms").set("speedError", "0.1").build();
     MotionParameters motion =

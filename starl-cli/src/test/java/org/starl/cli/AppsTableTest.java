@@ -46,7 +46,7 @@ class AppsTableTest {
 
   @Test
   void everyInputIsThereAndCanBePlanned() {
-    for (Demo demo : Main.APPS.all()) {
+    for (Demo demo : Apps.OWN.all()) {
       List<Input> inputs = demo.inputs(DATA);
       for (Input input : inputs) {
         assertThat(input.path()).as(demo.name() + " on " + input.name()).exists();

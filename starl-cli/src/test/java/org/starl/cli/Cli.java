@@ -21,7 +21,7 @@ import org.starl.apps.Demos;
 record Cli(int status, List<String> out, List<String> err) {
 
   static Cli run(String... args) {
-    return run(Main.ALL, args);
+    return run(Apps.ALL, args);
   }
 
   static Cli run(Demos demos, String... args) {

@@ -18,14 +18,14 @@ class CompareTest {
   private static final String TWIN = "hello --seed 7 --for 3s";
 
   private static Cli compare(Object... words) {
-    return Cli.line(Main.ALL, "compare", words);
+    return Cli.line(Apps.ALL, "compare", words);
   }
 
   @Test
   void aRunEqualsItselfAndItsTrace(@TempDir Path folder) {
     Path trace = folder.resolve("hello.trace");
     Path picture = folder.resolve("hello.png");
-    Cli.line(Main.ALL, "run " + TWIN + " --trace", trace, "--png", picture);
+    Cli.line(Apps.ALL, "run " + TWIN + " --trace", trace, "--png", picture);
     for (Object other : List.of("run " + TWIN, Shell.launcher() + " run " + TWIN, trace)) {
       Cli cli = compare(TWIN, other);
       assertThat(cli.status()).as("%s", cli).isZero();

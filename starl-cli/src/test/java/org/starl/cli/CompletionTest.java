@@ -57,7 +57,7 @@ class CompletionTest {
     for (String shell : new String[] {"bash", "zsh", "fish"}) {
       Cli cli = Cli.run("completion", shell);
       assertThat(cli.status()).isZero();
-      for (Demo demo : Main.ALL.all()) {
+      for (Demo demo : Apps.ALL.all()) {
         assertThat(cli.text()).contains(demo.name());
         for (Parameter parameter : demo.parameters()) {
           assertThat(cli.text()).contains(parameter.key() + "=");

@@ -50,7 +50,7 @@ class DeployPlanTest {
     Path svg = folder.resolve(name + ".svg");
     Path pdf = folder.resolve(name + ".pdf");
     Cli cli =
-        Cli.line(Main.ALL, "deploy plan " + SHIPPED + name + ".yaml", "--svg", svg, "--pdf", pdf);
+        Cli.line(Apps.ALL, "deploy plan " + SHIPPED + name + ".yaml", "--svg", svg, "--pdf", pdf);
 
     assertThat(cli.status()).as("%s", cli).isZero();
     List<int[]> bodies = new ArrayList<>();
@@ -128,7 +128,7 @@ class DeployPlanTest {
             .replaceFirst("(?s)positions:.*?\n\n", "positions: " + positions + "\n\n"));
     Path svg = folder.resolve("other.svg");
 
-    Cli cli = Cli.line(Main.ALL, "deploy plan", file, "--svg", svg);
+    Cli cli = Cli.line(Apps.ALL, "deploy plan", file, "--svg", svg);
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text())
         .contains("those of " + owner + ", where y is called y")
@@ -145,7 +145,7 @@ class DeployPlanTest {
             .replace("scenario: figure7", "scenario: figure8"));
     Path svg = folder.resolve("bad.svg");
 
-    Cli.line(Main.ALL, "deploy plan", file, "--svg", svg).assertRefused("figure8");
+    Cli.line(Apps.ALL, "deploy plan", file, "--svg", svg).assertRefused("figure8");
     assertThat(svg).doesNotExist();
   }
 }

@@ -64,7 +64,7 @@ class DeploymentSchemaTest {
   /** Two will do, and are quickly tried. */
   private static Demos demos() {
     return new Demos(
-        Main.ALL.all().stream()
+        Apps.ALL.all().stream()
             .filter(demo -> List.of("hello", "intersection").contains(demo.name()))
             .toList());
   }

@@ -47,7 +47,7 @@ class EveryDemoReplaysTest {
 
   static Stream<List<String>> runs() {
     List<List<String>> runs = new ArrayList<>();
-    for (Demo demo : Main.ALL.all()) {
+    for (Demo demo : Apps.ALL.all()) {
       runs.add(
           demo.name().equals("paths")
               ? List.of(demo.name(), "--seed", "11", "--robots", "3")
@@ -78,7 +78,7 @@ class EveryDemoReplaysTest {
     assertThat(replayed.out()).contains("equal: " + lines + " lines");
     assertThat(replayed.status()).isZero();
 
-    TraceFile trace = TraceFile.open(file.toString(), Main.ALL);
+    TraceFile trace = TraceFile.open(file.toString(), Apps.ALL);
     assertThat(watched(trace)).as("watched").isEqualTo(Files.readAllBytes(file));
     Plan plan = trace.plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());

@@ -262,7 +262,7 @@ class ExploreTest {
   @ParameterizedTest
   @ValueSource(strings = {"2", "2 --schedules 100"})
   void shardsOfATreePrintWhatOneProcessPrints(String depth) {
-    assertSharded(Main.ALL, TREE + depth);
+    assertSharded(Apps.ALL, TREE + depth);
   }
 
   @Test
@@ -280,7 +280,7 @@ class ExploreTest {
   static Stream<Arguments> drawnAndExhaustive() {
     return Stream.of(
         Arguments.of(IMPATIENT, EXPLORE + "--seed 1 --strategy random --delays 1ms..40ms"),
-        Arguments.of(Main.ALL, TREE + "1"));
+        Arguments.of(Apps.ALL, TREE + "1"));
   }
 
   @ParameterizedTest

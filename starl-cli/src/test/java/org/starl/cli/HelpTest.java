@@ -82,7 +82,7 @@ class HelpTest {
   void listHasALineForEach() {
     Cli cli = Cli.run("list");
     assertThat(cli.status()).isZero();
-    for (Demo demo : Main.ALL.all()) {
+    for (Demo demo : Apps.ALL.all()) {
       String kind = demo.kind() == Demo.Kind.APP ? "app " : "primitive ";
       assertThat(cli.out()).containsOnlyOnce(kind + demo.name() + ": " + demo.summary());
       for (Scenario scenario : demo.scenarios()) {

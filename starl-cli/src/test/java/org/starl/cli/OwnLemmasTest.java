@@ -25,7 +25,7 @@ class OwnLemmasTest {
   private static final int SEED = 3;
 
   static Stream<Demo> demos() {
-    return Main.ALL.all().stream()
+    return Apps.ALL.all().stream()
         .filter(demo -> !watch(demo, new ArrayList<>()).lemmas().isEmpty());
   }
 
@@ -40,7 +40,7 @@ class OwnLemmasTest {
     settings.put("chaosFor", "10s");
     settings.put("duration", "40s");
     ScenarioFile file = new ScenarioFile("", demo.name(), settings, Map.of());
-    return file.request(Main.ALL).build().plan(SEED);
+    return file.request(Apps.ALL).build().plan(SEED);
   }
 
   @ParameterizedTest

@@ -125,7 +125,7 @@ class ProcessesTest {
 
   /** The same as the options of the test above. */
   private static Plan plan() {
-    Demo demo = Main.APPS.byName("intersection").orElseThrow();
+    Demo demo = Apps.OWN.byName("intersection").orElseThrow();
     return new RunRequest.Builder(demo)
         .set("", "robots", "2")
         .set("", "debris", "0")

@@ -30,7 +30,7 @@ class RangesTest {
   private static final Pattern RANGE = Pattern.compile("\\b(\\d+) to (\\d+)(?=[\\s,;:(]|$)");
 
   static List<String> apps() {
-    return Main.APPS.names();
+    return Apps.OWN.names();
   }
 
   private static String page(Demo demo) throws IOException {
@@ -46,7 +46,7 @@ class RangesTest {
   @ParameterizedTest
   @MethodSource("apps")
   void thePageTellsHowManyRobotsTheAppTakes(String app) throws IOException {
-    Demo demo = Main.APPS.byName(app).orElseThrow();
+    Demo demo = Apps.OWN.byName(app).orElseThrow();
     Throwable refused = catchThrowable(() -> plan(demo, "robots", String.valueOf(TOO_MANY)));
     // The floor limits the robots of an app that names no range.
     Matcher range = RANGE.matcher(refused == null ? "" : String.valueOf(refused.getMessage()));
@@ -60,7 +60,7 @@ class RangesTest {
   @ParameterizedTest
   @MethodSource("apps")
   void thePageHasTheRangeOfEachParameter(String app) throws IOException {
-    Demo demo = Main.APPS.byName(app).orElseThrow();
+    Demo demo = Apps.OWN.byName(app).orElseThrow();
     for (Parameter parameter : demo.parameters()) {
       Matcher range =
           Pattern.compile("from (\\S+ to \\S+)$").matcher(Form.expected(parameter.form()));
@@ -76,7 +76,7 @@ class RangesTest {
   @ParameterizedTest
   @MethodSource("apps")
   void aValueOutsideItsFormIsRefused(String app) {
-    Demo demo = Main.APPS.byName(app).orElseThrow();
+    Demo demo = Apps.OWN.byName(app).orElseThrow();
     for (Parameter parameter : demo.parameters()) {
       if (!(parameter.form() instanceof Form.Text)) {
         assertThatThrownBy(() -> plan(demo, parameter.key(), "erly"))

@@ -82,9 +82,9 @@ class RecordTest {
   void whatIsMadeOfATraceTellsThatItsRunDidNotFinish() throws IOException {
     Path trace = folder.resolve("unfinished.trace");
     Path png = folder.resolve("unfinished.png");
-    Cli run = Cli.line(Main.ALL, "run hello --seed 1 --for 1s --png " + png + " --trace " + trace);
+    Cli run = Cli.line(Apps.ALL, "run hello --seed 1 --for 1s --png " + png + " --trace " + trace);
     Path page = folder.resolve("unfinished.html");
-    Cli cli = Cli.line(Main.ALL, "record " + trace + " --html " + page);
+    Cli cli = Cli.line(Apps.ALL, "record " + trace + " --html " + page);
     String told = "NOT FINISHED: [bot0, bot1, bot2, bot3]";
     assertThat(run.out()).contains(told);
     assertThat(cli.err()).contains(told);
@@ -95,7 +95,7 @@ class RecordTest {
   void anMcapFileHasALayoutBesideIt() throws IOException {
     Path file = folder.resolve("run.mcap");
     Path layout = folder.resolve("run.foxglove-layout.json");
-    Cli cli = Cli.line(Main.ALL, "record hello --seed 1 --mcap --out " + file);
+    Cli cli = Cli.line(Apps.ALL, "record hello --seed 1 --mcap --out " + file);
     assertThat(cli.status()).isZero();
     assertThat(cli.out()).contains("layout for Foxglove: " + layout);
     assertThat(new ObjectMapper().readTree(layout.toFile()).path("configById").isEmpty()).isFalse();

@@ -291,7 +291,7 @@ class ReplayTest {
             "partition(bot0+bot1|bot2+bot3,for=2s)",
             "block(any,for=3s)",
             "flood(bot3,5ms,for=1s)");
-    intervene(TraceFile.open(plain.toString(), Main.ALL), changed, faults);
+    intervene(TraceFile.open(plain.toString(), Apps.ALL), changed, faults);
     assertThat(changed).content().contains("\"kind\":\"intervention\"", "\"name\":\"stop\"");
     Cli replayed = Cli.run("replay", changed.toString(), "--headless");
     assertThat(replayed.out().get(replayed.out().size() - 1)).startsWith("equal: ");

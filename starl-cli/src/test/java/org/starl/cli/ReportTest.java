@@ -299,7 +299,7 @@ class ReportTest {
   @Test
   void thePageShowsWhatWasReachedAndTheErrorRates() throws Exception {
     String[] more = {"--robots=3", "--set=rounds=4", "--fault=loss(0.1,until=5s)"};
-    campaign(Main.ALL, "mutex", "1..2", more);
+    campaign(Apps.ALL, "mutex", "1..2", more);
     Document page = Parsed.page(Files.readString(file()));
     assertThat(rows(page, "Bad runs").get(0)).startsWith("all 0 2 ").endsWith("78 %");
     assertThat(rows(page, "Bad runs").get(1)).startsWith("loss 0 2 ");
@@ -348,7 +348,7 @@ class ReportTest {
 
   @Test
   void everySeedHasALineWithItsReplay() throws Exception {
-    Cli cli = campaign(Main.ALL, "hello", "5..44");
+    Cli cli = campaign(Apps.ALL, "hello", "5..44");
     assertThat(cli.status()).isZero();
     assertThat(cli.out()).endsWith("report: " + file());
     String text = Files.readString(file());
@@ -401,7 +401,7 @@ class ReportTest {
 
   @Test
   void jsonNamesTheReportFile() throws IOException {
-    Cli cli = campaign(Main.ALL, "hello", "1..3", "--json");
+    Cli cli = campaign(Apps.ALL, "hello", "1..3", "--json");
     assertThat(cli.out()).hasSize(1);
     assertThat(new ObjectMapper().readTree(cli.out().get(0)).get("report").asText())
         .isEqualTo(file().toString());
@@ -410,7 +410,7 @@ class ReportTest {
 
   @Test
   void everyLemmaOfEveryAppHasADescription() {
-    for (Demo demo : Main.ALL.all()) {
+    for (Demo demo : Apps.ALL.all()) {
       Plan plan = new RunRequest.Builder(demo).build().plan(1);
       for (Monitor monitor : Monitors.of(plan.simulation().build().plan().monitors()).monitors()) {
         for (String lemma : monitor.lemmas()) {

@@ -18,7 +18,7 @@ class RmfScenariosTest {
   private static void assertGood(String name, String... options) {
     Path map = FOLDER.resolve(name + ".building.yaml");
     String line = "campaign " + FOLDER.resolve(name + ".yaml") + " --set map=" + map;
-    Cli run = Cli.line(Main.ALL, line + " " + String.join(" ", options));
+    Cli run = Cli.line(Apps.ALL, line + " " + String.join(" ", options));
     assertThat(run.status()).as(run.text()).isZero();
   }
 

@@ -25,7 +25,7 @@ final class RunRequestTest {
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());
     line.parseArgs(words.toArray(String[]::new));
-    return options.request(Main.ALL);
+    return options.request(Apps.ALL);
   }
 
   @ParameterizedTest
@@ -83,7 +83,7 @@ final class RunRequestTest {
   }
 
   static Stream<List<String>> requestsOfDefaults() {
-    return Main.ALL.all().stream()
+    return Apps.ALL.all().stream()
         .flatMap(demo -> {
           Stream<String> keys =
               demo.parameters().stream().map(p -> p.key() + "=" + p.defaultValue());

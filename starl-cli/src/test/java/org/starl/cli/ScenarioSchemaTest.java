@@ -47,7 +47,7 @@ class ScenarioSchemaTest {
           "1s#17 12.3s#17;14s#4 1s# #17");
 
   private static final JsonSchema SCHEMA =
-      schema(new ObjectMapper().valueToTree(ScenarioSchema.json(Main.ALL)));
+      schema(new ObjectMapper().valueToTree(ScenarioSchema.json(Apps.ALL)));
 
   private static JsonSchema schema(JsonNode json) {
     return JsonSchemaFactory.getInstance(VersionFlag.V7).getSchema(json);
@@ -60,7 +60,7 @@ class ScenarioSchemaTest {
   private static RunRequest request(Path file) {
     RunOptions.OfApp options = new RunOptions.OfApp();
     new CommandLine(options).parseArgs(file.toString());
-    return options.request(Main.ALL);
+    return options.request(Apps.ALL);
   }
 
   static List<Path> scenarioFiles() throws IOException {
@@ -74,7 +74,7 @@ class ScenarioSchemaTest {
   }
 
   static Stream<Demo> demos() {
-    return Main.ALL.all().stream();
+    return Apps.ALL.all().stream();
   }
 
   @ParameterizedTest
@@ -88,7 +88,7 @@ class ScenarioSchemaTest {
                 .validate(YAML.readTree(text)))
         .isEmpty();
     // An app of another module is planned there.
-    if (Main.ALL.byName(ScenarioFile.read(file.toString()).app()).isPresent()) {
+    if (Apps.ALL.byName(ScenarioFile.read(file.toString()).app()).isPresent()) {
       assertThat(request(file).plan(1).simulation().build().plan().monitors()).isNotEmpty();
     }
   }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ServeCommandTest {
 
   private static Cli serve(String words) {
-    return Cli.line(Main.ALL, "serve --port 0" + (words.isEmpty() ? "" : " " + words));
+    return Cli.line(Apps.ALL, "serve --port 0" + (words.isEmpty() ? "" : " " + words));
   }
 
   @Test
@@ -32,7 +32,7 @@ class ServeCommandTest {
     Path broken = Files.writeString(folder.resolve("x.trace"), "nothing\n");
     serve(broken.toString()).assertRefused("x.trace", "expected");
     serve("--deployed " + folder).assertRefused("x.trace", "expected");
-    Cli.line(Main.ALL, "serve hello --port 65536").assertRefused("--port", "65536");
+    Cli.line(Apps.ALL, "serve hello --port 65536").assertRefused("--port", "65536");
     serve("hello --host no.such.host.invalid").assertRefused("--host", "no.such.host.invalid");
     serve("hello --origin app.foxglove.dev").assertRefused("--origin", "expected https://HOST");
   }

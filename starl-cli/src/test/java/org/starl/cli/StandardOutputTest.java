@@ -85,7 +85,7 @@ class StandardOutputTest {
   void isToldInALine(String words) {
     StringWriter err = new StringWriter();
     int status =
-        Main.run(Main.ALL, new PrintWriter(new Full()), new PrintWriter(err), words.split(" "));
+        Main.run(Apps.ALL, new PrintWriter(new Full()), new PrintWriter(err), words.split(" "));
     assertThat(status).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString().lines().filter(line -> line.startsWith("starl: ")))
         .containsExactly(

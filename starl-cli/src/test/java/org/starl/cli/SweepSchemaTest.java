@@ -26,14 +26,14 @@ class SweepSchemaTest {
   private static final Path ROOT = Path.of("..");
   private static final YAMLMapper YAML = new YAMLMapper();
   private static final JsonSchema SCHEMA =
-      schema(new ObjectMapper().valueToTree(SweepSchema.json(Main.ALL)));
+      schema(new ObjectMapper().valueToTree(SweepSchema.json(Apps.ALL)));
 
   private static JsonSchema schema(JsonNode json) {
     return JsonSchemaFactory.getInstance(VersionFlag.V7).getSchema(json);
   }
 
   private static SeedWork read(String yaml) {
-    return SeedWork.sweep(SweepFile.of("sweep.yaml", yaml), Main.ALL);
+    return SeedWork.sweep(SweepFile.of("sweep.yaml", yaml), Apps.ALL);
   }
 
   static List<Path> sweepFiles() throws IOException {

@@ -155,20 +155,20 @@ class SweepTest {
     assertThat(whole.status()).as("%s", whole).isEqualTo(ExitStatus.VIOLATED);
     String rows = Files.readString(csv);
     String html = Files.readString(page);
-    List<Path> files = Cli.shards(Main.ALL, folder, "sweep " + sweep, 7);
-    files.addAll(Cli.shards(Main.ALL, folder, "sweep " + sweep, 2));
+    List<Path> files = Cli.shards(Apps.ALL, folder, "sweep " + sweep, 7);
+    files.addAll(Cli.shards(Apps.ALL, folder, "sweep " + sweep, 2));
     Files.delete(sweep);
     for (int order = 0; order < 3; order++) {
       Files.delete(csv);
       Files.delete(page);
       Collections.shuffle(files, new Random(order));
       String merge = "merge --csv " + csv + " --report " + page;
-      Cli.line(Main.ALL, merge, files.toArray()).assertSame(whole);
+      Cli.line(Apps.ALL, merge, files.toArray()).assertSame(whole);
       assertThat(Files.readString(csv)).isEqualTo(rows);
       assertThat(Files.readString(page)).isEqualTo(html);
     }
     files.removeIf(file -> !file.toString().endsWith("-of-7") || file.toString().contains("-3-"));
-    Cli.line(Main.ALL, "merge", files.toArray()).assertRefused("runs 9..12 of 1..30 are missing");
+    Cli.line(Apps.ALL, "merge", files.toArray()).assertRefused("runs 9..12 of 1..30 are missing");
   }
 
   @Test
@@ -188,15 +188,15 @@ class SweepTest {
   void anInterruptedShardIsResumedToTheSameBytes() throws IOException {
     String line = "sweep " + file(HELLO) + " --shard 2/2";
     Path part = folder.resolve("part");
-    assertThat(Cli.line(Main.ALL, line + " --out", part).status()).isZero();
-    Cli.assertResumes(Main.ALL, line, part);
+    assertThat(Cli.line(Apps.ALL, line + " --out", part).status()).isZero();
+    Cli.assertResumes(Apps.ALL, line, part);
   }
 
   @Test
   void aMeasureThatNoPointHasIsToldAfterOneRunOfEach() throws IOException {
     Path sweep = file(HELLO.replace("[tasks, end_s]", "\n  - tasks\n  - crossed"));
     Path part = folder.resolve("part");
-    Cli cli = Cli.line(Main.ALL, "sweep " + sweep + " --shard 1/2 --out", part);
+    Cli cli = Cli.line(Apps.ALL, "sweep " + sweep + " --shard 1/2 --out", part);
     cli.assertRefused("sweep.yaml:6: show: 'crossed': expected some of ", " tasks ");
     // The header, and five points; the sixth completes the measures.
     assertThat(Files.readAllLines(part)).hasSize(6);
@@ -237,6 +237,6 @@ class SweepTest {
   void theExampleOfTheDocsIsASweep() {
     SweepFile sweep = SweepFile.read("../scenarios/sweeps/open-road.yaml");
     assertThat(sweep.points()).hasSize(18).contains(List.of("12/min", "0.2"));
-    sweep.points().forEach(point -> sweep.request(Main.ALL, point));
+    sweep.points().forEach(point -> sweep.request(Apps.ALL, point));
   }
 }
