@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Input;
+import org.starl.cli.command.JsonOption;
+import org.starl.cli.command.ProgressLine;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.check.Campaign;

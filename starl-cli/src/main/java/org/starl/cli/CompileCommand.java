@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.ExitStatus;
+import org.starl.cli.command.OutputFile;
 import org.starl.input.BadInput;
 import org.starl.lang.java.JavaSources;
 import org.starl.lang.picture.ProgramPicture;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
+import org.starl.cli.command.BaseCommand;
 import org.starl.sim.fault.FaultGrammar;
 import picocli.AutoComplete;
 import picocli.CommandLine;

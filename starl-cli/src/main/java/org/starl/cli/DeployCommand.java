@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import org.starl.cli.command.BaseCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
+import org.starl.cli.command.OptionValues;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.launch.DeploymentFile;

@@ -2,6 +2,8 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.ExitStatus;
 import org.starl.input.BadInput;
 import org.starl.launch.Console;
 import org.starl.launch.GuardProcess;

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.ExitStatus;
 import org.starl.input.BadInput;
 import org.starl.launch.Console;
 import org.starl.launch.RobotRun;

@@ -7,6 +7,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.MissingDependencyException;
+import org.starl.cli.command.ProgressLine;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 

@@ -9,6 +9,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
+import org.starl.cli.command.Json;
 import org.starl.cli.report.RowJson;
 import org.starl.input.BadInput;
 import org.starl.sim.check.RunOutcome;

@@ -11,6 +11,8 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.FileDigest;
+import org.starl.cli.command.OutputFile;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 

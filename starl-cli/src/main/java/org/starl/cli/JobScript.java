@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.starl.Version;
+import org.starl.cli.command.Shell;
 
 /** A job for a cluster's scheduler that runs each shard of a campaign. */
 final class JobScript {

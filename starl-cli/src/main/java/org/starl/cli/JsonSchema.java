@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.Json;
 import org.starl.input.Field;
 import org.starl.input.Form;
 import org.starl.input.Quantity;

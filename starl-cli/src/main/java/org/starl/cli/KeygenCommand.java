@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.BaseCommand;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;

@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.util.concurrent.Callable;
+import org.starl.cli.command.BaseCommand;
 import org.starl.lang.server.StarlServer;
 import picocli.CommandLine.Command;
 

@@ -13,6 +13,8 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.cli.command.Json;
+import org.starl.cli.command.OptionValues;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;

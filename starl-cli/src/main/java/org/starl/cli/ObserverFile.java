@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
+import org.starl.cli.command.OutputFile;
 import org.starl.sim.SimObserver;
 import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;

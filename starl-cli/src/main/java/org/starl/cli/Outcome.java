@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
+import org.starl.cli.command.Colour;
+import org.starl.cli.command.Json;
 import org.starl.id.RobotId;
 import org.starl.sim.Diagnosis;
 import org.starl.sim.Failure;

@@ -14,6 +14,8 @@ import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
+import org.starl.cli.command.OutputFile;
+import org.starl.cli.command.ProgressLine;
 import org.starl.cli.report.CampaignDescription;
 import org.starl.cli.report.IllustratedRun;
 import org.starl.cli.report.Page;

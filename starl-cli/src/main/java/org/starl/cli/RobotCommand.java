@@ -5,6 +5,8 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.ExitStatus;
 import org.starl.id.RobotId;
 import org.starl.launch.RobotProcess;
 import picocli.CommandLine.Command;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
+import org.starl.cli.command.OptionValues;
 import org.starl.input.BadInput;
 import org.starl.launch.DeploymentFile;
 import org.starl.sim.Setting;

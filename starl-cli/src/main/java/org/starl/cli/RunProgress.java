@@ -1,5 +1,7 @@
 package org.starl.cli;
 
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.ProgressLine;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.OutputFile;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.lang.check.Checkpoint;

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
+import org.starl.cli.command.Json;
 import org.starl.input.Form;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;

@@ -2,6 +2,8 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import org.starl.apps.Demos;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.Json;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;

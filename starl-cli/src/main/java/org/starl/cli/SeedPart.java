@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
+import org.starl.cli.command.Apps;
 import org.starl.sim.kernel.CarrierKind;
 
 /**

@@ -9,6 +9,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
+import org.starl.cli.command.Json;
 import org.starl.cli.report.SeedRow;
 import org.starl.cli.report.SweepTable;
 import org.starl.input.BadInput;

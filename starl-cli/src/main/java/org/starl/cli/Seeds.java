@@ -4,6 +4,7 @@ import java.security.SecureRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.OptionValues;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 

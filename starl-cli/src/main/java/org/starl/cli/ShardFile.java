@@ -10,6 +10,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Predicate;
+import org.starl.cli.command.OutputFile;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 

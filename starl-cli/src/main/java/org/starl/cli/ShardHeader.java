@@ -15,6 +15,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.cli.command.Json;
 import org.starl.cli.report.RowJson;
 import org.starl.input.BadInput;
 import org.starl.sim.explore.Exploration;

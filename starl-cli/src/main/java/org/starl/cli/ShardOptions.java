@@ -7,6 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.Carriers;
+import org.starl.cli.command.ExitStatus;
+import org.starl.cli.command.Json;
+import org.starl.cli.command.JsonOption;
+import org.starl.cli.command.OptionValues;
+import org.starl.cli.command.ProgressLine;
+import org.starl.cli.command.Shell;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 

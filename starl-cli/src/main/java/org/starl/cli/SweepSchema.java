@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
+import org.starl.cli.command.Json;
 
 /**
  * The JSON schema of {@link SweepFile}, for editors: that of scenarios, with seeds, the settings and

@@ -11,6 +11,7 @@ import java.util.List;
 import org.starl.Version;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.cli.command.Shell;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.robot.DeployedRobot;

@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
+import org.starl.cli.command.MissingDependencyException;
 import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.replay.LiveRun;

@@ -31,7 +31,7 @@ record Allowance(String rule, String path, String reason) {
             "how long to wait for an app that blocks outside the kernel, before the run fails"),
         new Allowance(
             "wall clock",
-            "starl-cli" + MAIN + "cli/ProgressLine.java",
+            "starl-cli" + MAIN + "cli/command/ProgressLine.java",
             "tells a person how long a campaign will take"),
         new Allowance(
             "wall clock",
@@ -103,7 +103,7 @@ record Allowance(String rule, String path, String reason) {
             "pipes, sockets and robots in real time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/ProgressLine.java",
+            "starl-cli" + MAIN + "cli/command/ProgressLine.java",
             "a signal asks from another thread how far the work is"),
         new Allowance(
             "threads and locks in the simulator and its tools",
@@ -119,7 +119,7 @@ record Allowance(String rule, String path, String reason) {
             "the standard output of the second process is for its answers"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/UntilStopped.java",
+            "starl-cli" + MAIN + "cli/command/UntilStopped.java",
             "the process is stopped from outside, and its wheels first"),
         new Allowance(
             "threads and locks in the simulator and its tools",

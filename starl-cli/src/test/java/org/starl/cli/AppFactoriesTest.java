@@ -17,6 +17,7 @@ import org.starl.apps.Demo;
 import org.starl.apps.Request;
 import org.starl.apps.RobotProgram;
 import org.starl.body.MotionParameters;
+import org.starl.cli.command.Apps;
 import org.starl.input.BadInput;
 import org.starl.robot.LocalSpecs;
 import org.starl.robot.RealMotion;

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
+import org.starl.cli.command.Apps;
 
 /** {@code starl bench apps} on the files of the original StarL. */
 class AppsTableTest {

@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.command.ExitStatus;
+import org.starl.cli.report.Report;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 import org.w3c.dom.Document;
@@ -33,7 +35,7 @@ class CiTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       if (name().equals("odd") && request.seed() % 2 == 1) {
         plan.simulation().monitor(Odd::new);
       }

@@ -11,6 +11,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.starl.apps.Demos;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
+import org.starl.launch.JavaProcess;
 
 /**
  * The output of a command line, and its exit status.
@@ -18,44 +21,51 @@ import org.starl.apps.Demos;
  * @param out lines on standard output
  * @param err lines on standard error
  */
-record Cli(int status, List<String> out, List<String> err) {
+public record Cli(int status, List<String> out, List<String> err) {
 
-  static Cli run(String... args) {
+  private static final int HEAP_MB = 128;
+
+  public static Cli run(String... args) {
     return run(Apps.ALL, args);
   }
 
-  static Cli run(Demos demos, String... args) {
+  public static Cli run(Demos demos, String... args) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     int status = Main.run(demos, new PrintWriter(out), new PrintWriter(err), args);
     return new Cli(status, out.toString().lines().toList(), err.toString().lines().toList());
   }
 
-  String text() {
+  /** The words that start a command line in a process of its own. */
+  public static List<String> process(String... args) {
+    return JavaProcess.command(HEAP_MB, Main.class.getName(), List.of(args));
+  }
+
+  public String text() {
     return String.join("\n", out);
   }
 
   /** Standard error without the progress and the speed, which depend on the machine. */
-  List<String> messages() {
+  public List<String> messages() {
     return err.stream()
         .filter(line -> !line.matches("\\d+ of \\d+ .*|[0-9,]+ steps a second|bad so far: .*"))
         .toList();
   }
 
-  void assertSame(Cli expected) {
+  public void assertSame(Cli expected) {
     assertThat(out).isEqualTo(expected.out);
     assertThat(messages()).isEqualTo(expected.messages());
     assertThat(status).isEqualTo(expected.status);
   }
 
-  void assertRefused(String... says) {
+  public void assertRefused(String... says) {
     assertThat(status).as("%s", this).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(messages()).as("%s", this).hasSize(1);
     assertThat(messages().getFirst()).startsWith("starl: ").contains(says);
   }
 
   /** Runs the words of {@code line}, and those of {@code more}. */
-  static Cli line(Demos demos, String line, Object... more) {
+  public static Cli line(Demos demos, String line, Object... more) {
     List<String> words = new ArrayList<>(Arrays.asList(line.split(" ")));
     for (Object word : more) {
       words.add(word.toString());
@@ -64,7 +74,7 @@ record Cli(int status, List<String> out, List<String> err) {
   }
 
   /** Runs a part of a command; its file in {@code folder}. */
-  static Path shard(Demos demos, Path folder, String line, int number, int count) {
+  public static Path shard(Demos demos, Path folder, String line, int number, int count) {
     Path file = folder.resolve("part-" + number + "-of-" + count);
     Cli cli = line(demos, line + " --shard " + number + "/" + count + " --out", file);
     assertThat(cli.status()).as("%s", cli).isZero();
@@ -72,7 +82,7 @@ record Cli(int status, List<String> out, List<String> err) {
   }
 
   /** Runs all parts of a command. */
-  static List<Path> shards(Demos demos, Path folder, String line, int count) {
+  public static List<Path> shards(Demos demos, Path folder, String line, int count) {
     List<Path> files = new ArrayList<>();
     for (int i = 1; i <= count; i++) {
       files.add(shard(demos, folder, line, i, count));
@@ -81,7 +91,7 @@ record Cli(int status, List<String> out, List<String> err) {
   }
 
   /** Checks that {@code file} is resumed to the same bytes after each of some interruptions. */
-  static void assertResumes(Demos demos, String line, Path file) throws IOException {
+  public static void assertResumes(Demos demos, String line, Path file) throws IOException {
     byte[] whole = Files.readAllBytes(file);
     String text = Files.readString(file);
     int header = text.indexOf('\n') + 1;

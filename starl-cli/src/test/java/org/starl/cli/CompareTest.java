@@ -11,6 +11,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.NotEmpty;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.Shell;
 
 /** Two runs side by side. */
 class CompareTest {

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
+import org.starl.cli.command.Apps;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
 import org.starl.sim.TraceRecorder;

@@ -26,6 +26,8 @@ import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;

@@ -10,23 +10,23 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
 /** Hello, or another demo, under another name, with a plan that a test changes. */
-abstract class HelloWithATwist implements Demo {
+public abstract class HelloWithATwist implements Demo {
   private final Demo hello;
   private final String name;
   private final String summary;
 
-  HelloWithATwist(String name, String summary) {
+  public HelloWithATwist(String name, String summary) {
     this(new HelloDemo(), name, summary);
   }
 
-  HelloWithATwist(Demo hello, String name, String summary) {
+  public HelloWithATwist(Demo hello, String name, String summary) {
     this.hello = hello;
     this.name = name;
     this.summary = summary;
   }
 
   /** The plan to run instead of hello's own. */
-  abstract Plan twist(Plan plan, Request request);
+  protected abstract Plan twist(Plan plan, Request request);
 
   @Override
   public String name() {

@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchService;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -53,10 +52,7 @@ class InterruptedTest {
   }
 
   private static Process start(List<String> words) throws IOException {
-    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
-    command.remove(RobotCommand.NAME);
-    command.addAll(words);
-    return new ProcessBuilder(command).start();
+    return new ProcessBuilder(Cli.process(words.toArray(String[]::new))).start();
   }
 
   private static void signal(String signal, Process process) throws Exception {

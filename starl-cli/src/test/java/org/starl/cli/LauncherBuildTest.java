@@ -24,7 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Tag("realtime")
 class LauncherBuildTest {
 
-  private static final String BUILD = "starl-cli/src/main/java/org/starl/cli/LauncherBuild.java";
+  private static final String BUILD =
+      "starl-cli/src/main/java/org/starl/cli/LauncherBuild.java";
   private static final String KOTLIN = "starl-apps/kotlin/target/run/";
 
   /** What a build leaves. */

@@ -27,7 +27,7 @@ class LiveSiteTest {
           private int depth;
 
           @Override
-          Plan twist(Plan plan, Request request) {
+          protected Plan twist(Plan plan, Request request) {
             LiveSite its = Objects.requireNonNull(site.get());
             assertThat(Thread.holdsLock(its)).isFalse();
             // Four runs may go on; those that are planned count.

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.starl.cli.command.ExitStatus;
 
 /** {@code starl mutants}, in its second process, too. */
 class MutantsTest {

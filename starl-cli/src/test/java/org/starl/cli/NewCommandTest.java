@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.Version;
+import org.starl.cli.command.ExitStatus;
 
 /** A project of {@code starl new} compiles, passes its test, and does as its README says. */
 @Tag("long")

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.command.ExitStatus;
 
 /** Commands in folders and locales of all kinds: the right result, or one line. */
 @Tag("realtime")
@@ -26,11 +27,8 @@ class PlacesTest {
   /** Runs a command in {@code place}; {@code to} gets its output. */
   private static Ended run(Path place, String locale, String to, String words)
       throws IOException, InterruptedException {
-    List<String> java = new ArrayList<>(ProcessOptions.command(List.of()));
-    java.remove(RobotCommand.NAME);
     List<String> command = new ArrayList<>(List.of("sh", "-c", "exec \"$@\" >" + to, "sh"));
-    command.addAll(java);
-    command.addAll(List.of(words.split(" ")));
+    command.addAll(Cli.process(words.split(" ")));
     ProcessBuilder builder = new ProcessBuilder(command).directory(place.toFile());
     builder.environment().put("LC_ALL", locale);
     builder.environment().put("HOME", "/proc"); // Nothing can be written there.

@@ -18,6 +18,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 import org.starl.launch.Kill;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;
@@ -52,11 +54,9 @@ class ProcessesTest {
 
   @Test
   void noRobotSurvivesItsParent() throws Exception {
-    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
-    command.remove(RobotCommand.NAME);
+    List<String> command = new ArrayList<>(Cli.process(hello()));
     // A parent that is killed leaves its temporary folder.
     command.add(1, "-Djava.io.tmpdir=" + folder);
-    command.addAll(List.of(hello()));
     Process parent = new ProcessBuilder(command).start();
     List<ProcessHandle> robots = new ArrayList<>();
     try (BufferedReader lines =

@@ -19,6 +19,7 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.command.Apps;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantity;
@@ -114,7 +115,7 @@ class RangesTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       return plan;
     }
   }

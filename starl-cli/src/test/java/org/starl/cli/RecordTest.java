@@ -18,6 +18,8 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 
 /** {@code starl record}: other programs read its files. */
 class RecordTest {

@@ -16,6 +16,8 @@ import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
@@ -36,7 +38,7 @@ class ReplayTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation().monitor(StandsStill::new);
       return plan;
     }

@@ -23,7 +23,9 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
+import org.starl.cli.command.Apps;
 import org.starl.cli.report.Parsed;
+import org.starl.cli.report.Report;
 import org.starl.sim.view.page.RunPage;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
@@ -56,7 +58,7 @@ class ReportTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       switch ((int) (request.seed() % 5)) {
         case 1 -> plan.simulation().monitor(Still::new);
         case 2 -> throwing(plan, new IllegalStateException(HOSTILE));
@@ -140,7 +142,7 @@ class ReportTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation()
           .monitor(() ->
               new Monitor() {

@@ -13,14 +13,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.command.Apps;
 import org.starl.sim.Setting;
 import picocli.CommandLine;
 
-final class RunRequestTest {
+public final class RunRequestTest {
 
   @TempDir private Path folder;
 
-  static RunRequest request(List<String> words) {
+  public static RunRequest request(List<String> words) {
     RunOptions.OfApp options = new RunOptions.OfApp();
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());

@@ -18,6 +18,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.cli.command.ExitStatus;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;

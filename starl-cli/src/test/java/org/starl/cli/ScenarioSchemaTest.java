@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
+import org.starl.cli.command.Apps;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.sim.Setting;

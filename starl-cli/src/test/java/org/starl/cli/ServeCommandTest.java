@@ -6,6 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 
 /** What {@code starl serve} refuses; the module of the server tests what it shows. */
 class ServeCommandTest {

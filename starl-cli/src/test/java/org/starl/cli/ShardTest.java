@@ -24,6 +24,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
+import org.starl.cli.command.ExitStatus;
 
 /** {@code starl campaign --shard}, {@code --resume}, {@code --until}, and {@code starl merge}. */
 @Tag("long")
@@ -51,7 +52,7 @@ class ShardTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       long every = Long.parseLong(request.parameter("every"));
       switch ((int) (request.seed() % (3 * every))) {
         case 0 -> plan.simulation().monitor(StandsStill::new);

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.starl.cli.command.ExitStatus;
 
 /** The command lines in the comments of shipped files have the commands and options that exist. */
 class ShippedCommentsTest {

@@ -18,6 +18,7 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.report.Report;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.spec.Monitor;
@@ -42,7 +43,7 @@ class ShrinkingTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       int least = Integer.parseInt(request.parameter("least"));
       plan.simulation().monitor(() -> new NeverStuck(least));
       return plan;
@@ -63,7 +64,7 @@ class ShrinkingTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation().monitor(() -> new NeverStuck(1));
       return plan;
     }

@@ -11,6 +11,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.command.ExitStatus;
+import org.starl.cli.report.Report;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 
@@ -29,7 +31,7 @@ class SplitTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation().monitor(Periods::new);
       return plan;
     }

@@ -8,12 +8,12 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 
 /** A standard output that cannot be written is told; no result is lost in silence. */
 class StandardOutputTest {
@@ -39,10 +39,7 @@ class StandardOutputTest {
         "completion bash"
       })
   void endsQuietlyWhenItsReaderHasEnded(String words) throws Exception {
-    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
-    command.remove(RobotCommand.NAME);
-    command.addAll(List.of(words.split(" ")));
-    Process process = new ProcessBuilder(command).start();
+    Process process = new ProcessBuilder(Cli.process(words.split(" "))).start();
     process.getInputStream().close();
     try (BufferedReader err = process.errorReader()) {
       assertThat(err.lines())
@@ -54,10 +51,8 @@ class StandardOutputTest {
   @Tag("realtime")
   @Test
   void hasTheDigitsOfEveryLanguage() throws Exception {
-    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
-    command.remove(RobotCommand.NAME);
-    command.addAll(List.of("campaign", "hello", "--seeds", "1..2"));
-    ProcessBuilder builder = new ProcessBuilder(command);
+    ProcessBuilder builder =
+        new ProcessBuilder(Cli.process("campaign", "hello", "--seeds", "1..2"));
     builder.environment().put("JAVA_TOOL_OPTIONS", "-Duser.language=ar -Duser.country=EG");
     Process process = builder.start();
     try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {

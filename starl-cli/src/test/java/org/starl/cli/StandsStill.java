@@ -1,11 +1,12 @@
 package org.starl.cli;
 
 import java.util.List;
+import org.starl.cli.report.Report;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
 /** A specification that every run of hello violates: no robot drives. */
-final class StandsStill implements Monitor {
+public final class StandsStill implements Monitor {
   @Override
   public List<String> lemmas() {
     return List.of("stands_still");

@@ -10,6 +10,7 @@ import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.command.ExitStatus;
 import org.starl.sim.Setting;
 import org.starl.spec.Require;
 import org.starl.workload.PrimitiveWorkloads;
@@ -34,7 +35,7 @@ class SteeredTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       boolean isRedrawn = plan.simulation().settings().has(Setting.REDRAWS);
       plan.simulation()
           .monitor(() -> Require.always("seed", "it is a seed's", state -> !isBad || !isRedrawn));

@@ -19,6 +19,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.command.Apps;
+import org.starl.cli.command.ExitStatus;
 
 /** {@code starl sweep}. */
 class SweepTest {

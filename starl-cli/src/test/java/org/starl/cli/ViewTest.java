@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import org.junit.jupiter.api.Test;
+import org.starl.cli.command.ExitStatus;
 import org.starl.sim.view.Window;
 
 class ViewTest {

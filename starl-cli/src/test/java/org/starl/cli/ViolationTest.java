@@ -20,6 +20,7 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.report.Report;
 import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 
@@ -42,7 +43,7 @@ class ViolationTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       if (request.seed() % Long.parseLong(request.parameter("every")) == 0) {
         plan.simulation().monitor(StandsStill::new);
       }
@@ -67,7 +68,7 @@ class ViolationTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation().monitor(Blind::new);
       return plan;
     }
@@ -180,7 +181,7 @@ class ViolationTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       plan.simulation()
           .director(control ->
               control.at(

@@ -16,6 +16,7 @@ import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.cli.report.Parsed;
+import org.starl.cli.report.Report;
 import org.starl.geometry.Pose;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -44,7 +45,7 @@ class WaitingTest {
     }
 
     @Override
-    Plan twist(Plan plan, Request request) {
+    protected Plan twist(Plan plan, Request request) {
       for (RobotId robot : List.of(LEFT, RIGHT)) {
         plan.simulation().robot(new RobotSpec(robot, new Pose(0, 0, 0), false, Taker::new));
       }

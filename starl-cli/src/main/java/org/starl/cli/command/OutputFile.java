@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.BufferedOutputStream;
 import java.io.Closeable;
@@ -23,7 +23,7 @@ import org.starl.input.FailureText;
  * which is renamed on close. Without output, nothing changes. A device (a terminal, a pipe) is
  * written directly.
  */
-final class OutputFile implements Closeable {
+public final class OutputFile implements Closeable {
 
   /** The endings of the options' files. */
   private static final Map<String, String> ENDINGS =
@@ -49,7 +49,7 @@ final class OutputFile implements Closeable {
    * @param option the option's name, for errors: {@code --trace}
    * @throws BadInput if the file cannot be written, or its name promises another kind of file
    */
-  OutputFile(String option, String name) {
+  public OutputFile(String option, String name) {
     String ending = ENDINGS.get(option);
     if (ending != null) {
       requireEnding(option, name, ending);
@@ -90,7 +90,7 @@ final class OutputFile implements Closeable {
    *
    * @throws BadInput with the name and the ending
    */
-  static void requireEnding(String option, String name, String ending) {
+  public static void requireEnding(String option, String name, String ending) {
     String last = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
     if (KINDS.contains(last) && !last.equals(ending)) {
       throw bad(option, name, "expected a name that ends with ." + ending);
@@ -98,7 +98,7 @@ final class OutputFile implements Closeable {
   }
 
   /** The error of a file that cannot be created. */
-  static BadInput unwritable(String option, String name, Exception cause) {
+  public static BadInput unwritable(String option, String name, Exception cause) {
     return bad(
         option,
         name,
@@ -124,12 +124,12 @@ final class OutputFile implements Closeable {
   }
 
   /** Whether the file has any content. */
-  boolean isWritten() {
+  public boolean isWritten() {
     return out.any;
   }
 
   /** The stream to write to. {@link #close} closes it; it may be closed before. */
-  OutputStream stream() {
+  public OutputStream stream() {
     return out;
   }
 

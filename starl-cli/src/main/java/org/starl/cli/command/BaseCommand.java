@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.PrintWriter;
 import java.util.ArrayList;
@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** The context of a command: its writers, and the apps that the command line knows. */
-abstract class BaseCommand {
+public abstract class BaseCommand {
 
   private static final List<String> FLAGS_OF_OUTPUT = List.of("--json", "--resume", "--shrink");
   private static final List<String> OPTIONS_OF_OUTPUT =
@@ -27,10 +27,10 @@ abstract class BaseCommand {
           "--threads");
 
   /** The main class, for another Java process; its package imports this one. */
-  static final String MAIN = "org.starl.cli.Main";
+  public static final String MAIN = "org.starl.cli.Main";
 
   /** The command that all others are below. */
-  interface Root {
+  public interface Root {
 
     /** The apps that this command line knows. */
     Demos demos();
@@ -41,29 +41,29 @@ abstract class BaseCommand {
 
   @Spec private @Nullable CommandSpec spec;
 
-  final CommandSpec spec() {
+  public final CommandSpec spec() {
     return Objects.requireNonNull(spec);
   }
 
-  final PrintWriter out() {
+  public final PrintWriter out() {
     return spec().commandLine().getOut();
   }
 
-  final PrintWriter err() {
+  public final PrintWriter err() {
     return spec().commandLine().getErr();
   }
 
-  final Demos demos() {
+  public final Demos demos() {
     return root().demos();
   }
 
   /** What a signal does. */
-  final UntilStopped stop() {
+  public final UntilStopped stop() {
     return root().stop();
   }
 
   /** Shows progress of this command, which a signal tells if the command cannot end early. */
-  final ProgressLine progress(String units) {
+  public final ProgressLine progress(String units) {
     ProgressLine line = new ProgressLine(err(), units);
     stop().progress(line::stopped);
     return line;
@@ -77,7 +77,7 @@ abstract class BaseCommand {
    * The words of the command line as the user typed it, after the launcher, without the options that
    * do not change the result.
    */
-  final List<String> words() {
+  public final List<String> words() {
     List<String> words = new ArrayList<>();
     boolean isValue = false;
     for (String word : originalWords()) {
@@ -91,12 +91,12 @@ abstract class BaseCommand {
   }
 
   /** All words of the command line as the user typed it, after the launcher. */
-  final List<String> originalWords() {
+  public final List<String> originalWords() {
     return spec().root().commandLine().getParseResult().originalArgs();
   }
 
   /** The command line as typed, with another value of an option that it has. */
-  final String typedWith(String option, String value) {
+  public final String typedWith(String option, String value) {
     List<String> words = new ArrayList<>(originalWords());
     for (int i = 0; i < words.size(); i++) {
       if (words.get(i).equals(option)) {
@@ -109,7 +109,7 @@ abstract class BaseCommand {
   }
 
   /** The command line of {@link #words}. */
-  final String typed() {
+  public final String typed() {
     return Shell.starl(words());
   }
 }

@@ -1,10 +1,10 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option for the number of threads that run simulations. */
-final class ThreadsOption {
+public final class ThreadsOption {
 
   private static final int MAX_THREADS = 1024;
 
@@ -14,7 +14,7 @@ final class ThreadsOption {
       description = "Number of threads (default: one per core).")
   private @Nullable String threads;
 
-  int count() {
+  public int count() {
     return threads == null
         ? Runtime.getRuntime().availableProcessors()
         : OptionValues.whole("--threads", threads, 1, MAX_THREADS);

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -10,7 +10,7 @@ import java.util.function.Supplier;
  * status is then the JVM's, 130 or 143. A command whose work cannot end early is told of in a line;
  * others end in order, and print what they have.
  */
-final class UntilStopped {
+public final class UntilStopped {
 
   private static final long LIMIT_S = 10;
 
@@ -19,7 +19,7 @@ final class UntilStopped {
 
   /** Work that ends when its thread is interrupted. */
   @FunctionalInterface
-  interface Work {
+  public interface Work {
     void run() throws InterruptedException;
   }
 
@@ -33,7 +33,7 @@ final class UntilStopped {
    * @param otherwise called from another thread if the command cannot end early, with what was done;
    *     the process then ends at once
    */
-  UntilStopped(Consumer<String> otherwise) {
+  public UntilStopped(Consumer<String> otherwise) {
     this.otherwise = () -> otherwise.accept(progress.get());
     stop = this.otherwise;
   }
@@ -43,12 +43,12 @@ final class UntilStopped {
    *
    * @param done {@code 3 of 5 runs}, or empty; asked from another thread
    */
-  void progress(Supplier<String> done) {
+  public void progress(Supplier<String> done) {
     progress = done;
   }
 
   /** Waits for signals; without this, none comes. */
-  void listen() {
+  public void listen() {
     Runtime.getRuntime().addShutdownHook(new Thread(this::signal, "stopped"));
   }
 
@@ -75,13 +75,13 @@ final class UntilStopped {
    *
    * @return nothing: for {@code throw}
    */
-  IllegalStateException signalled() {
+  public IllegalStateException signalled() {
     System.exit(INTERRUPTED);
     return new IllegalStateException("goes on after the end of the process");
   }
 
   /** Whether a signal has come before the command ended. */
-  boolean isStopped() {
+  public boolean isStopped() {
     return isStopped;
   }
 
@@ -89,12 +89,12 @@ final class UntilStopped {
    * From now on, a signal calls {@code action} from another thread, and the process ends when the
    * command has ended.
    */
-  void calls(Runnable action) {
+  public void calls(Runnable action) {
     stop = action;
   }
 
   /** From now on, the command asks {@link #isStopped} between steps, and then ends. */
-  void endsWhenAsked() {
+  public void endsWhenAsked() {
     calls(() -> {});
   }
 
@@ -103,7 +103,7 @@ final class UntilStopped {
    *
    * @return false if a signal has interrupted it
    */
-  boolean completes(Work work) throws InterruptedException {
+  public boolean completes(Work work) throws InterruptedException {
     calls(Thread.currentThread()::interrupt);
     try {
       work.run();
@@ -120,7 +120,7 @@ final class UntilStopped {
   }
 
   /** Call this when the command has ended, and all is printed. */
-  void ended() {
+  public void ended() {
     ended.countDown();
   }
 }

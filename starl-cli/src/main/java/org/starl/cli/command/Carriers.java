@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.PrintWriter;
 import org.jspecify.annotations.Nullable;
@@ -6,12 +6,12 @@ import org.starl.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 
 /** Selects the carriers of blocking apps. */
-final class Carriers {
+public final class Carriers {
 
   private Carriers() {}
 
   /** The wanted kind; without one the best kind, with a line if that is not the fast one. */
-  static CarrierKind select(@Nullable CarrierKind wanted, PrintWriter err) {
+  public static CarrierKind select(@Nullable CarrierKind wanted, PrintWriter err) {
     String reason = CarrierKind.fallbackReason();
     if (wanted == null) {
       if (reason != null) {

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import org.starl.input.BadInput;
 
 /** A short text that another content of files makes another one. */
-final class FileDigest {
+public final class FileDigest {
 
   private static final int BYTES = 10;
 
@@ -25,7 +25,7 @@ final class FileDigest {
    *
    * @throws BadInput if one cannot be read
    */
-  static String of(String text, List<String> paths) {
+  public static String of(String text, List<String> paths) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
       digest.update(text.getBytes(StandardCharsets.UTF_8));

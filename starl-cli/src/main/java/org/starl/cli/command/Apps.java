@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.util.List;
 import org.starl.apps.Demos;
@@ -12,10 +12,10 @@ import org.starl.apps.search.SearchDemo;
 import org.starl.workload.PrimitiveWorkloads;
 
 /** What the command line can run. */
-final class Apps {
+public final class Apps {
 
   /** The apps of this project. */
-  static final Demos OWN =
+  public static final Demos OWN =
       new Demos(
           List.of(
               new FleetDemo(),
@@ -27,7 +27,7 @@ final class Apps {
               new SearchDemo()));
 
   /** The apps and the primitives, each primitive with its workload. */
-  static final Demos ALL = OWN.plus(PrimitiveWorkloads.ALL);
+  public static final Demos ALL = OWN.plus(PrimitiveWorkloads.ALL);
 
   private Apps() {}
 
@@ -36,7 +36,7 @@ final class Apps {
    *
    * @throws org.starl.input.BadInput if one on the class path cannot be created
    */
-  static Demos installed() {
+  public static Demos installed() {
     return Demos.installed(ALL).plus(ALL.all());
   }
 }

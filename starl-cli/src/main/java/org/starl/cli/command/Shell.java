@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import org.starl.input.BadInput;
 
 /** Command lines to paste into a shell. */
-final class Shell {
+public final class Shell {
 
   /** System property: the command that starts this program, if it is not {@code ./starl}. */
   static final String LAUNCHER = "starl.launcher";
@@ -21,7 +21,7 @@ final class Shell {
   private Shell() {}
 
   /** Quotes {@code word} for a POSIX shell, if necessary. */
-  static String quote(String word) {
+  public static String quote(String word) {
     return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
   }
 
@@ -31,7 +31,7 @@ final class Shell {
    *
    * @throws BadInput if a quote has no end
    */
-  static List<String> words(String line) {
+  public static List<String> words(String line) {
     Matcher parts = PART.matcher(line.strip());
     List<String> words = new ArrayList<>();
     StringBuilder word = new StringBuilder();
@@ -55,12 +55,12 @@ final class Shell {
   }
 
   /** The command that starts this program. */
-  static String launcher() {
+  public static String launcher() {
     return System.getProperty(LAUNCHER, "./starl");
   }
 
   /** The command line {@code ./starl WORD...}, or with the launcher of {@link #LAUNCHER}. */
-  static String starl(List<String> words) {
+  public static String starl(List<String> words) {
     StringBuilder line = new StringBuilder(launcher());
     words.forEach(word -> line.append(' ').append(quote(word)));
     return line.toString();

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.PrintWriter;
 import java.util.List;
@@ -6,17 +6,17 @@ import java.util.Map;
 import picocli.CommandLine.Option;
 
 /** The option for machine-readable output. */
-final class JsonOption {
+public final class JsonOption {
 
   @Option(names = "--json", description = "Print JSON, one object per line, instead of text.")
   private boolean json;
 
-  boolean isOn() {
+  public boolean isOn() {
     return json;
   }
 
   /** Prints the object as JSON, or the lines as text. */
-  void print(PrintWriter out, Map<String, ?> object, List<String> lines) {
+  public void print(PrintWriter out, Map<String, ?> object, List<String> lines) {
     if (json) {
       out.println(Json.line(object));
     } else {

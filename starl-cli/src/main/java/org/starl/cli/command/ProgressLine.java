@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.io.PrintWriter;
 import java.util.HashMap;
@@ -16,7 +16,7 @@ import picocli.CommandLine.Help.Ansi;
  * Shows the progress, speed and remaining time of long work: on a terminal as a bar that is
  * redrawn, elsewhere as plain lines: ten, and one after each {@link #QUIET_NS} without one.
  */
-final class ProgressLine implements Campaign.Progress {
+public final class ProgressLine implements Campaign.Progress {
 
   /** A seed that runs longer is named: its run may never end. */
   private static final long SLOW_NS = 5 * Time.NS_PER_S;
@@ -51,7 +51,7 @@ final class ProgressLine implements Campaign.Progress {
   /**
    * @param units the units of work, in the plural: {@code runs}
    */
-  ProgressLine(PrintWriter err, String units) {
+  public ProgressLine(PrintWriter err, String units) {
     this(err, units, Ansi.AUTO.enabled(), columns(), System::nanoTime);
   }
 
@@ -59,7 +59,7 @@ final class ProgressLine implements Campaign.Progress {
    * @param columns width of the terminal, at least 2
    * @param wallNs the wall clock
    */
-  ProgressLine(
+  public ProgressLine(
       PrintWriter err, String units, boolean isTerminal, int columns, LongSupplier wallNs) {
     this.err = err;
     this.units = units;
@@ -72,11 +72,11 @@ final class ProgressLine implements Campaign.Progress {
   }
 
   /** Wall-clock time since the work began. */
-  long elapsedNs() {
+  public long elapsedNs() {
     return wallNs.getAsLong() - startNs;
   }
 
-  void show(long finished, long planned) {
+  public void show(long finished, long planned) {
     show(finished, planned, "");
   }
 
@@ -120,7 +120,7 @@ final class ProgressLine implements Campaign.Progress {
   }
 
   /** Work whose end is not known: {@code 1,200,000 states, 300,000 of them to go on from}. */
-  void found(long found, long open) {
+  public void found(long found, long open) {
     long nowNs = wallNs.getAsLong();
     if (isStopped || nowNs - shownNs < (isTerminal ? REDRAW_NS : QUIET_NS)) {
       return;
@@ -135,7 +135,7 @@ final class ProgressLine implements Campaign.Progress {
   }
 
   /** Prints a line of its own; on a terminal it takes the bar's place, which is drawn anew below. */
-  void note(String line) {
+  public void note(String line) {
     if (drawnWidth > 0) {
       draw("");
       err.print("\r");
@@ -145,7 +145,7 @@ final class ProgressLine implements Campaign.Progress {
   }
 
   /** Ends the bar's line, if there is one. May be called repeatedly. */
-  void end() {
+  public void end() {
     if (drawnWidth > 0) {
       err.println();
       drawnWidth = 0;

@@ -1,11 +1,11 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 /** This machine lacks something that a command needs, such as a display. Exit status 3. */
-final class MissingDependencyException extends RuntimeException {
+public final class MissingDependencyException extends RuntimeException {
 
   private static final long serialVersionUID = 1;
 
-  MissingDependencyException(String message) {
+  public MissingDependencyException(String message) {
     super(message);
   }
 }

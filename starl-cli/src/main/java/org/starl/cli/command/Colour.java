@@ -1,14 +1,14 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import picocli.CommandLine.Help.Ansi;
 
 /** Colour on a terminal, unless NO_COLOR is set: for what a person must not overlook. */
-final class Colour {
+public final class Colour {
 
   private Colour() {}
 
   /** Text of what went wrong: bold and red. */
-  static String bad(String text) {
+  public static String bad(String text) {
     return Ansi.AUTO.enabled() ? "\u001b[1;31m" + text + "\u001b[0m" : text;
   }
 }

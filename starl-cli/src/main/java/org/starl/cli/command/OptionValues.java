@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.command;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,7 +10,7 @@ import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 
 /** Parses the values of options. */
-final class OptionValues {
+public final class OptionValues {
 
   private OptionValues() {}
 
@@ -19,7 +19,7 @@ final class OptionValues {
    *
    * @throws BadInput with the option's name, if the reader refuses the text
    */
-  static <T> T read(String option, String text, Function<String, T> reader) {
+  public static <T> T read(String option, String text, Function<String, T> reader) {
     try {
       return reader.apply(text);
     } catch (BadInput error) {
@@ -28,7 +28,7 @@ final class OptionValues {
   }
 
   /** A whole number; both ends are included. */
-  static int whole(String option, String text, int min, int max) {
+  public static int whole(String option, String text, int min, int max) {
     return read(option, text, number -> (int) Quantities.whole(number, min, max));
   }
 
@@ -39,7 +39,7 @@ final class OptionValues {
    * @param form what is expected: {@code KEY=VALUE}
    * @throws BadInput if one has no name, or a name is there twice
    */
-  static Map<String, String> named(String option, List<String> given, String form) {
+  public static Map<String, String> named(String option, List<String> given, String form) {
     Map<String, String> named = new LinkedHashMap<>();
     for (String each : given) {
       int equals = each.indexOf('=');
@@ -59,7 +59,7 @@ final class OptionValues {
    *
    * @param namesAndValues alternating; a value that is null or false is not given
    */
-  static String[] given(@Nullable Object... namesAndValues) {
+  public static String[] given(@Nullable Object... namesAndValues) {
     List<String> given = new ArrayList<>();
     for (int i = 0; i < namesAndValues.length; i += 2) {
       Object value = namesAndValues[i + 1];
