@@ -16,6 +16,8 @@ import org.starl.apps.Demos;
 import org.starl.apps.Input;
 import org.starl.cli.command.JsonOption;
 import org.starl.cli.command.ProgressLine;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.check.Campaign;

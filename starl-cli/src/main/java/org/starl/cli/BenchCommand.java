@@ -24,6 +24,7 @@ import org.starl.cli.command.Json;
 import org.starl.cli.command.JsonOption;
 import org.starl.cli.command.OptionValues;
 import org.starl.cli.command.ProgressLine;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.view.ViewBench;

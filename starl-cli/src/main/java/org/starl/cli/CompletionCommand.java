@@ -7,6 +7,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.cli.command.BaseCommand;
+import org.starl.cli.request.RunRequest;
 import org.starl.sim.fault.FaultGrammar;
 import picocli.AutoComplete;
 import picocli.CommandLine;

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.JsonOption;
+import org.starl.cli.request.DeployedApp;
 import org.starl.id.RobotId;
 import org.starl.launch.DeploymentCheck;
 import org.starl.launch.DeploymentFile;

@@ -14,6 +14,7 @@ import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.JsonOption;
 import org.starl.cli.command.OptionValues;
 import org.starl.cli.command.Shell;
+import org.starl.cli.request.TraceFile;
 import org.starl.input.Quantities;
 import org.starl.launch.TraceMerge;
 import org.starl.sim.Failure;

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
 import org.starl.cli.command.OptionValues;
+import org.starl.cli.request.DeployedApp;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.launch.DeploymentFile;

@@ -14,6 +14,7 @@ import org.starl.cli.FloorSheet.Ink;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.OutputFile;
+import org.starl.cli.request.DeployedApp;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
+import org.starl.cli.request.DeployedApp;
 import org.starl.input.BadInput;
 import org.starl.launch.Console;
 import org.starl.launch.GuardProcess;

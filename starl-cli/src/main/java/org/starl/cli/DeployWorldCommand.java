@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
+import org.starl.cli.request.DeployedApp;
 import org.starl.input.BadInput;
 import org.starl.launch.Console;
 import org.starl.launch.RobotRun;

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.ScenarioFile;
 import org.starl.robot.file.DeploymentFormat;
 import org.starl.sim.Setting;
 

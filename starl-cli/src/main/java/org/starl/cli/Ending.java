@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.check.ErrorRate;
 

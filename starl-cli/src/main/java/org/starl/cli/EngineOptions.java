@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.MissingDependencyException;
 import org.starl.cli.command.ProgressLine;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 

@@ -11,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.cli.command.Json;
 import org.starl.cli.report.RowJson;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.explore.Exploration;

@@ -18,6 +18,7 @@ import org.starl.bench.Workload;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.Json;
 import org.starl.cli.command.JsonOption;
+import org.starl.cli.request.RunRequest;
 import org.starl.sim.Setting;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;

@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.JsonOption;
+import org.starl.cli.request.TraceFile;
 import org.starl.sim.check.Determinism;
 import org.starl.sim.check.ReplayCheck;
 import org.starl.trace.TraceHeader;

@@ -22,6 +22,8 @@ import org.starl.cli.report.Page;
 import org.starl.cli.report.Report;
 import org.starl.cli.report.RunFacts;
 import org.starl.cli.report.SeedRow;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimulationPlan;

@@ -9,6 +9,8 @@ import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.cli.command.Json;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.ScenarioFile;
 import org.starl.input.Form;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;

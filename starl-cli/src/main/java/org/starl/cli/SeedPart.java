@@ -4,6 +4,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.Seeds;
 import org.starl.sim.kernel.CarrierKind;
 
 /**

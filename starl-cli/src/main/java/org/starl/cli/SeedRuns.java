@@ -17,6 +17,7 @@ import org.starl.cli.report.DeliveryCounter;
 import org.starl.cli.report.MessageCounts;
 import org.starl.cli.report.RunFacts;
 import org.starl.cli.report.SeedRow;
+import org.starl.cli.request.RunRequest;
 import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.Campaign;

@@ -12,6 +12,8 @@ import org.starl.apps.Demos;
 import org.starl.cli.command.Json;
 import org.starl.cli.report.SeedRow;
 import org.starl.cli.report.SweepTable;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.check.Campaign;
 

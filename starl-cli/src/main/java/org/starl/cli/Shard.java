@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 
 /**

@@ -17,6 +17,8 @@ import org.starl.Version;
 import org.starl.apps.Demos;
 import org.starl.cli.command.Json;
 import org.starl.cli.report.RowJson;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.explore.Exploration;
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.starl.cli.request.Seeds;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.kernel.CarrierKind;
 

@@ -15,6 +15,8 @@ import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.Json;
 import org.starl.cli.command.OptionValues;
 import org.starl.cli.command.ProgressLine;
+import org.starl.cli.request.RunRequest;
+import org.starl.cli.request.Seeds;
 import org.starl.input.BadInput;
 import org.starl.sim.Redraws;
 import org.starl.sim.Setting;

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.CampaignCommand.FirstBad;
 import org.starl.cli.report.SeedRow;
+import org.starl.cli.request.RunRequest;
 import org.starl.random.Rng;
 import org.starl.sim.Redraws;
 import org.starl.sim.Setting;

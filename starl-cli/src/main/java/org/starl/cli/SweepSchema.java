@@ -7,6 +7,7 @@ import java.util.Map;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.cli.command.Json;
+import org.starl.cli.request.ScenarioFile;
 
 /**
  * The JSON schema of {@link SweepFile}, for editors: that of scenarios, with seeds, the settings and

@@ -163,7 +163,7 @@ record Allowance(String rule, String path, String reason) {
             "Maven ends when the launcher is told to end"),
         new Allowance(
             "randomness without the run's seed",
-            "starl-cli" + MAIN + "cli/Seeds.java",
+            "starl-cli" + MAIN + "cli/request/Seeds.java",
             "draws a run's seed when none is given; it is printed"),
         new Allowance(
             "randomness without the run's seed",

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.RunRequest;
 
 /** {@code starl bench apps} on the files of the original StarL. */
 class AppsTableTest {

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.RunRequest;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.FaultGrammar;
 

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demos;
 import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.cli.request.DeployedApp;
 import org.starl.geometry.Pose;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;

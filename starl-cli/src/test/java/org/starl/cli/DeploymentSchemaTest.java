@@ -25,6 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demos;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.DeployedApp;
 import org.starl.input.BadInput;
 import org.starl.input.Field;
 import org.starl.input.Form;

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.TraceFile;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
 import org.starl.sim.TraceRecorder;

@@ -15,6 +15,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
 import org.starl.bench.Workload;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.RunRequest;
 import org.starl.sim.Setting;
 
 /** Help, {@code list}, and small commands. */

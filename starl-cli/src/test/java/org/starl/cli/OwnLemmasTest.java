@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.ScenarioFile;
 import org.starl.id.RobotId;
 import org.starl.robot.LocalSpecs;
 import org.starl.sim.SimObserver;

@@ -20,6 +20,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.intersection.logic.CrossingFact;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.ExitStatus;
+import org.starl.cli.request.RunRequest;
 import org.starl.launch.Kill;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;

@@ -20,6 +20,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.cli.command.Apps;
+import org.starl.cli.request.RunRequest;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantity;

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.ExitStatus;
+import org.starl.cli.request.RunRequestTest;
 
 /** {@code starl record}: other programs read its files. */
 class RecordTest {

@@ -18,6 +18,7 @@ import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.ExitStatus;
+import org.starl.cli.request.TraceFile;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;

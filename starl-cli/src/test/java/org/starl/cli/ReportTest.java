@@ -26,6 +26,7 @@ import org.starl.apps.Story;
 import org.starl.cli.command.Apps;
 import org.starl.cli.report.Parsed;
 import org.starl.cli.report.Report;
+import org.starl.cli.request.RunRequest;
 import org.starl.sim.view.page.RunPage;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.security.SecureRandom;
 import java.util.regex.Matcher;
@@ -9,14 +9,14 @@ import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 
 /** Parses seeds. */
-final class Seeds {
+public final class Seeds {
 
   private static final int DRAWN_BELOW = 1_000_000;
 
   private Seeds() {}
 
   /** The seed in {@code text}; if it is null, a random seed that is short enough to type. */
-  static long of(@Nullable String text) {
+  public static long of(@Nullable String text) {
     return text == null
         ? new SecureRandom().nextInt(DRAWN_BELOW)
         : OptionValues.read(
@@ -24,7 +24,7 @@ final class Seeds {
   }
 
   /** {@code A..B}: seeds, or other numbers of runs. */
-  record Range(long first, long last) {
+  public record Range(long first, long last) {
 
     private static final int MAX_RUNS = 10_000_000;
     private static final Pattern TEXT = Pattern.compile("(\\d{1,10})(?:\\.\\.(\\d{1,10}))?");
@@ -32,7 +32,7 @@ final class Seeds {
     /**
      * @throws BadInput unless it is {@code A..B} or {@code A}, with at most 10000000 seeds
      */
-    static Range of(String text) {
+    public static Range of(String text) {
       Matcher matcher = TEXT.matcher(text.strip());
       if (matcher.matches()) {
         long first = Long.parseLong(matcher.group(1));
@@ -47,11 +47,11 @@ final class Seeds {
     }
 
     /** The number of seeds. */
-    long size() {
+    public long size() {
       return last - first + 1;
     }
 
-    boolean has(long seed) {
+    public boolean has(long seed) {
       return first <= seed && seed <= last;
     }
 

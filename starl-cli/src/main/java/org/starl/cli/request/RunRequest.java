@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -41,7 +41,7 @@ import org.starl.trace.Vocabulary;
  * @param parameters of the app, the given ones only; their defaults apply to the others
  * @param settings the given ones only; the app's defaults apply to the others
  */
-record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
+public record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
 
   /** The option of each setting that has one, in the order to show them. */
   static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
@@ -64,27 +64,27 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** The settings that a user can give: those of the simulator and of the window. */
-  static List<Setting<?>> known() {
+  public static List<Setting<?>> known() {
     return Stream.concat(Setting.all().stream(), ViewSettings.all().stream()).toList();
   }
 
   /** The number of robots, if the user gave one. */
-  OptionalInt robots() {
+  public OptionalInt robots() {
     return settings.has(Setting.ROBOTS) ? OptionalInt.of(settings.robots()) : OptionalInt.empty();
   }
 
   /** The same request with other settings. */
-  RunRequest withSettings(SimSettings newSettings) {
+  public RunRequest withSettings(SimSettings newSettings) {
     return new RunRequest(demo, parameters, newSettings);
   }
 
   /** The same request with these redraws, and no others. */
-  RunRequest with(Redraws redraws) {
+  public RunRequest with(Redraws redraws) {
     return withSettings(settings.with(Setting.REDRAWS, redraws));
   }
 
   /** The same request with these faults too. */
-  RunRequest withFaults(List<Fault> more) {
+  public RunRequest withFaults(List<Fault> more) {
     FaultPlan all = settings.get(Setting.FAULTS).plus(new FaultPlan(more));
     return more.isEmpty() ? this : withSettings(settings.with(Setting.FAULTS, all));
   }
@@ -94,7 +94,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
    *
    * @throws BadInput if a value is invalid
    */
-  Plan plan(long seed) {
+  public Plan plan(long seed) {
     Request request = request(seed);
     SimSettings defaults = demo.defaultSettings(request).build();
     Plan plan = demo.plan(request, given(request).over(defaults));
@@ -110,7 +110,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** A line if the user gave a number of robots that changes nothing; else empty. */
-  Optional<String> unusedRobots(long seed) {
+  public Optional<String> unusedRobots(long seed) {
     if (robots().isEmpty()) {
       return Optional.empty();
     }
@@ -134,7 +134,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** The shapes of the values in a trace of such a run. */
-  Vocabulary vocabulary(long seed) {
+  public Vocabulary vocabulary(long seed) {
     return demo.vocabulary(request(seed));
   }
 
@@ -145,7 +145,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** This request as {@link #plan} runs it: with what chaos varies. */
-  RunRequest varied(long seed) {
+  public RunRequest varied(long seed) {
     Request request = request(seed);
     SortedMap<String, String> given = new TreeMap<>(request.parameters());
     given.keySet().retainAll(request.given());
@@ -165,7 +165,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** The command line that runs this request with one seed. */
-  String replay(long seed) {
+  public String replay(long seed) {
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(words(seed));
     return Shell.starl(words);
@@ -175,7 +175,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
    * The usual file for a picture of the run, {@code out/mutex-7.png}. With other settings than the
    * default it has a number that depends on them, so that it does not replace that of another run.
    */
-  String file(long seed, String suffix) {
+  public String file(long seed, String suffix) {
     List<String> words = words(seed);
     CRC32 number = new CRC32();
     number.update(String.join("\n", words).getBytes(StandardCharsets.UTF_8));
@@ -193,14 +193,14 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** The command line that makes the run of one seed smaller. */
-  String shrink(long seed) {
+  public String shrink(long seed) {
     List<String> shrink = campaign(new Seeds.Range(seed, seed));
     shrink.add("--shrink");
     return Shell.starl(shrink);
   }
 
   /** The words of the campaign with these seeds. */
-  List<String> campaign(Seeds.Range seeds) {
+  public List<String> campaign(Seeds.Range seeds) {
     List<String> words = new ArrayList<>(List.of("campaign"));
     words.addAll(words(seeds.first()));
     int seed = words.indexOf("--seed");
@@ -210,7 +210,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** The words of that command line after {@code run}. */
-  List<String> words(long seed) {
+  public List<String> words(long seed) {
     List<String> words = new ArrayList<>(List.of(demo.name(), "--seed", Long.toString(seed)));
     Map<Setting<?>, String> given = settings.given();
     for (Setting<?> setting : OPTIONS.keySet()) {
@@ -249,14 +249,14 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /** Collects parameters and settings; later values replace earlier ones. */
-  static final class Builder {
+  public static final class Builder {
 
     private final Demo demo;
     private final Set<String> declared;
     private final SortedMap<String, String> parameters = new TreeMap<>();
     private final SimSettings.Builder settings = SimSettings.builder();
 
-    Builder(Demo demo) {
+    public Builder(Demo demo) {
       this.demo = demo;
       declared = demo.defaults().keySet();
     }
@@ -268,7 +268,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
      * @param hint for errors, after the similar names
      * @throws BadInput if no app has that name
      */
-    static Builder of(Demos demos, String name, String where, String hint) {
+    public static Builder of(Demos demos, String name, String where, String hint) {
       return new Builder(
           demos
               .byName(name)
@@ -288,7 +288,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
      * @param where the place of the value, for errors: {@code --set: }, {@code my.yaml:3: }
      * @throws BadInput naming {@code where}, the key, the value and the expected form
      */
-    Builder set(String where, String key, String value) {
+    public Builder set(String where, String key, String value) {
       if (declared.contains(key)) {
         parameters.put(key, value);
         return this;
@@ -302,7 +302,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
 
     /** Adds a fault. */
-    Builder fault(String text) {
+    public Builder fault(String text) {
       try {
         FaultPlan one = new FaultPlan(List.of(FaultGrammar.parse(text)));
         settings.set(Setting.FAULTS, settings.build().get(Setting.FAULTS).plus(one));
@@ -312,7 +312,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
       return this;
     }
 
-    RunRequest build() {
+    public RunRequest build() {
       return new RunRequest(demo, parameters, settings.build());
     }
 

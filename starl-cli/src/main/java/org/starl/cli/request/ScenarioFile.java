@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -27,20 +27,20 @@ import org.starl.input.TextFile;
  * @param values as text, in the file's order
  * @param lines the line number of each value and of the app
  */
-record ScenarioFile(
+public record ScenarioFile(
     String file, String app, Map<String, String> values, Map<String, Integer> lines) {
 
-  static final String APP = "app";
+  public static final String APP = "app";
 
   private static final String FAULTS = "faults";
   private static final String EXPECTED =
       "expected a scenario file with lines such as 'app: intersection'";
 
-  static boolean isScenario(String name) {
+  public static boolean isScenario(String name) {
     return name.endsWith(".yaml") || name.endsWith(".yml");
   }
 
-  static ScenarioFile ofApp(String app) {
+  public static ScenarioFile ofApp(String app) {
     return new ScenarioFile("", app, Map.of(), Map.of());
   }
 
@@ -54,7 +54,7 @@ record ScenarioFile(
    *
    * @throws BadInput naming the file's line, the key, the value and the expected form
    */
-  RunRequest.Builder request(Demos demos) {
+  public RunRequest.Builder request(Demos demos) {
     String hint = file.isEmpty() ? " (a scenario file's name ends in .yaml)" : "";
     RunRequest.Builder request = RunRequest.Builder.of(demos, app, where(APP), hint);
     values.forEach((key, value) -> request.set(where(key), key, value));
@@ -64,7 +64,7 @@ record ScenarioFile(
   /**
    * @throws BadInput if the file is missing, or is not text, YAML or a scenario
    */
-  static ScenarioFile read(String file) {
+  public static ScenarioFile read(String file) {
     return of(
         file, DocumentReader.read(file, TextFile.read(Path.of(file), EXPECTED), EXPECTED).parts());
   }
@@ -74,7 +74,7 @@ record ScenarioFile(
    *
    * @throws BadInput if they are none
    */
-  static ScenarioFile of(String file, Map<String, Node> parts) {
+  public static ScenarioFile of(String file, Map<String, Node> parts) {
     Map<String, String> values = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
     parts.forEach((key, node) -> {

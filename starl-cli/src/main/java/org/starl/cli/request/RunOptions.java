@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -15,12 +15,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The options of every command that runs an app: texts until {@link #request} parses them. */
-class RunOptions {
+public class RunOptions {
 
   private String name = "";
 
   /** With the app, which every command but {@code serve} needs. */
-  static final class OfApp extends RunOptions {
+  public static final class OfApp extends RunOptions {
     @Parameters(
         index = "0",
         paramLabel = "APP|PRIMITIVE|FILE.yaml",
@@ -127,12 +127,12 @@ class RunOptions {
   }
 
   /** Sets the app, primitive or file. */
-  final void named(String text) {
+  public final void named(String text) {
     name = text;
   }
 
   /** The app, primitive or file, as the user wrote it; empty if there is none. */
-  final String name() {
+  public final String name() {
     return name;
   }
 
@@ -141,7 +141,7 @@ class RunOptions {
    *
    * @throws BadInput for a key that was given twice, also by an option of its own
    */
-  final Map<String, String> sets() {
+  public final Map<String, String> sets() {
     Map<String, String> sets = OptionValues.named("--set", settings, "KEY=VALUE");
     for (Setting<?> setting : given.keySet()) {
       if (sets.containsKey(setting.key())) {
@@ -161,7 +161,7 @@ class RunOptions {
    *
    * @throws BadInput with the first given option
    */
-  final void requireNoneFor(String trace) {
+  public final void requireNoneFor(String trace) {
     List<String> options = new ArrayList<>();
     given.keySet().forEach(setting -> options.add(option(setting)));
     faults.forEach(fault -> options.add("--fault"));
@@ -181,7 +181,7 @@ class RunOptions {
    *
    * @throws BadInput naming the option or the file's line, the value and the expected form
    */
-  final RunRequest request(Demos demos) {
+  public final RunRequest request(Demos demos) {
     boolean isFile = ScenarioFile.isScenario(name);
     ScenarioFile file = isFile ? ScenarioFile.read(name) : ScenarioFile.ofApp(name);
     RunRequest.Builder request = file.request(demos);

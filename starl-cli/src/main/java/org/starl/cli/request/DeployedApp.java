@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,7 +25,7 @@ import org.starl.sim.SimulationPlan;
 import org.starl.time.Time;
 
 /** The app of a deployment, with its parameters. */
-final class DeployedApp {
+public final class DeployedApp {
 
   private final Deployment deployment;
   private final RunRequest request;
@@ -38,7 +38,7 @@ final class DeployedApp {
   /**
    * @throws BadInput if the app or a parameter is unknown, or a value is invalid
    */
-  static DeployedApp of(Deployment deployment, Demos demos) {
+  public static DeployedApp of(Deployment deployment, Demos demos) {
     if (deployment.app().isEmpty()) {
       throw BadInput.at(
           deployment.file(), 1, "has no 'app:'; expected an app of 'starl list' on this machine");
@@ -101,7 +101,7 @@ final class DeployedApp {
    *
    * @throws BadInput if a value is invalid, or the deployment has other robots
    */
-  SimulationPlan plan() {
+  public SimulationPlan plan() {
     SimulationPlan plan;
     try {
       plan = request.plan(deployment.seed()).simulation().build().plan();
@@ -125,7 +125,7 @@ final class DeployedApp {
   }
 
   /** The areas of the floor that the app's drawing names. */
-  SortedMap<String, Rectangle> areas() {
+  public SortedMap<String, Rectangle> areas() {
     return request.plan(deployment.seed()).layer().areas();
   }
 
@@ -134,7 +134,7 @@ final class DeployedApp {
    *
    * @return a line for each problem
    */
-  List<String> rehearse(long endNs, SimObserver observer) {
+  public List<String> rehearse(long endNs, SimObserver observer) {
     List<String> problems = new ArrayList<>();
     try {
       SimResult result =
@@ -161,7 +161,7 @@ final class DeployedApp {
    *
    * @throws BadInput with the first problem
    */
-  void require() {
+  public void require() {
     List<String> problems = new ArrayList<>(DeploymentCheck.ofPorts(deployment, plan().objects()));
     problems.addAll(rehearse(1, new SimObserver() {}));
     if (!problems.isEmpty()) {

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;
@@ -34,7 +34,7 @@ import org.starl.trace.Vocabulary;
  * A trace file and its run. Every error is {@link BadInput}: the file is missing, is not a trace,
  * is incomplete, or has another version or an unknown app.
  */
-final class TraceFile {
+public final class TraceFile {
 
   private static final int BUFFER_BYTES = 1 << 16;
 
@@ -49,7 +49,7 @@ final class TraceFile {
   }
 
   /** Whether {@code name} is that of a trace, not an app or a scenario file. */
-  static boolean isTrace(String name) {
+  public static boolean isTrace(String name) {
     return name.endsWith(".trace") || (!ScenarioFile.isScenario(name) && isFile(name));
   }
 
@@ -62,7 +62,7 @@ final class TraceFile {
   }
 
   /** Reads the header. */
-  static TraceFile open(String name, Demos demos) {
+  public static TraceFile open(String name, Demos demos) {
     try (TraceReader reader = reader(name, Vocabulary.NONE)) {
       TraceHeader header = reader.header();
       if (!header.starl().equals(Version.STARL)) {
@@ -83,21 +83,21 @@ final class TraceFile {
     return request.build();
   }
 
-  String name() {
+  public String name() {
     return name;
   }
 
-  TraceHeader header() {
+  public TraceHeader header() {
     return header;
   }
 
   /** The request of its run, without the user's interventions. */
-  RunRequest request() {
+  public RunRequest request() {
     return request;
   }
 
   /** The plan of its run, a new one at each call, without the user's interventions. */
-  Plan plan() {
+  public Plan plan() {
     try {
       Plan plan = request.plan(header.scenarioSeed());
       plan.simulation().behaviourSeed(header.behaviourSeed());
@@ -108,12 +108,12 @@ final class TraceFile {
   }
 
   /** Reads the whole trace to check that it is complete. */
-  void requireWhole() {
+  public void requireWhole() {
     show(List.of(), List.of());
   }
 
   /** Shows the trace to the observers and to the app's monitors; simulates nothing. */
-  SimResult show(List<? extends SimObserver> observers) {
+  public SimResult show(List<? extends SimObserver> observers) {
     return show(monitors(), observers);
   }
 
@@ -122,7 +122,7 @@ final class TraceFile {
   }
 
   /** A reading for the viewer; the app's monitors check it meanwhile. */
-  TraceLoader reading() {
+  public TraceLoader reading() {
     Plan plan = plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());
     return new TraceLoader(
@@ -134,7 +134,7 @@ final class TraceFile {
   }
 
   /** The shapes of the values in the trace {@code name} with this header. */
-  static Vocabulary vocabulary(String name, TraceHeader header, Demos demos) {
+  public static Vocabulary vocabulary(String name, TraceHeader header, Demos demos) {
     return new TraceFile(name, header, request(name, header, demos)).vocabulary();
   }
 
@@ -151,7 +151,7 @@ final class TraceFile {
    *
    * @throws BadInput if its robots were processes: such a run cannot be repeated
    */
-  ReplayCheck replay() {
+  public ReplayCheck replay() {
     Plan plan = plan();
     List<Intervention> interventions = interventions();
     if (!interventions.isEmpty()) {
@@ -169,7 +169,7 @@ final class TraceFile {
   }
 
   /** The command that compares the trace with its run, repeated; of processes, that shows it. */
-  String again() {
+  public String again() {
     List<String> words = new ArrayList<>(List.of("replay", name));
     if (!isOfProcesses()) {
       words.add("--headless");
@@ -189,7 +189,7 @@ final class TraceFile {
   /**
    * @throws BadInput unless the header alone makes the run again
    */
-  void requireRepeatable() {
+  public void requireRepeatable() {
     if (!interventions().isEmpty()) {
       throw new BadInput(name + ": a person changed its run; expected a run without interventions");
     }

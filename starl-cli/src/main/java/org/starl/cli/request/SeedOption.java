@@ -1,11 +1,11 @@
-package org.starl.cli;
+package org.starl.cli.request;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 
 /** The seed option of commands that make one run. */
-final class SeedOption {
+public final class SeedOption {
 
   @Option(
       names = "--seed",
@@ -18,7 +18,7 @@ final class SeedOption {
    *
    * @throws BadInput if a seed was given
    */
-  void requireNoneFor(String trace) {
+  public void requireNoneFor(String trace) {
     if (seed != null) {
       throw new BadInput("--seed cannot be used with a trace: " + trace);
     }
@@ -29,14 +29,14 @@ final class SeedOption {
    *
    * @throws BadInput if no seed is given
    */
-  void requireGiven() {
+  public void requireGiven() {
     if (seed == null) {
       throw new BadInput("--out and --print-job need --seed S, the same for all shards");
     }
   }
 
   /** The given seed, or else a random seed, a new one at each call. */
-  long value() {
+  public long value() {
     return Seeds.of(seed);
   }
 }
