@@ -25,6 +25,7 @@ import org.starl.cli.report.SeedRow;
 import org.starl.cli.request.RunOptions;
 import org.starl.cli.request.RunRequest;
 import org.starl.cli.request.Seeds;
+import org.starl.cli.run.Outcome;
 import org.starl.input.BadInput;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;

@@ -15,6 +15,8 @@ import org.starl.cli.command.JsonOption;
 import org.starl.cli.command.OptionValues;
 import org.starl.cli.command.Shell;
 import org.starl.cli.request.TraceFile;
+import org.starl.cli.run.ObserverFile;
+import org.starl.cli.run.Outcome;
 import org.starl.input.Quantities;
 import org.starl.launch.TraceMerge;
 import org.starl.sim.Failure;

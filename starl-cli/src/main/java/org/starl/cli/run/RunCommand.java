@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -41,7 +41,7 @@ import picocli.CommandLine.Option;
       "         starl run search --seed 7 --view",
       "         starl run intersection --seed 7 --pvs run.pvs && pvs/check run.pvs"
     })
-final class RunCommand extends BaseCommand implements Callable<Integer> {
+public final class RunCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 

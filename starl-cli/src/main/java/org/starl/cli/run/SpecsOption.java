@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,6 +11,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.NotEmpty;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.Shell;
 

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -16,6 +16,9 @@ import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
+import org.starl.cli.Cli;
+import org.starl.cli.HelloWithATwist;
+import org.starl.cli.StandsStill;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.request.TraceFile;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ProgressLine;

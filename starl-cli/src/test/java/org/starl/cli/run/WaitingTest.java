@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -15,6 +15,8 @@ import org.starl.LogicThread;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.Cli;
+import org.starl.cli.HelloWithATwist;
 import org.starl.cli.report.Parsed;
 import org.starl.cli.report.Report;
 import org.starl.geometry.Pose;

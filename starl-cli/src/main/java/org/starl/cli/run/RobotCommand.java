@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -21,7 +21,7 @@ import picocli.CommandLine.Parameters;
     name = RobotCommand.NAME,
     hidden = true,
     description = "One robot as a process; 'starl run --processes' starts this.")
-final class RobotCommand extends BaseCommand implements Callable<Integer> {
+public final class RobotCommand extends BaseCommand implements Callable<Integer> {
 
   static final String NAME = "robot";
 

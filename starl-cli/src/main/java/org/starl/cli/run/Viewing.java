@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
@@ -12,7 +12,7 @@ import org.starl.sim.view.Window;
 import picocli.CommandLine.Option;
 
 /** Shows a run or a trace in a window. */
-final class Viewing {
+public final class Viewing {
 
   private static final long MOST_BYTES_OF_SEVERAL = 64L << 20;
 
@@ -40,7 +40,7 @@ final class Viewing {
   }
 
   /** A recording of a run of this plan, for one of several runs that are shown at once. */
-  static Recording recording(Plan plan) {
+  public static Recording recording(Plan plan) {
     return new Recording(plan.obstacles(), plan.layer().copy(), MOST_BYTES_OF_SEVERAL);
   }
 

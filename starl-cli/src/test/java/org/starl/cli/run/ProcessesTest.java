@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.request.RunRequest;

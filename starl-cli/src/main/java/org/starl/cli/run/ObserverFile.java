@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.Closeable;
 import java.io.IOException;
@@ -16,7 +16,7 @@ import org.starl.sim.record.PictureTime;
  * An observer that writes a file, if the user requested one; else it does nothing. The file is
  * written even if the run fails.
  */
-final class ObserverFile implements Closeable {
+public final class ObserverFile implements Closeable {
 
   private final SimObserver observer;
   private final Closeable writer;
@@ -35,7 +35,7 @@ final class ObserverFile implements Closeable {
    * @param name of the file; null for none
    * @param maker makes the observer that writes to the stream
    */
-  static <T extends SimObserver & Closeable> ObserverFile of(
+  public static <T extends SimObserver & Closeable> ObserverFile of(
       String option, @Nullable String name, Function<OutputStream, T> maker) {
     if (name == null) {
       return new ObserverFile(new SimObserver() {}, () -> {}, null);
@@ -66,7 +66,7 @@ final class ObserverFile implements Closeable {
         });
   }
 
-  SimObserver observer() {
+  public SimObserver observer() {
     return observer;
   }
 

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.Closeable;
 import java.io.IOException;
@@ -52,7 +52,7 @@ import picocli.CommandLine.Option;
       "         starl record intersection --seed 7 --rosbag --out crossing",
       "         starl record out/crossing.trace --gif --when violation"
     })
-final class RecordCommand extends BaseCommand implements Callable<Integer> {
+public final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String VIOLATION = "violation";
   private static final int MAX_WIDTH_PX = 4000;

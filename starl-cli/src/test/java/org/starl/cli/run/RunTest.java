@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -18,6 +18,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.apps.intersection.logic.CrossingFact;
+import org.starl.cli.Cli;
 import org.starl.cli.command.ExitStatus;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.trace.TraceEvent;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
@@ -23,7 +23,7 @@ import picocli.CommandLine.Mixin;
         "Runs one seed several times, on virtual and on platform threads, and compares the traces."
             + " Prints the first event that differs.",
     footer = {"", "Example: starl verify-determinism intersection --seed 7"})
-final class DeterminismCommand extends BaseCommand implements Callable<Integer> {
+public final class DeterminismCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private RunOptions.OfApp options = new RunOptions.OfApp();
 

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -43,7 +43,7 @@ import picocli.CommandLine.Parameters;
       "Example: starl compare good.trace bad.trace --html both.html",
       "         starl compare 'mutex --seed 5' 'mutex --seed 5 --loss 0.1' --html both.html"
     })
-final class CompareCommand extends BaseCommand implements Callable<Integer> {
+public final class CompareCommand extends BaseCommand implements Callable<Integer> {
 
   @Parameters(
       index = "0",

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.Cli;
 import org.starl.primitives.monitor.PrimitiveVocabulary;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.trace.TraceEvent;

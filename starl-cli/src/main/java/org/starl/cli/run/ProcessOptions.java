@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -29,7 +29,7 @@ import org.starl.trace.Vocabulary;
 import picocli.CommandLine.Option;
 
 /** The options of {@code run} for robots as processes. */
-final class ProcessOptions {
+public final class ProcessOptions {
 
   private static final int HEAP_MB = 128;
 
@@ -60,7 +60,7 @@ final class ProcessOptions {
   /**
    * @throws BadInput if an option for processes is given without {@code --processes}
    */
-  boolean areOn() {
+  public boolean areOn() {
     if (!on && (rounds != null || !kills.isEmpty())) {
       throw new BadInput((rounds != null ? "--rounds" : "--kill") + " needs --processes");
     }
@@ -68,12 +68,12 @@ final class ProcessOptions {
   }
 
   /** The command that repeats the run whose settings are those of the command {@code simulated}. */
-  String again(String simulated) {
+  public String again(String simulated) {
     return "repeat, with other timing: " + simulated + replay();
   }
 
   /** The options as part of a command line. */
-  String replay() {
+  public String replay() {
     StringBuilder line = new StringBuilder(" --processes");
     if (rounds != null) {
       line.append(" --rounds ").append(Shell.quote(rounds));
@@ -88,7 +88,7 @@ final class ProcessOptions {
    * @param words the options that make the plan
    * @param live receives the robots' events while they come; null for none
    */
-  LaunchResult run(
+  public LaunchResult run(
       SimulationPlan plan,
       List<String> words,
       Vocabulary vocabulary,

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 import org.starl.cli.request.TraceFile;
 import org.starl.random.Rng;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -18,7 +18,7 @@ import org.starl.spec.Specs;
 import org.starl.time.Time;
 
 /** A run's result as text and JSON. */
-final class Outcome {
+public final class Outcome {
 
   private static final int MOST_FAULTS = 20;
 
@@ -64,7 +64,7 @@ final class Outcome {
   }
 
   /** The line for a run without violations: the specifications that were checked. */
-  static String held(SpecReport spec) {
+  public static String held(SpecReport spec) {
     List<String> held = new ArrayList<>(spec.lemmas());
     held.removeAll(spec.neverChecked());
     long checks = held.stream().mapToLong(spec::checks).sum();
@@ -82,7 +82,7 @@ final class Outcome {
   }
 
   /** Lines for the specifications without a check, or without one to the end, with the reasons. */
-  static List<String> unknown(SpecReport spec) {
+  public static List<String> unknown(SpecReport spec) {
     List<String> never = new ArrayList<>(spec.neverChecked());
     never.removeIf(lemma -> !spec.inapplicable(lemma).isEmpty());
     List<String> lines = new ArrayList<>();
@@ -95,7 +95,7 @@ final class Outcome {
   }
 
   /** A line for each specification that does not apply, and was not checked. */
-  static List<String> inapplicable(SpecReport spec) {
+  public static List<String> inapplicable(SpecReport spec) {
     return spec.neverChecked().stream()
         .filter(lemma -> !spec.inapplicable(lemma).isEmpty())
         .map(lemma -> "does not apply: " + lemma + ": " + spec.inapplicable(lemma))

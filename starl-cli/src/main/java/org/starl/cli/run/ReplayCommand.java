@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
       "         starl replay out/crossing.trace --headless",
       "To make the trace: starl run intersection --seed 7 --trace out/crossing.trace"
     })
-final class ReplayCommand extends BaseCommand implements Callable<Integer> {
+public final class ReplayCommand extends BaseCommand implements Callable<Integer> {
 
   @Parameters(
       index = "0",

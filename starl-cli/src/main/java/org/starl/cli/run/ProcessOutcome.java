@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -13,11 +13,11 @@ import org.starl.sim.SimResult;
 import org.starl.time.Time;
 
 /** The result of robots as processes, as text and JSON. */
-final class ProcessOutcome {
+public final class ProcessOutcome {
 
   private ProcessOutcome() {}
 
-  static List<String> lines(LaunchResult result) {
+  public static List<String> lines(LaunchResult result) {
     SimResult run = result.run();
     List<String> lines = new ArrayList<>();
     int ends = result.rounds().values().stream().mapToInt(Integer::intValue).sum();

@@ -1,9 +1,10 @@
-package org.starl.cli;
+package org.starl.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import org.junit.jupiter.api.Test;
+import org.starl.cli.Cli;
 import org.starl.cli.command.ExitStatus;
 import org.starl.sim.view.Window;
 
