@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
+import org.starl.cli.campaign.SweepFile;
+import org.starl.cli.campaign.SweptKey;
 import org.starl.cli.command.Json;
 import org.starl.cli.request.ScenarioFile;
 

@@ -35,7 +35,7 @@ record Allowance(String rule, String path, String reason) {
             "tells a person how long a campaign will take"),
         new Allowance(
             "wall clock",
-            "starl-cli" + MAIN + "cli/CiCommand.java",
+            "starl-cli" + MAIN + "cli/campaign/CiCommand.java",
             "a person says how long it may take: how many seeds run depends on it, no run does"),
         new Allowance(
             "wall clock",
@@ -91,11 +91,11 @@ record Allowance(String rule, String path, String reason) {
             "explored runs are planned on several threads, by one at a time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/SeedRuns.java",
+            "starl-cli" + MAIN + "cli/campaign/SeedRuns.java",
             "collects the rows of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/SplitRuns.java",
+            "starl-cli" + MAIN + "cli/campaign/SplitRuns.java",
             "collects the estimates of seeds on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.campaign.SeedWork;
+import org.starl.cli.campaign.SweepFile;
 import org.starl.cli.command.Apps;
 import org.starl.input.BadInput;
 

@@ -9,8 +9,8 @@ import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.sql.SparkSession;
 import org.apache.spark.storage.StorageLevel;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.CampaignEngine;
-import org.starl.cli.SeedPart;
+import org.starl.cli.campaign.CampaignEngine;
+import org.starl.cli.campaign.SeedPart;
 import org.starl.input.BadInput;
 
 /** Spark, on this machine ({@code --on spark}) or on a cluster ({@code --on spark=MASTER}). */
