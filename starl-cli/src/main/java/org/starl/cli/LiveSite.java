@@ -18,6 +18,7 @@ import org.starl.cli.command.OptionValues;
 import org.starl.cli.report.SeedRow;
 import org.starl.cli.request.RunRequest;
 import org.starl.cli.run.Viewing;
+import org.starl.cli.schema.ScenarioSchema;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.robot.realtime.Daemons;

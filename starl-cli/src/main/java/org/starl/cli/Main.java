@@ -31,6 +31,7 @@ import org.starl.cli.run.RecordCommand;
 import org.starl.cli.run.ReplayCommand;
 import org.starl.cli.run.RobotCommand;
 import org.starl.cli.run.RunCommand;
+import org.starl.cli.schema.SchemaCommand;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.launch.StackTraces;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 
 /** What went wrong in Open-RMF (the table in docs/apps/fleet.md) goes well here. */

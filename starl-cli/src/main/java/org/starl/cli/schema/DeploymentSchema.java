@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import java.util.LinkedHashMap;
 import java.util.List;

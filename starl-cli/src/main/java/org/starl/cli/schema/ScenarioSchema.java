@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -20,14 +20,14 @@ import org.starl.sim.fault.Envelope;
  * their values. It accepts the files that a command accepts, except numbers and booleans in quotes.
  * It does not check conditions between two values.
  */
-final class ScenarioSchema {
+public final class ScenarioSchema {
 
   /** The app's parameter that chooses one of its scenarios. */
   private static final String SCENARIO = "scenario";
 
   private ScenarioSchema() {}
 
-  static Map<String, Object> json(Demos demos) {
+  public static Map<String, Object> json(Demos demos) {
     return json(
         "StarL scenario",
         "A file for 'starl run FILE.yaml': an app, with any of its settings and parameters.",

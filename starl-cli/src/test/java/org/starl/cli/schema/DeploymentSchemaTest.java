@@ -1,5 +1,5 @@
 // Longer than 500 lines because the file with everything has each field of each kind.
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demos;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 import org.starl.cli.request.DeployedApp;
 import org.starl.input.BadInput;

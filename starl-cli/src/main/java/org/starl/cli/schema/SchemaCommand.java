@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.schema;
 
 import java.io.PrintWriter;
 import org.starl.apps.Demos;
@@ -20,7 +20,7 @@ import picocli.CommandLine.Parameters;
       "Example: starl schema > scenario.schema.json",
       "         starl schema deployment > deployment.schema.json"
     })
-final class SchemaCommand extends BaseCommand implements Runnable {
+public final class SchemaCommand extends BaseCommand implements Runnable {
 
   private static final String SCENARIO = "scenario";
   private static final String SWEEP = "sweep";
