@@ -32,6 +32,7 @@ import org.starl.cli.run.ReplayCommand;
 import org.starl.cli.run.RobotCommand;
 import org.starl.cli.run.RunCommand;
 import org.starl.cli.schema.SchemaCommand;
+import org.starl.cli.serve.ServeCommand;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.launch.StackTraces;

@@ -127,7 +127,7 @@ record Allowance(String rule, String path, String reason) {
             "browsers take its parts on threads of their own"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/LiveSite.java",
+            "starl-cli" + MAIN + "cli/serve/LiveSite.java",
             "browsers start and read runs on threads of their own"),
         new Allowance(
             "threads and locks in the simulator and its tools",
@@ -135,7 +135,7 @@ record Allowance(String rule, String path, String reason) {
             "each connection has a thread, which reads what is recorded"),
         new Allowance(
             "randomness without the run's seed",
-            "starl-cli" + MAIN + "cli/ServeCommand.java",
+            "starl-cli" + MAIN + "cli/serve/ServeCommand.java",
             "a token that a seed decides is no secret"),
         new Allowance(
             "threads and locks in the simulator and its tools",

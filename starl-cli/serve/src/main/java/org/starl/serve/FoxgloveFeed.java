@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.Site;
+import org.starl.cli.serve.Site;
 import org.starl.sim.export.FoxgloveRecorder;
 import org.starl.sim.export.MessageSink;
 import org.starl.sim.replay.Cursor;

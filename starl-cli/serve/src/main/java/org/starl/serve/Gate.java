@@ -7,7 +7,7 @@ import java.security.MessageDigest;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.PageServer.Access;
+import org.starl.cli.serve.PageServer.Access;
 
 /**
  * Decides who may connect. A browser sends the name that it looked up as {@code Host}, and the page

@@ -8,7 +8,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.AlphaChars;
 import net.jqwik.api.constraints.StringLength;
-import org.starl.cli.PageServer.Access;
+import org.starl.cli.serve.PageServer.Access;
 
 /** Who may connect. */
 class GateTest {

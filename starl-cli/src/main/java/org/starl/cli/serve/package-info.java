@@ -1,6 +1,6 @@
 /**
- * {@code serve}: runs and a campaign in browsers. {@link org.starl.cli.Site} is what is shown;
- * a {@link org.starl.cli.PageServer}, which another module has, serves it.
+ * {@code serve}: runs and a campaign in browsers. {@link org.starl.cli.serve.Site} is what is shown;
+ * a {@link org.starl.cli.serve.PageServer}, which another module has, serves it.
  *
  * <p>May import: {@code org.starl.cli.command}, {@code org.starl.cli.request}, {@code
  * org.starl.cli.run}, {@code org.starl.cli.campaign}, {@code org.starl.cli.schema}, {@code

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.serve;
 
 import java.util.Map;
 import org.jspecify.annotations.Nullable;

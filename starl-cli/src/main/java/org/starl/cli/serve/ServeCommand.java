@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.serve;
 
 import java.io.IOException;
 import java.net.Inet4Address;
@@ -63,7 +63,7 @@ import picocli.CommandLine.Parameters;
       "         starl serve out/crossing.trace",
       "         starl serve"
     })
-final class ServeCommand extends BaseCommand implements Callable<Integer> {
+public final class ServeCommand extends BaseCommand implements Callable<Integer> {
 
   private static final Pattern ORIGIN = Pattern.compile("https?://[^/\\s]+");
   private static final int TOKEN_BYTES = 16;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.HelloWithATwist;
 import org.starl.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 
