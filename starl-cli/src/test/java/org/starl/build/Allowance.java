@@ -139,11 +139,11 @@ record Allowance(String rule, String path, String reason) {
             "a token that a seed decides is no secret"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/DeployTakeCommand.java",
+            "starl-cli" + MAIN + "cli/deploy/DeployTakeCommand.java",
             "the cameras' thread, or a signal, ends the wait for the take's end"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/DeployWorldCommand.java",
+            "starl-cli" + MAIN + "cli/deploy/DeployWorldCommand.java",
             "robots that run beside their world"),
         new Allowance(
             "writing to the console",

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import org.starl.cli.command.BaseCommand;
 import picocli.CommandLine.Command;
@@ -18,7 +18,7 @@ import picocli.CommandLine.ParameterException;
       DeployWorldCommand.class
     },
     footer = {"", "Example: starl deploy check scenarios/deployment/crossing.yaml"})
-final class DeployCommand extends BaseCommand implements Runnable {
+public final class DeployCommand extends BaseCommand implements Runnable {
 
   @Override
   public void run() {

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -16,6 +16,7 @@ import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.cli.Cli;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;

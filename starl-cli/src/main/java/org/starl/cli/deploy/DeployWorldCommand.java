@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import java.io.IOException;
 import java.io.OutputStream;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
         "Simulates an iRobot Create on an open floor, at a serial port (Linux, macOS) or a TCP"
             + " port, until it is stopped. Prints each change of its wheel speeds.",
     footer = {"", "Example: starl simulated-create --pty create0"})
-final class SimulatedCreateCommand extends BaseCommand implements Runnable {
+public final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 
   private static final int MAX_PORT = 65_535;
 

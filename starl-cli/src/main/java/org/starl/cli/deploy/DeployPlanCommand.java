@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -10,10 +10,10 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.FloorSheet.Ink;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.OutputFile;
+import org.starl.cli.deploy.FloorSheet.Ink;
 import org.starl.cli.request.DeployedApp;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;

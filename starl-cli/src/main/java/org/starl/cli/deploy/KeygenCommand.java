@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
       "Examples: starl keygen --robot bot0 bot0.key",
       "          starl keygen crossing.key"
     })
-final class KeygenCommand extends BaseCommand implements Runnable {
+public final class KeygenCommand extends BaseCommand implements Runnable {
 
   @Option(names = "--robot", paramLabel = "NAME", description = "The robot that gets the key.")
   private @Nullable String robot;

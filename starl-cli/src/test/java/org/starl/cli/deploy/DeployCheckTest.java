@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.deploy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demos;
 import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.cli.Cli;
 import org.starl.cli.request.DeployedApp;
 import org.starl.geometry.Pose;
 import org.starl.launch.DeploymentFile;
