@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import java.io.File;
 import java.io.IOException;
@@ -37,7 +37,7 @@ import picocli.CommandLine.Option;
       "         starl compile pvs/starl/Mutex_decls.starl --pvs pvs",
       "         starl compile Bridge.starl --java src/main/java --svg bridge.svg"
     })
-final class CompileCommand extends SourceCommand {
+public final class CompileCommand extends SourceCommand {
 
   @Option(
       names = "--java",

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import java.io.IOException;
 import java.nio.file.Path;

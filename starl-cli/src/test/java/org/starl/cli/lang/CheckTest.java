@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.cli.Cli;
 import org.starl.cli.command.ExitStatus;
 
 /** {@code starl check}. */

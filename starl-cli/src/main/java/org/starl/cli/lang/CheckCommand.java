@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -49,7 +49,7 @@ import picocli.CommandLine.Option;
       "Example: starl check pvs/starl/Mutex_decls.starl --robots 3 --size Zones=2",
       "         starl check pvs/starl/Barrier_decls.starl --value 'first={bot0, bot1}'"
     })
-final class CheckCommand extends SourceCommand {
+public final class CheckCommand extends SourceCommand {
 
   private static final int USUAL_SIZE = 2;
   private static final int LARGEST = 62;

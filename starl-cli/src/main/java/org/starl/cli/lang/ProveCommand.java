@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -33,7 +33,7 @@ import picocli.CommandLine.Option;
       "Without a file, or with FILE.pvs, 'starl prove' checks proofs with an installed PVS."
     },
     footer = {"", "Example: starl prove pvs/starl/Mutex_decls.starl"})
-final class ProveCommand extends SourceCommand {
+public final class ProveCommand extends SourceCommand {
 
   private static final int MOST_MILLIONS = 4000;
   private static final long MILLION = 1_000_000;

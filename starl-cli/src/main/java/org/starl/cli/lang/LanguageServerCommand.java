@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.lang;
 
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -16,7 +16,7 @@ import picocli.CommandLine.Command;
       "An editor starts it; docs/language.md says how to set one up."
     },
     footer = {"", "Example: starl language-server"})
-final class LanguageServerCommand extends BaseCommand implements Callable<Integer> {
+public final class LanguageServerCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
