@@ -15,6 +15,8 @@ import org.starl.bench.CrossingRules;
 import org.starl.bench.FleetRates;
 import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
+import org.starl.cli.bench.AppsTable;
+import org.starl.cli.bench.BenchCommand;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.Json;
 import org.starl.cli.command.JsonOption;

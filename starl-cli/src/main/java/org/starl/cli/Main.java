@@ -14,6 +14,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.cli.bench.BenchCommand;
 import org.starl.cli.campaign.CampaignCommand;
 import org.starl.cli.campaign.CiCommand;
 import org.starl.cli.campaign.ExploreCommand;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.bench;
 
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -30,13 +30,13 @@ import org.starl.sim.kernel.CarrierKind;
  * {@code starl bench apps}: a campaign of each app on each of its {@link Demo#inputs}, without loss
  * and with 20 % loss. Prints a table in Markdown, for the docs.
  */
-final class AppsTable {
+public final class AppsTable {
 
   /** The workload's name. */
-  static final String NAME = "apps";
+  public static final String NAME = "apps";
 
   /** One line for {@code starl list}. */
-  static final String SUMMARY =
+  public static final String SUMMARY =
       "every app on every input of a folder, with and without loss: a table in Markdown";
 
   private static final double LOSS = 0.2;

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.bench;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -40,10 +40,10 @@ import picocli.CommandLine.Parameters;
         "Measures a workload: runs it several times in this JVM, the first time cold, and prints"
             + " its speed.",
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
-final class BenchCommand extends BaseCommand implements Callable<Integer> {
+public final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
-  static final String VIEW = "view";
-  static final String VIEW_SUMMARY =
+  public static final String VIEW = "view";
+  public static final String VIEW_SUMMARY =
       "pictures per second of the viewer, with 100, 1000 and 10000 robots of b2";
 
   /** Real seconds for each number of robots. */

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
+import org.starl.cli.Cli;
 import org.starl.cli.command.Apps;
 import org.starl.cli.request.RunRequest;
 
