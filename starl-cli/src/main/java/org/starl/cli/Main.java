@@ -33,6 +33,7 @@ import org.starl.cli.lang.CheckCommand;
 import org.starl.cli.lang.CompileCommand;
 import org.starl.cli.lang.LanguageServerCommand;
 import org.starl.cli.lang.ProveCommand;
+import org.starl.cli.project.NewCommand;
 import org.starl.cli.run.CompareCommand;
 import org.starl.cli.run.DeterminismCommand;
 import org.starl.cli.run.RecordCommand;

@@ -155,11 +155,11 @@ record Allowance(String rule, String path, String reason) {
             "where that command's two writers are made"),
         new Allowance(
             "writing to the console",
-            "starl-cli" + MAIN + "cli/LauncherBuild.java",
+            "starl-cli" + MAIN + "cli/project/LauncherBuild.java",
             "the launcher's own main class"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-cli" + MAIN + "cli/LauncherBuild.java",
+            "starl-cli" + MAIN + "cli/project/LauncherBuild.java",
             "Maven ends when the launcher is told to end"),
         new Allowance(
             "randomness without the run's seed",

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -18,6 +18,8 @@ import javax.tools.ToolProvider;
 import org.junit.platform.engine.discovery.DiscoverySelectors;
 import org.junit.platform.testkit.engine.EngineTestKit;
 import org.junit.platform.testkit.engine.Event;
+import org.starl.cli.Cli;
+import org.starl.cli.Main;
 
 /** A project that {@code starl new} has written: compiled, tested and run within this JVM. */
 final class UserProject {

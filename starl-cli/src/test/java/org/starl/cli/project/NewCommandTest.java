@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.Version;
+import org.starl.cli.Cli;
 import org.starl.cli.command.ExitStatus;
 
 /** A project of {@code starl new} compiles, passes its test, and does as its README says. */

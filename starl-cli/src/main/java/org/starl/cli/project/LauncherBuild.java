@@ -1,5 +1,5 @@
 // Longer than 500 lines because the launcher runs it from its source, as one file.
-package org.starl.cli;
+package org.starl.cli.project;
 
 import java.io.BufferedReader;
 import java.io.File;

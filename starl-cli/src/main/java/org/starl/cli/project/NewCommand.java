@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import java.io.File;
 import java.io.IOException;
@@ -34,7 +34,7 @@ import picocli.CommandLine.Parameters;
         "Creates a project of your own in a new folder: an app, its scenario, a monitor, a test,"
             + " builds for Maven and Gradle, and a guided tour.",
     footer = {"", "Example: starl new my-robots"})
-final class NewCommand extends BaseCommand implements Callable<Integer> {
+public final class NewCommand extends BaseCommand implements Callable<Integer> {
 
   /** Maven's property for another local repository. */
   static final String REPOSITORY = "maven.repo.local";

@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LauncherBuildTest {
 
   private static final String BUILD =
-      "starl-cli/src/main/java/org/starl/cli/LauncherBuild.java";
+      "starl-cli/src/main/java/org/starl/cli/project/LauncherBuild.java";
   private static final String KOTLIN = "starl-apps/kotlin/target/run/";
 
   /** What a build leaves. */

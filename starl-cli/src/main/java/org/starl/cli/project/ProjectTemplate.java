@@ -1,4 +1,4 @@
-package org.starl.cli;
+package org.starl.cli.project;
 
 import java.io.IOException;
 import java.io.StringReader;
@@ -27,7 +27,7 @@ final class ProjectTemplate {
   private static final String LAUNCHER = "launcher";
 
   private static final String SERVICES = "src/main/resources/META-INF/services/org.starl.apps.";
-  private static final String FOLDER = "project/";
+  private static final String JAVA_OPTIONS = "/org/starl/cli/jvm/";
   private static final String SUFFIX = ".txt";
   private static final String JAVA = "java/";
   private static final String WORDS = "words.properties";
@@ -65,7 +65,7 @@ final class ProjectTemplate {
 
   /** Those of {@code ./starl}, which reads them from the same file. */
   static String javaOptions(String kind) {
-    String file = resource("jvm/" + kind + ".config");
+    String file = read(JAVA_OPTIONS + kind + ".config");
     if (file == null) {
       throw new IllegalStateException("no options of Java for " + kind);
     }
@@ -172,19 +172,14 @@ final class ProjectTemplate {
   private void addWords(String resource) {
     Properties properties = new Properties();
     try {
-      properties.load(
-          new StringReader(TextFile.resource(ProjectTemplate.class, FOLDER + resource)));
+      properties.load(new StringReader(TextFile.resource(ProjectTemplate.class, resource)));
     } catch (IOException e) {
       throw new IllegalStateException(resource, e);
     }
     properties.stringPropertyNames().forEach(key -> words.put(key, properties.getProperty(key)));
   }
 
-  private static @Nullable String read(String resource) {
-    return resource(FOLDER + resource);
-  }
-
-  private static @Nullable String resource(String path) {
+  private static @Nullable String read(String path) {
     return ProjectTemplate.class.getResource(path) == null
         ? null
         : TextFile.resource(ProjectTemplate.class, path);
