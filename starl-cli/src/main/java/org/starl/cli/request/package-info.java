@@ -3,8 +3,7 @@
  * options, a scenario file, a deployment file or the header of a trace, and can be written as the
  * command line that makes the run again.
  *
- * <p>May import: {@code org.starl.cli.command}; core, {@code org.starl.sim}, {@code org.starl.apps},
- * {@code org.starl.robot}.
+ * <p>May import: {@code org.starl.cli.command}; all other modules.
  */
 @NullMarked
 package org.starl.cli.request;
