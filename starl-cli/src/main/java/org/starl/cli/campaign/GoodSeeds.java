@@ -11,7 +11,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.starl.cli.command.FileDigest;
+import org.starl.cli.command.Digest;
 import org.starl.cli.command.OutputFile;
 import org.starl.cli.report.SeedRow;
 import org.starl.input.BadInput;
@@ -46,7 +46,7 @@ final class GoodSeeds {
             .filter(GoodSeeds::isFile)
             .sorted()
             .toList();
-    String digest = work.keys().getFirst() + "-" + FileDigest.of(classes, inputs);
+    String digest = work.keys().getFirst() + "-" + Digest.of(classes, inputs);
     GoodSeeds seeds = new GoodSeeds(folder, name, folder.resolve(name + "-" + digest + ".rows"));
     if (Files.exists(seeds.file)) {
       int number = 0;
@@ -106,7 +106,7 @@ final class GoodSeeds {
   static String classes() {
     String separator = Pattern.quote(System.getProperty("path.separator"));
     String path = System.getProperty("java.class.path");
-    return FileDigest.of(Runtime.version().toString(), List.of(path.split(separator, -1)));
+    return Digest.of(Runtime.version().toString(), List.of(path.split(separator, -1)));
   }
 
   private static boolean isFile(String value) {

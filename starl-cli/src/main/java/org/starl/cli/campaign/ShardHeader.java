@@ -3,11 +3,7 @@ package org.starl.cli.campaign;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +11,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.cli.command.Digest;
 import org.starl.cli.command.Json;
 import org.starl.cli.report.RowJson;
 import org.starl.cli.request.RunRequest;
@@ -31,7 +28,6 @@ import org.starl.sim.explore.Exploration;
  */
 record ShardHeader(Map<String, Object> work, String part, String command) {
 
-  private static final int KEY_BYTES = 8;
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final TypeReference<LinkedHashMap<String, Object>> OBJECT =
       new TypeReference<>() {};
@@ -57,13 +53,7 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
         Json.object(
             "starl", Version.STARL, "app", request.demo().name(), "settings", settings(request));
     deciding.putAll(more);
-    try {
-      byte[] text = Json.line(deciding).getBytes(StandardCharsets.UTF_8);
-      byte[] digest = MessageDigest.getInstance("SHA-256").digest(text);
-      return HexFormat.of().formatHex(digest, 0, KEY_BYTES);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e);
-    }
+    return Digest.of(Json.line(deciding), List.of());
   }
 
   /** The given parameters of the app and the given settings. */

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.starl.cli.command.BaseCommand;
+import org.starl.cli.command.Digest;
 import org.starl.cli.command.ExitStatus;
-import org.starl.cli.command.FileDigest;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 import org.starl.lang.read.Source;
@@ -55,7 +55,7 @@ abstract class SourceCommand extends BaseCommand implements Callable<Integer> {
 
   /** A digest of the source, and of the files beside it that it uses. */
   final String digest() {
-    return FileDigest.of("", reader.files());
+    return Digest.of("", reader.files());
   }
 
   /** Where the branches of a program are whose actions have these names. */

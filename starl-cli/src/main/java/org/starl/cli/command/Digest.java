@@ -13,12 +13,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.starl.input.BadInput;
 
-/** A short text that another content of files makes another one. */
-public final class FileDigest {
+/** Short texts that differ where what they are made from differs: texts and files. */
+public final class Digest {
 
   private static final int BYTES = 10;
 
-  private FileDigest() {}
+  private Digest() {}
 
   /**
    * The digest of a text, and of the files and the folders' files at these paths.
