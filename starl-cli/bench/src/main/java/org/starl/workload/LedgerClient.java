@@ -107,6 +107,9 @@ final class LedgerClient extends Client {
           return told(ledger.finish(nearest.get())) == LedgerOutcome.DONE;
         }
       }
+      if (outcome == LedgerOutcome.LATE) {
+        outcome = told(ledger.giveBack(nearest.get())); // of which it has no claim
+      }
       if (outcome == LedgerOutcome.UNKNOWN) {
         return false;
       }

@@ -60,10 +60,17 @@ final class LedgerRecord {
     private boolean isFinished;
 
     // By the claim's number.
+    private final TreeMap<Long, ProcessId> claims = new TreeMap<>();
     private final Map<Long, RobotId> begun = new TreeMap<>();
 
     // By the claim's number, the decree.
     private final Map<Long, Long> begunIn = new TreeMap<>();
+
+    /** Whether this claim has been made, and has not ended. */
+    private boolean runs(long claim) {
+      boolean isLatest = !claims.isEmpty() && claims.lastKey() == claim;
+      return isLatest && (claimant != null || worker != null);
+    }
   }
 
   /** What the log says of one robot's tasks, as far as the robot has the log. */
@@ -134,8 +141,14 @@ final class LedgerRecord {
     return seen;
   }
 
-  void asked(RobotId robot) {
+  void asked(LedgerEntry entry, Action event, Report report) {
+    RobotId robot = event.robot();
     open.merge(robot, 1, Integer::sum);
+    if (entry instanceof Free e && e.claim() > 0) {
+      ProcessId holder = task(e.task(), event, report).claims.get(e.claim());
+      boolean isOwn = holder != null && holder.robot().equals(robot);
+      check(LedgerSpec.TOLD, isOwn, event, "gives back the claim of " + holder, report);
+    }
   }
 
   boolean isAnswered(RobotId robot) {
@@ -246,6 +259,7 @@ final class LedgerRecord {
         check(LedgerSpec.BEGUN_BY_ONE, isFree, event, e + " of a task that is not open", report);
         task.claimant = e.who().robot();
         task.holder = e.who();
+        task.claims.put(e.claim(), e.who());
         seen.add(e.who().robot());
       }
       case Begin e -> {
@@ -298,10 +312,20 @@ final class LedgerRecord {
               event,
               "was told that " + e.task() + " is finished",
               report);
-      default -> {
-        // A claim, or its end, obliges no robot.
+      case Claim e -> {
+        ProcessId holder = task(e.task(), event, report).claims.get(e.claim());
+        String wrong = "was told of " + e + ", which is of " + holder;
+        check(LedgerSpec.TOLD, e.who().equals(holder), event, wrong, report);
       }
+      case Free e -> checkEnded(e, event, report);
+      case Reopen e -> checkEnded(e, event, report);
+      case Start e -> {} // no call
     }
+  }
+
+  private void checkEnded(LedgerEntry.OfClaim end, Action event, Report report) {
+    boolean runs = task(end.task(), event, report).runs(end.claim());
+    check(LedgerSpec.TOLD, !runs, event, "was told of " + end + ", and the claim stands", report);
   }
 
   private void check(String lemma, boolean holds, Action event, String wrong, Report report) {

@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of ledgers, after the package's contract: {@code OneLog}, {@code BegunByOne}, {@code
- * FinishedOnce}, {@code Kept}, {@code held}, and, where bounds are given, {@code Answered} and {@code
+ * FinishedOnce}, {@code Kept}, {@code Told}, {@code held}, and, where bounds are given, {@code Answered} and {@code
  * Freed}, and with {@link #patient} {@code Suspected} and {@code Behind}.
  */
 public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
@@ -36,6 +36,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   static final String BEGUN_BY_ONE = "ledger.BegunByOne";
   static final String FINISHED_ONCE = "ledger.FinishedOnce";
   static final String KEPT = "ledger.Kept";
+  static final String TOLD = "ledger.Told";
   static final String ANSWERED = "ledger.Answered";
   static final String FREED = "ledger.Freed";
   static final String SUSPECTED = "ledger.Suspected";
@@ -69,6 +70,9 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
     lemma(BEGUN_BY_ONE, "No two robots are told to do a task, unless it was reopened between.");
     lemma(FINISHED_ONCE, "A task is finished at most once, by the robot that has begun it.");
     lemma(KEPT, "A task that was added stays in the ledger until it is finished.");
+    lemma(
+        TOLD,
+        "A claim, or its end, is in the log when its robot is told so, and each ends its own.");
     lemma(HELD, "The variable held says which tasks the robot holds by the log that it has.");
     answered =
         progress(
@@ -133,7 +137,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
         checkHeld(key, action, log, report);
       }
       case LedgerFact.Asked call -> {
-        log.asked(robot);
+        log.asked(call.entry(), action, report);
         answered.start(key, action.timeNs());
       }
       case LedgerFact.Told told -> {

@@ -19,6 +19,8 @@
  *       unless the application has reopened the task between the two.
  *   <li>{@code FinishedOnce}: a task is finished at most once, by the robot that has begun it.
  *   <li>{@code Kept}: a task that a robot was told is added stays, until it is finished.
+ *   <li>{@code Told}: a robot is told that it has a claim, or that one has ended, only if the log says so;
+ *       and it gives back no claim of another robot.
  * </ul>
  *
  * <p>(b) <b>Progress.</b> {@code Answered}: with message delay δ, a majority of the voters up and one

@@ -8,6 +8,7 @@ import static org.starl.primitives.ledger.Seen.BEGIN_A;
 import static org.starl.primitives.ledger.Seen.CLAIM_A;
 import static org.starl.primitives.ledger.Seen.FINISH_A;
 import static org.starl.primitives.ledger.Seen.FREE;
+import static org.starl.primitives.ledger.Seen.PA;
 import static org.starl.primitives.ledger.Seen.PA2;
 import static org.starl.primitives.ledger.Seen.PB;
 import static org.starl.primitives.ledger.Seen.REOPEN;
@@ -194,6 +195,40 @@ class LedgerSpecTest {
   void aTaskThatIsSaidToBeAddedAndIsNotViolatesKept() {
     sees(applies(1, A, 1, 0, START_A), isTold(2, A, ADD, LedgerOutcome.DONE));
     assertThat(violations(LedgerSpec.KEPT)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatIsToldThatItHasTheClaimOfAnotherViolatesTold() {
+    Claim late = new Claim(T, 1, PB);
+    sees(
+        applies(1, A, 1, 1, START_A, START_B, ADD, CLAIM_A),
+        isTold(2, A, CLAIM_A, LedgerOutcome.DONE),
+        isTold(2, B, late, LedgerOutcome.LATE));
+    assertThat(violations(LedgerSpec.TOLD)).isZero();
+    sees(isTold(3, B, late, LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.TOLD)).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatIsToldThatAClaimHasEndedWhichStandsViolatesTold() {
+    sees(
+        applies(1, A, 1, 1, START_A, ADD, CLAIM_A, FREE),
+        isTold(1, A, FREE, LedgerOutcome.DONE),
+        applies(2, A, 2, 1, new Claim(T, 2, PA), new Begin(T, 2, PA)),
+        isTold(2, A, FREE, LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.TOLD)).isZero();
+    sees(isTold(2, A, new LedgerEntry.Reopen(T, 2), LedgerOutcome.DONE));
+    sees(isTold(2, A, new LedgerEntry.Free(T, 2), LedgerOutcome.DONE));
+    assertThat(violations(LedgerSpec.TOLD)).isEqualTo(2);
+  }
+
+  @Test
+  void aRobotThatGivesBackTheClaimOfAnotherViolatesTold() {
+    sees(applies(1, A, 1, 1, START_A, ADD, CLAIM_A), asks(2, A, FREE));
+    sees(asks(2, B, new LedgerEntry.Free(T, 0))); // none of its own
+    assertThat(violations(LedgerSpec.TOLD)).isZero();
+    sees(asks(2, B, FREE));
+    assertThat(violations(LedgerSpec.TOLD)).isEqualTo(1);
   }
 
   @Test
