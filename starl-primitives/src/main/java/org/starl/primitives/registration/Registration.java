@@ -35,6 +35,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
   private final RegistrationProtocol protocol;
   private final GvhCell<RList> rList;
   private final GvhCell<Boolean> failed;
+  private final GvhCell<Boolean> unregistered;
   private final GvhCell<View> view;
   private final List<Runnable> listeners = new ArrayList<>();
   private ProcessId shownMe;
@@ -62,6 +63,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
         new Channel<>(RegistrationFact.PRIMITIVE, xid, SynodCodec.of(new ViewFormat())));
     rList = gvh.variable(source, RegistrationFact.R_LIST, RList.UNKNOWN);
     failed = gvh.variable(source, RegistrationFact.FAILED, false);
+    unregistered = gvh.variable(source, RegistrationFact.UNREGISTERED, false);
     view = gvh.variable(source, RegistrationFact.VIEW, View.NONE);
     gvh.trace.action(
         source, AgreementFact.ACCEPTORS, new AgreementFact.Acceptors(acceptors.asList()));
@@ -218,6 +220,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
     view.set(protocol.view());
     rList.set(protocol.rList());
     failed.set(protocol.hasFailed());
+    unregistered.set(protocol.isUnregistered());
     if (changed) {
       for (Runnable listener : List.copyOf(listeners)) {
         listener.run();

@@ -30,6 +30,9 @@ public final class RegistrationFact {
   /** Whether the latest call was given up. */
   public static final Var<Boolean> FAILED = Var.of("failed", Shapes.BOOL);
 
+  /** Whether the robot may end: it has left, and has told the latest view that it has decided. */
+  public static final Var<Boolean> UNREGISTERED = Var.of("unregistered", Shapes.BOOL);
+
   /** The latest view that the robot has learned. */
   public static final Var<View> VIEW = Var.of("view", View.SHAPE);
 
@@ -59,7 +62,7 @@ public final class RegistrationFact {
           .messages(PRIMITIVE, SynodMessage.SHAPE)
           .facts(PRIMITIVE, ACTIONS)
           .facts(PRIMITIVE, AgreementFact.ACCEPTORS, CONFINE)
-          .variables(PRIMITIVE, R_LIST, FAILED, VIEW);
+          .variables(PRIMITIVE, R_LIST, FAILED, UNREGISTERED, VIEW);
 
   /** The phases of {@link RegistrationProtocol.Phase}. */
   public static final Phases PHASES =

@@ -30,7 +30,7 @@ import org.starl.trace.Instance;
 class RegistrationProtocol extends SynodProtocol {
 
   /** A leaving robot stays at most this long to spread the latest view, in ms. */
-  private static final long BROADCAST_MS = 5_000;
+  static final long BROADCAST_MS = 5_000;
 
   /** The state of this robot's id. */
   enum Phase {

@@ -29,6 +29,7 @@ import org.starl.spec.TellCheck;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -47,6 +48,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String REGISTERED = "registration.Registered";
   static final String INFORMED = "registration.Informed";
   static final String RUMOUR = "registration.Rumour";
+  static final String STAYS = "registration.Stays";
   static final String ASKS = "registration.Asks";
   static final String SHOWN = "registration.Shown";
   static final String COMPLETES = "registration.Completes";
@@ -64,6 +66,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final TellCheck tells = new TellCheck(INFORMED);
   private final TellCheck asks = new TellCheck(ASKS);
   private final RumourCheck rumours = new RumourCheck();
+  private final Map<ProcessKey, Telling> tellings = new LinkedHashMap<>();
   private final Map<ProcessKey, ProcessId> leaving = new LinkedHashMap<>();
   private final Map<ProcessKey, ProcessId> halfway = new LinkedHashMap<>();
   private final Map<ProcessKey, Set<ProcessId>> disposed = new LinkedHashMap<>();
@@ -80,6 +83,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           : RList.UNKNOWN;
     }
   }
+
+  /** A robot that has decided a view, and those that do not know it yet. */
+  private record Telling(long number, long sinceNs, Set<RobotId> lacking) {}
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -134,6 +140,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     lemma(
         INFORMED,
         "A robot that decides a view sends it at once to all acceptors, and to all robots that it lists or removes.");
+    lemma(
+        STAYS,
+        "A robot that has left ends when all know the latest view that it decided, or after 5 s.");
     lemma(RUMOUR, "A robot that hears of a newer view hides its list at once.");
     silent =
         progress(
@@ -292,6 +301,13 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         }
       }
     }
+    Boolean mayEnd = variable.of(RegistrationFact.UNREGISTERED);
+    if (mayEnd != null) {
+      report.checked(STAYS);
+      if (mayEnd) {
+        checkStays(key, variable.timeNs(), report);
+      }
+    }
     View view = variable.of(RegistrationFact.VIEW);
     if (view != null) {
       mayMiss(key, view, variable, report);
@@ -344,10 +360,12 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private void mustInform(ViewHistory history, Variable variable, View view) {
     Set<RobotId> concerned = new TreeSet<>(history.acceptors());
-    View before = program(new ProcessKey(variable.source(), variable.robot())).view();
+    ProcessKey key = new ProcessKey(variable.source(), variable.robot());
+    View before = program(key).view();
     Stream.of(before, view)
         .forEach(each -> each.mentioned().forEach(id -> concerned.add(id.robot())));
     concerned.remove(variable.robot());
+    tellings.put(key, new Telling(view.number(), variable.timeNs(), concerned));
     for (RobotId robot : concerned) {
       tells.owes(
           variable,
@@ -357,11 +375,29 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     }
   }
 
+  private void checkStays(ProcessKey key, long nowNs, Report report) {
+    Telling telling = tellings.get(key);
+    if (telling != null
+        && !telling.lacking.isEmpty()
+        && nowNs - telling.sinceNs < RegistrationProtocol.BROADCAST_MS * NS_PER_MS
+        && faults.isClockRight(key.robot(), telling.sinceNs)) {
+      String detail = key.source() + ": ends, and view " + telling.number + " has not reached ";
+      report.violated(STAYS, nowNs, List.of(key.robot()), detail + telling.lacking);
+    }
+  }
+
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
     asks.observe(event, report);
     rumours.observe(event, report);
+    if (event instanceof Delivered got && got.message() instanceof Decided decided) {
+      tellings.forEach((key, telling) -> {
+        if (key.source().equals(got.channel().owner()) && telling.number <= decided.number()) {
+          telling.lacking.remove(got.robot());
+        }
+      });
+    }
     if (event instanceof Sent sent && sent.message() instanceof SynodMessage) {
       ProcessKey key = new ProcessKey(sent.channel(), sent.robot());
       if (sent.message() instanceof Query) {
@@ -393,7 +429,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       for (Deadlines each : List.of(progress, removal, disposal, hidden, late, silent)) {
         each.stop(key);
       }
-      List.of(leaving, halfway, disposed).forEach(ids -> ids.remove(key));
+      List.of(leaving, halfway, disposed, tellings).forEach(ids -> ids.remove(key));
     }
   }
 

@@ -36,8 +36,9 @@
  * and not listed hears of views only as answers: each view that is decided while it pauses costs it
  * another pause. A call that meets its deadline reports {@code failed}, and none does so sooner.
  * A view is spread by reliable messages ({@code Informed}): who decides
- * it sends it in the same step to all acceptors, and to all robots that it or the view before lists. A
- * robot that misses it asks the acceptors: registered robots ask one of them every few seconds, and
+ * it sends it in the same step to all acceptors, and to all robots that it or the view before lists; a
+ * robot that leaves stays until all of these have the latest view that it has decided, or for 5 s ({@code
+ * Stays}). A robot that misses a view asks the acceptors: registered robots ask one of them every few seconds, and
  * all of them when a rumour of a newer view is not followed by that view. If that does not help, its
  * proposer may have gone after the decision: then registered robots complete the view themselves. So a
  * robot that leaves, and is gone before any other robot knows, is forgotten within seconds, while a

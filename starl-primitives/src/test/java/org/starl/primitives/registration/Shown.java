@@ -101,6 +101,23 @@ public final class Shown {
     return sends(atNs, robot, robot, new SynodMessage.Prepare(number, ballot, Value.EMPTY));
   }
 
+  /** The robot hears of a decided view. */
+  static TraceEvent hearsView(long atNs, String robot, String from, long number) {
+    return new Delivered(
+        atNs,
+        new RobotId(robot),
+        new RobotId(from),
+        HERE,
+        1,
+        SynodMessage.SHAPE,
+        new SynodMessage.Decided(number, Value.EMPTY));
+  }
+
+  /** The robot may end. */
+  static TraceEvent unregistered(long atNs, String robot) {
+    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.UNREGISTERED, true);
+  }
+
   /** Whether the latest call has failed. */
   public static TraceEvent failed(long atNs, String robot) {
     return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.FAILED, true);
