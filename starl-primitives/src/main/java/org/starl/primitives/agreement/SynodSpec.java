@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -39,9 +40,10 @@ import org.starl.trace.TraceEvent.Sent;
  *       ballot.
  *   <li>{@code Answers}: an acceptor refuses a lower ballot in the step in which it is asked, and a robot that
  *       knows what is decided tells it to each robot that asks, and proposes for that number no more.
+ *   <li>{@code Asks}: a ballot asks all acceptors in one step, for promises and then for votes.
  * </ul>
  *
- * <p>The last two are not checked of runs in real time: the end of a killed process's trace may be
+ * <p>The last three are not checked of runs in real time: the end of a killed process's trace may be
  * missing, a step takes time, and that a storage is new is not in the trace.
  */
 public final class SynodSpec extends LemmaMonitor {
@@ -50,12 +52,14 @@ public final class SynodSpec extends LemmaMonitor {
   static final String VOTES = "synod.Votes";
   static final String QUORUMS = "synod.Quorums";
   static final String ANSWERS = "synod.Answers";
+  static final String ASKS = "synod.Asks";
 
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;
 
   private final Map<Instance, Run> runs = new TreeMap<>();
   private final TellCheck tells = new TellCheck(ANSWERS);
+  private final TellCheck asks = new TellCheck(ASKS);
   private boolean isRealTime;
 
   public SynodSpec() {
@@ -65,7 +69,9 @@ public final class SynodSpec extends LemmaMonitor {
     lemma(
         ANSWERS,
         "A lower ballot is refused at once; who knows a decision tells it to those who ask, and asks no more.");
+    lemma(ASKS, "A ballot asks all acceptors at once, for promises and then for votes.");
     tells.begin();
+    asks.begin();
   }
 
   @Override
@@ -76,6 +82,7 @@ public final class SynodSpec extends LemmaMonitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     tells.observe(event, report);
+    asks.observe(event, report);
     switch (event) {
       case Sent sent when sent.message() instanceof SynodMessage message ->
           sent(sent, message, report);
@@ -144,14 +151,37 @@ public final class SynodSpec extends LemmaMonitor {
       return;
     }
     switch (message) {
-      // The first question of a ballot goes to all acceptors.
-      case Prepare m -> run.acceptors.add(sent.to());
+      case Prepare m -> {
+        run.acceptors.add(sent.to());
+        asked(run, sent, m, new Question(m.ballot(), false));
+      }
       case Promise m -> decree(run, m).promised(sent, m, report);
       case Accepted m -> decree(run, m).voted(sent, m.ballot(), report);
-      case Accept m -> decree(run, m).proposed(sent, m, report);
+      case Accept m -> {
+        decree(run, m).proposed(sent, m, report);
+        asked(run, sent, m, new Question(m.ballot(), true));
+      }
       case Decided m -> decree(run, m).decided(sent, m.value(), report);
       case Nack m -> {} // no rule
       case Query m -> {} // no rule
+    }
+  }
+
+  /** The first question of a ballot's phase goes to all acceptors. */
+  private void asked(Run run, Sent sent, SynodMessage message, Question question) {
+    if (!isRealTime && decree(run, message).questions.add(question)) {
+      for (String acceptor : run.acceptors) {
+        asks.owes(
+            sent,
+            acceptor,
+            question.toString(),
+            told ->
+                switch (told) {
+                  case Accept m -> question.equals(new Question(m.ballot(), true));
+                  case Prepare m -> question.equals(new Question(m.ballot(), false));
+                  default -> false;
+                });
+      }
     }
   }
 
@@ -166,6 +196,8 @@ public final class SynodSpec extends LemmaMonitor {
     }
     return decree;
   }
+
+  private record Question(Ballot ballot, boolean isForVotes) {}
 
   /** One channel. */
   private static final class Run {
@@ -189,6 +221,7 @@ public final class SynodSpec extends LemmaMonitor {
     private final Map<RobotId, Ballot> answered = new TreeMap<>();
     private final Map<RobotId, Ballot> voted = new TreeMap<>();
     private final Map<Ballot, Attempt> attempts = new TreeMap<>();
+    private final Set<Question> questions = new LinkedHashSet<>();
 
     Decree(Run run) {
       this.run = run;

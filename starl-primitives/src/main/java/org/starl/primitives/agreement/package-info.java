@@ -13,7 +13,8 @@
  * depends on time.
  *
  * <p>(b) <b>Progress.</b> With message delay δ, a majority of acceptors in reach and one proposer, a
- * decision takes 4δ (prepare 2, accept 2), and other robots hear of it δ later. Competing proposers can
+ * decision takes 4δ (prepare 2, accept 2), and other robots hear of it δ later. A ballot asks all
+ * acceptors in one step, for promises and then for votes ({@code Asks}). Competing proposers can
  * defeat each other's ballots; growing random pauses make a long series of defeats unlikely. No
  * protocol can guarantee a decision without a bound on delays (Fischer, Lynch, Paterson, "Impossibility
  * of distributed consensus with one faulty process", Journal of the ACM 32(2), 1985): at its deadline a
