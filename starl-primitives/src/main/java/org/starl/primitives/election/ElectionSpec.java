@@ -119,7 +119,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         "Who hears a robot of an earlier term, or without its leader, or a new candidate, tells it at once.");
     leads = repeats("leads", settings.heartbeatMs());
     stands = repeats("stands", settings.deltaMs());
-    lemma(TURN, "No candidate begins to propose before those that its strategy puts first.");
+    lemma(
+        TURN,
+        "No candidate proposes before those that its strategy puts first; each term has draws of its own.");
     tells.begin();
     says.begin();
     turns.begin(settings);
@@ -201,6 +203,13 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
               Sent.ALL,
               "the leader of term " + name.term(),
               told -> told instanceof Elected m && m.term() == name.term());
+        }
+        if (ballots.leads(variable.robot())) {
+          says.owes(
+              variable,
+              Sent.ALL,
+              "that it leads term " + name.term(),
+              told -> told instanceof Elected m && m.leader().equals(name.id()));
         }
       }
       allow(ballots, variable, variable.source(), 0, report);

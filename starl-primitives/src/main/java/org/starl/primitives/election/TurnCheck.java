@@ -36,11 +36,18 @@ final class TurnCheck {
     private final long beganNs;
     private final Map<ProcessId, Heard> heard = new TreeMap<>();
     private long draw;
+    private final long drawBefore;
     private boolean hasProposed;
 
-    Turn(long term, long beganNs) {
+    Turn(long term, long drawBefore, long beganNs) {
       this.term = term;
+      this.drawBefore = drawBefore;
       this.beganNs = beganNs;
+    }
+
+    /** The draw before one of this term: after a failure a robot stands in the same term again. */
+    private long drawBefore(long next) {
+      return next == term ? drawBefore : draw;
     }
   }
 
@@ -60,7 +67,8 @@ final class TurnCheck {
 
   /** The robot stands in this term. It has heard no candidate, but for one that makes it stand. */
   void stands(ProcessKey key, long term, long nowNs) {
-    Turn turn = new Turn(term, nowNs);
+    Turn before = turns.get(key);
+    Turn turn = new Turn(term, before == null ? 0 : before.drawBefore(term), nowNs);
     turns.put(key, turn);
     Delivered cause = latest;
     if (cause != null
@@ -95,6 +103,11 @@ final class TurnCheck {
       Turn turn = turns.get(new ProcessKey(sent.channel().owner(), sent.robot()));
       if (turn != null && sent.message() instanceof Candidacy own) {
         turn.draw = own.draw();
+        if (own.draw() == turn.drawBefore && strategy != null) {
+          String detail =
+              sent.channel() + ": has in term " + turn.term + " the draw of the term before";
+          report.violated(ElectionSpec.TURN, sent.timeNs(), List.of(sent.robot()), detail);
+        }
       } else if (turn != null
           && !turn.hasProposed
           && sent.message() instanceof Prepare prepare

@@ -33,6 +33,8 @@
  *       of it, or once it has heard of the leader's restart.
  *   <li>{@code Behind}: a robot that hears another one of an earlier term, or a candidate of a term whose
  *       leader it knows, tells it in the same step.
+ *   <li>{@code Says}: a robot that stands, decides a term, or learns that it leads broadcasts that in the same
+ *       step; candidates and leaders repeat it.
  * </ul>
  *
  * <p>Not promised: that there is one leader at any moment. A leader that was wrongly suspected, or is

@@ -251,11 +251,37 @@ class ElectionSpecTest {
       for (RobotId robot : List.of(A, B, C)) {
         patient.observe(Seen.shows(2, robot, leader(1, A)));
       }
-      for (long atNs = 5; atNs < 10 * periodNs; atNs += pauseNs) {
+      for (long atNs = 2; atNs < 10 * periodNs; atNs += pauseNs) {
         patient.observe(Seen.says(atNs, A, new ElectionMessage.Elected(id(A), 1, id(A))));
       }
       long violations = patient.report().violations(ElectionSpec.SAYS);
       assertThat(violations > 0).as("%s ns", pauseNs).isEqualTo(pauseNs > 2 * periodNs);
+    }
+  }
+
+  @Test
+  void aLeaderThatDoesNotSaySoAtOnceViolatesSays() {
+    for (long saysNs : List.of(2L, 3L)) {
+      Monitors patient = patient();
+      patient.observe(Seen.shows(2, B, leader(1, A))); // not of itself
+      patient.observe(Seen.shows(2, A, leader(1, A)));
+      patient.observe(Seen.says(saysNs, A, new ElectionMessage.Elected(id(A), 1, id(A))));
+      patient.observe(Seen.shows(4, C, leader(1, A)));
+      assertThat(patient.report().violations(ElectionSpec.SAYS)).isEqualTo(saysNs - 2);
+    }
+  }
+
+  @Test
+  void aDrawThatIsThatOfTheTermBeforeViolatesTurn() {
+    for (long draw : List.of(6L, 7L)) {
+      Monitors patient = patient();
+      patient.observe(Seen.stands(1, A, 2, id(A)));
+      patient.observe(Seen.says(1, A, new ElectionMessage.Candidacy(id(A), 2, 6)));
+      patient.observe(Seen.stands(2, A, 2, id(A))); // again
+      patient.observe(Seen.says(2, A, new ElectionMessage.Candidacy(id(A), 2, 6)));
+      patient.observe(Seen.stands(3, A, 3, id(A)));
+      patient.observe(Seen.says(3, A, new ElectionMessage.Candidacy(id(A), 3, draw)));
+      assertThat(patient.report().violations(ElectionSpec.TURN)).isEqualTo(7 - draw);
     }
   }
 
