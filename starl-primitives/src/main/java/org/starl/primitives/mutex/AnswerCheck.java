@@ -5,11 +5,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexMessage.Fenced;
 import org.starl.primitives.mutex.MutexMessage.Noted;
@@ -30,8 +32,9 @@ import org.starl.trace.TraceEvent.Sent;
  * Checks that requests are answered at once. A process that neither holds nor waits for a section consents in
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
  * the request is repeated, and none consents to a request that it knows to be over. A request ends as late
- * only in a step in which its process hears of one that goes first. Nothing is required of a
- * process whose robot may stand in sections of an earlier one.
+ * only in a step in which its process hears of one that goes first. Nothing of this is required of a
+ * process whose robot may stand in sections of an earlier one. Whom a process has asked it tells in the same
+ * step what it gives back, and that it no longer waits.
  */
 final class AnswerCheck {
 
@@ -43,6 +46,7 @@ final class AnswerCheck {
     private boolean isTrying;
     private boolean holds;
     private final Map<ProcessId, Req> asked = new TreeMap<>();
+    private final Map<ProcessId, Long> asks = new TreeMap<>(); // the numbers of its latest requests
     // The numbers of others' latest requests that have this one's whole consent, and that have
     // ended.
     private final Map<ProcessId, Long> granted = new TreeMap<>();
@@ -70,16 +74,19 @@ final class AnswerCheck {
   }
 
   private final TellCheck answers = new TellCheck(ConsentSpec.ANSWERED);
+  private final TellCheck ends = new TellCheck(ConsentSpec.TELLS);
   private final Map<Instance, Map<ProcessId, Participant>> participants = new LinkedHashMap<>();
   private final Map<ProcessKey, ProcessId> newest = new LinkedHashMap<>();
   private final Set<ProcessKey> standing = new LinkedHashSet<>();
 
   AnswerCheck() {
     answers.begin();
+    ends.begin();
   }
 
   void observe(TraceEvent event, Report report) {
     answers.observe(event, report);
+    ends.observe(event, report);
     switch (event) {
       case Action action when action.fact() instanceof MutexFact fact ->
           acted(action, fact, report);
@@ -93,6 +100,8 @@ final class AnswerCheck {
       case Delivered got when got.message() instanceof Rem rem && rem.left().isEmpty() ->
           of(got.channel(), rem.to()).ended.merge(rem.from(), rem.num(), Math::max);
       case Sent sent when sent.message() instanceof Ok ok -> consented(sent, ok, report);
+      case Sent sent when sent.message() instanceof Req req ->
+          of(sent.channel(), req.from()).asks.put(req.to(), req.num());
       case Fault fault when fault.name().equals(Fault.CRASH) -> ended(fault.robot());
       case TraceEvent.Left left -> ended(left.robot());
       default -> {}
@@ -165,6 +174,7 @@ final class AnswerCheck {
       case MutexFact.Release release -> {
         participant.holds = !release.left().isEmpty();
         participant.isTrying &= participant.holds;
+        mustTell(action, participant, release.num(), release.given());
         mayEnd(action, participant, fact.who(), key);
       }
       case MutexFact.Withdraw end -> {
@@ -175,10 +185,27 @@ final class AnswerCheck {
           report.violated(ConsentSpec.LATE, action.timeNs(), List.of(action.robot()), detail);
         }
         participant.isTrying = false;
+        mustTell(action, participant, end.num(), Sections.NONE);
         mayEnd(action, participant, fact.who(), key);
       }
       default -> {}
     }
+  }
+
+  private void mustTell(Action action, Participant participant, long num, SortedSet<String> given) {
+    participant.asks.forEach((other, asked) -> {
+      if (asked == num) {
+        ends.owes(
+            action,
+            other.robot().name(),
+            other + " that request " + num + " ends",
+            told ->
+                told instanceof Rem rem
+                    && rem.to().equals(other)
+                    && rem.num() == num
+                    && !Sections.meet(rem.left(), given));
+      }
+    });
   }
 
   private void mayEnd(Action action, Participant participant, ProcessId me, ProcessKey key) {

@@ -37,7 +37,7 @@ import org.starl.trace.TraceEvent.Sent;
  *       sequence while the ghost of a robot that is not listed is in a section that it waits for.
  *   <li>{@code Fenced}: a participant that has fenced another consents to nothing more of it, also
  *       after it has retired. It asks for fences only of those that its latest view lists.
- *   <li>{@code Answered} and {@code Late}, with {@link #answering}: see {@link AnswerCheck}.
+ *   <li>{@code Answered}, {@code Tells} and {@code Late}, with {@link #answering}: see {@link AnswerCheck}.
  * </ul>
  *
  * <p>With bounds it also reports, under {@code Served}, requests that wait too long for one cause: for
@@ -50,6 +50,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
   static final String FENCED = "mutex.Fenced";
   static final String LATE = "mutex.Late";
   static final String ANSWERED = "mutex.Answered";
+  static final String TELLS = "mutex.Tells";
 
   private final Within<Asker> behindGhosts;
   private final Within<List<ProcessId>> behindDead;
@@ -77,6 +78,9 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
     lemma(
         ANSWERED,
         "A process that wants no section consents at once; a repeated request is answered at once, an ended one not.");
+    lemma(
+        TELLS,
+        "Whom a process has asked it tells at once what it gives back, or that it waits no more.");
     lemma(LATE, "A request ends as late only when it hears of one that goes first.");
     answers = new AnswerCheck();
     return this;

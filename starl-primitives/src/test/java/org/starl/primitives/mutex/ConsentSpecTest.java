@@ -238,6 +238,25 @@ class ConsentSpecTest {
   }
 
   @Test
+  void whomAProcessHasAskedItMustTellWhatItGivesBack() {
+    for (MutexFact end :
+        List.of(
+            new MutexFact.Release(I, 1, set("A"), set()),
+            new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN))) {
+      boolean isRelease = end instanceof MutexFact.Release;
+      ask(0);
+      for (ProcessId other : List.of(J, K)) {
+        send(0, new MutexMessage.Req(I, other, 1, 1, 5, set("A")));
+      }
+      event(2, end);
+      send(2, new MutexMessage.Rem(I, J, 1, set()));
+      send(2, new MutexMessage.Rem(I, K, isRelease ? 1 : 2, isRelease ? set("A") : set()));
+      event(3, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+      assertThat(monitors.report().violations(ConsentSpec.TELLS)).isEqualTo(isRelease ? 1 : 2);
+    }
+  }
+
+  @Test
   void nothingIsOwedToARequestThatHasEnded() {
     ask(0);
     req(1, J, I, 1);
