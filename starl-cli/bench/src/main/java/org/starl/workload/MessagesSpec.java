@@ -36,7 +36,8 @@ import org.starl.workload.MailFact.Mailed;
  *       delivered or given up by its deadline; while the receiver is up, too, it is delivered within
  *       the bound. It is given up at once if its channel closes, and never earlier than it must.
  *   <li>{@code Received}: in a calm world each plain letter is handled by each receiver, once.
- *   <li>{@code Paced}: no datagram is sent twice at one time.
+ *   <li>{@code Paced}: no datagram is sent twice at one time, and a letter is sent again only after the wait
+ *       that its reliability says, which grows from one time to the next.
  * </ul>
  */
 final class MessagesSpec extends LemmaMonitor {
@@ -54,6 +55,8 @@ final class MessagesSpec extends LemmaMonitor {
 
   /** By how much a deadline may be late: a timer set by a clock that a fault has just left. */
   private static final long LATE_NS = 2 * Time.NS_PER_S;
+
+  private static final double ROUNDED_NS = 1_000;
 
   private final FaultState faults = new FaultState();
   private final Set<RobotId> robots = new TreeSet<>();
@@ -107,6 +110,7 @@ final class MessagesSpec extends LemmaMonitor {
     final Map<RobotId, Integer> newestBoots = new TreeMap<>();
     final Set<Instance> open = new TreeSet<>();
     final Map<LetterId, Integer> transmissions = new TreeMap<>(); // of unsettled ones
+    final Map<LetterId, Long> latestNs = new TreeMap<>(); // the latest of these
     final Set<Long> transmitted = new TreeSet<>();
     long transmittedNs;
   }
@@ -124,7 +128,8 @@ final class MessagesSpec extends LemmaMonitor {
     lemma(HANDLED, "A letter that was delivered by its receipt has been handled.");
     progress(SETTLED, "Every reliable letter is delivered, or given up by its deadline.");
     progress(RECEIVED, "In a calm world every plain letter is handled once by each receiver.");
-    lemma(PACED, "Between two transmissions of a letter time passes.");
+    lemma(
+        PACED, "Between two transmissions of a letter time passes, and more before each next one.");
     if (arrivals == null) {
       never(RECEIVED, "the network loses messages");
     }
@@ -159,7 +164,7 @@ final class MessagesSpec extends LemmaMonitor {
     if (datagram.message() instanceof MessagesClient.Letter letter) {
       LetterId id = new LetterId(robot, letter.boot(), letter.number());
       if (self.unsettled.contains(id)) {
-        self.transmissions.merge(id, 1, Integer::sum);
+        repeated(datagram, self, id, report);
       }
     }
     report.checked(PACED);
@@ -167,6 +172,30 @@ final class MessagesSpec extends LemmaMonitor {
       String detail = "sends its datagram " + datagram.seq() + " twice at once";
       report.violated(PACED, datagram.timeNs(), List.of(robot), detail);
     }
+  }
+
+  private void repeated(TraceEvent.Sent datagram, Program self, LetterId id, Report report) {
+    RobotId robot = datagram.robot();
+    int count = self.transmissions.merge(id, 1, Integer::sum);
+    Long beforeNs = self.latestNs.put(id, datagram.timeNs());
+    if (beforeNs != null
+        && datagram.timeNs() - beforeNs < leastWaitNs(reliability(id), count - 1)
+        && faults.isClockRight(robot, beforeNs)) {
+      String detail = "sends " + id + " again too soon, for the time " + count;
+      report.violated(PACED, datagram.timeNs(), List.of(robot), detail);
+    }
+  }
+
+  /** The wait after so many transmissions. */
+  private static double leastWaitNs(Reliability used, int transmissions) {
+    double ms = used.firstRetryMs() * StrictMath.pow(used.backoff(), transmissions - 1);
+    return Math.min(ms, used.maxWaitMs()) * Time.NS_PER_MS - ROUNDED_NS;
+  }
+
+  private Reliability reliability(LetterId letter) {
+    Sent known = sent.get(letter);
+    boolean isBrief = known != null && known.letter.care() == Care.BRIEF;
+    return isBrief ? MessagesClient.BRIEF : Reliability.DEFAULT;
   }
 
   private boolean isCalm(long nowNs) {
@@ -291,6 +320,7 @@ final class MessagesSpec extends LemmaMonitor {
   private void settled(Action action, Program self, LetterId letter, Report report) {
     self.unsettled.remove(letter);
     self.transmissions.remove(letter);
+    self.latestNs.remove(letter);
     closed.stop(letter);
     deliveries.stop(letter);
     boolean wasBrief = brief.stop(letter);
@@ -308,8 +338,7 @@ final class MessagesSpec extends LemmaMonitor {
     if (known == null || !self.open.contains(known.letter.channel())) {
       return false;
     }
-    Reliability used =
-        known.letter.care() == Care.BRIEF ? MessagesClient.BRIEF : Reliability.DEFAULT;
+    Reliability used = reliability(letter);
     return faults.isClockRight(action.robot(), known.atNs)
         && action.timeNs() - known.atNs < used.deadlineMs() * Time.NS_PER_MS
         && self.transmissions.getOrDefault(letter, 0) <= used.maxRetries();

@@ -224,6 +224,21 @@ class MessagesSpecTest {
   }
 
   @Test
+  void aLetterThatIsSentAgainBeforeItsWaitViolatesPaced() {
+    long firstNs = MessagesClient.BRIEF.firstRetryMs() * NS_PER_S / 1_000;
+    for (int early = 0; early <= 1; early++) {
+      int number = early + 1;
+      send(10, 1, number, Care.BRIEF);
+      long atNs = 10 * NS_PER_S;
+      transmit(atNs, number);
+      transmit(atNs + firstNs, number);
+      double secondNs = (1 - early) * MessagesClient.BRIEF.backoff() * firstNs + early * firstNs;
+      transmit(atNs + firstNs + (long) secondNs, number);
+      assertThat(at(11).violations("messages.Paced")).isEqualTo(early);
+    }
+  }
+
+  @Test
   void aPlainLetterThatIsLostInACalmWorldViolatesReceived() {
     send(11, 1, 1, Care.NONE);
     assertThat(at(13).violations("messages.Received")).isEqualTo(1);
