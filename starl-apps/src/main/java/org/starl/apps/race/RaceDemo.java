@@ -39,8 +39,8 @@ public final class RaceDemo implements FactoryDemo {
   /** A robot with a larger position error need not deliver a geocast. */
   private static final double POSITION_ERROR_MM = 50;
 
-  /** Chaos ends before a race does, so that progress is required. */
-  private static final Duration CHAOS = Duration.ofSeconds(30);
+  /** Robots arrive in it, but it ends before a race does, so that progress is required. */
+  private static final Duration CHAOS = Duration.ofSeconds(60);
 
   /** The side of a box. */
   private static final double BOX_MM = 200;

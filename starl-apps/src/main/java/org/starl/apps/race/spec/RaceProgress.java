@@ -1,7 +1,9 @@
 package org.starl.apps.race.spec;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
@@ -19,8 +21,8 @@ import org.starl.trace.TraceEvent.Left;
  * The progress of a race, required while no fault is active.
  *
  * <ul>
- *   <li>{@code told}: within a bound of the first robot that knows a point's winner, all robots
- *       that are up know a winner.
+ *   <li>{@code told}: within a bound of the first robot that knows a point's winner, or a better one, all
+ *       robots that are up know it.
  *   <li>{@code taken}: within a bound of one point the next one is won.
  *   <li>{@code agreed}: at the end, all robots whose apps have ended know the same winners.
  * </ul>
@@ -56,8 +58,11 @@ public final class RaceProgress extends LemmaMonitor {
   private final Within<Integer> taken;
   private long fairSinceNs;
 
-  /** A robot that does not know the winner of a point that another robot knows. */
+  /** A robot that does not know the best claim on a point that another robot knows. */
   private record Hearing(RobotId robot, int point) {}
+
+  /** The best claim on each point that a robot knows that is up. */
+  private final Map<Integer, Claim> best = new TreeMap<>();
 
   /**
    * @param longestDelayNs no message that arrives takes longer
@@ -67,7 +72,7 @@ public final class RaceProgress extends LemmaMonitor {
   public RaceProgress(List<RacePoint> points, long longestDelayNs, double loss, double farthestMm) {
     this.points = List.copyOf(points);
     progress(
-        TOLD, "Once a robot knows the winner of a point, all robots that are up know one in time.");
+        TOLD, "Once a robot knows the winner of a point, all robots that are up know it in time.");
     progress(TAKEN, "Within the bound after one point the next one is won.");
     lemma(AGREED, "All robots that end know the same winners.");
     int copies = 1;
@@ -114,20 +119,25 @@ public final class RaceProgress extends LemmaMonitor {
   }
 
   private void update(int point, long nowNs, Report report) {
-    boolean isKnown = records.isKnown(point);
+    Claim winner = records.best(point);
+    Claim before = winner == null ? best.remove(point) : best.put(point, winner);
+    boolean isKnown = winner != null;
+    boolean isOther = !Objects.equals(winner, before);
     for (RobotId robot : records.robots()) {
       Hearing hearing = new Hearing(robot, point);
-      if (isKnown && records.claim(robot, point) == null) {
-        told.start(hearing, nowNs);
-      } else if (told.stop(hearing)) {
+      boolean knowsIt = Objects.equals(records.claim(robot, point), winner);
+      if ((knowsIt || isOther) && told.stop(hearing) && knowsIt) {
         report.checked(TOLD);
+      }
+      if (!knowsIt) {
+        told.start(hearing, nowNs);
       }
     }
     if (isKnown && taken.stop(point)) {
       report.checked(TAKEN);
     }
     for (int next = 0; next < points.size(); next++) {
-      if (!records.isKnown(next)) {
+      if (records.best(next) == null) {
         taken.start(next, nowNs);
         return;
       }
@@ -154,7 +164,7 @@ public final class RaceProgress extends LemmaMonitor {
         (hearing, sinceNs, deadlineNs) -> {
           RobotId robot = hearing.robot();
           // A robot that has crashed since need not know.
-          if (records.robots().contains(robot) && records.isKnown(hearing.point())) {
+          if (records.robots().contains(robot) && best.containsKey(hearing.point())) {
             String others = ", others have since " + sinceNs + " ns";
             String detail = "does not know the winner of " + name(hearing.point()) + others;
             report.overdue(TOLD, deadlineNs, List.of(robot), detail);

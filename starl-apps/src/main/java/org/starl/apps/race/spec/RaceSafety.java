@@ -17,12 +17,15 @@ import org.starl.apps.race.logic.RacePoint;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.geocast.GeocastMessage;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
+import org.starl.spec.TellCheck;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -35,7 +38,9 @@ import org.starl.trace.TraceEvent.Variable;
  *   <li>{@code truly_won}: every winner that a robot knows has arrived and has claimed the point
  *       itself.
  *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a
- *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
+ *       better one ({@link Records#BETTER}): so two robots that know the same claims agree.
+ *   <li>{@code announced}: a robot that learns of a winner, or of a better one, broadcasts that in the same
+ *       step.
  *   <li>{@code moves_on}: a robot arrives only at a point whose winner it does not know; when it knows all,
  *       its motion has ended.
  *   <li>{@code confirmed}: when a robot is done, all robots that were never down know the winners, unless it
@@ -49,6 +54,7 @@ public final class RaceSafety extends LemmaMonitor {
   private static final String AT_THE_POINT = "race.at_the_point";
   private static final String TRULY_WON = "race.truly_won";
   private static final String ONE_WINNER = "race.one_winner";
+  private static final String ANNOUNCED = "race.announced";
   private static final String MOVES_ON = "race.moves_on";
   private static final String CONFIRMED = "race.confirmed";
   private static final String MAKES_WAY = "race.makes_way";
@@ -74,6 +80,8 @@ public final class RaceSafety extends LemmaMonitor {
   private final Map<RobotId, Long> makesWayFromNs = new TreeMap<>();
   private final Set<RobotId> wereDown = new TreeSet<>();
 
+  private final TellCheck tells = new TellCheck(ANNOUNCED);
+
   public RaceSafety(List<RacePoint> points) {
     lemma(AT_THE_POINT, "A robot that arrives at a point is there, by its true body.");
     lemma(
@@ -81,6 +89,7 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         ONE_WINNER,
         "A robot knows one winner of each point, and replaces it only by a better one.");
+    lemma(ANNOUNCED, "A robot that learns of a winner, or of a better one, tells all at once.");
     lemma(
         MOVES_ON,
         "A robot arrives only at points without a known winner, and stops when it knows all.");
@@ -90,11 +99,13 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         MAKES_WAY, "A robot that draws back for others does so for 3 s, unless the point is won.");
     this.points = List.copyOf(points);
+    tells.begin();
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     bodies.observe(event);
+    tells.observe(event, report);
     switch (event) {
       case Action action when action.fact() instanceof Arrived arrived ->
           arrived(action, arrived, report);
@@ -217,7 +228,7 @@ public final class RaceSafety extends LemmaMonitor {
       for (int point = 0; point < points.size() && !wereDown.contains(robot); point++) {
         Claim mine = records.claim(done.robot(), point);
         Claim theirs = records.claim(robot, point);
-        if (theirs == null || (mine != null && mine.compareTo(theirs) < 0)) {
+        if (theirs == null || (mine != null && Records.BETTER.compare(mine, theirs) < 0)) {
           String detail = robot + " does not know the winner of " + points.get(point).name();
           report.violated(CONFIRMED, done.timeNs(), List.of(done.robot()), detail);
           return;
@@ -237,13 +248,18 @@ public final class RaceSafety extends LemmaMonitor {
         report.violated(AT_THE_POINT, event.timeNs(), concerned, detail);
       }
     }
+    tells.owes(
+        event,
+        Sent.ALL,
+        claim.toString(),
+        told -> told instanceof GeocastMessage.Copy<?> copy && claim.equals(copy.message()));
     report.checked(TRULY_WON);
     if (!made.contains(claim)) {
       report.violated(TRULY_WON, event.timeNs(), concerned, claim + " was never made");
     }
     report.checked(ONE_WINNER);
     Claim before = records.claim(robot, claim.point());
-    if (before != null && before.compareTo(claim) <= 0) {
+    if (before != null && Records.BETTER.compare(before, claim) <= 0) {
       String detail = before + " is replaced by " + claim + ", which is no better";
       report.violated(ONE_WINNER, event.timeNs(), concerned, detail);
     }

@@ -1,6 +1,8 @@
 package org.starl.apps.race.spec;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -19,6 +21,16 @@ import org.starl.trace.TraceEvent.Variable;
 
 /** The winners that each robot knows, by the trace. A crash ends what a robot knows. */
 final class Records {
+
+  /**
+   * The better one of two claims on a point first, by the rules of a race: who was at the point before who
+   * was kept off, then who came first, then the first name. The app has an order of its own, to be checked.
+   */
+  static final Comparator<Claim> BETTER =
+      Comparator.comparing((Claim claim) -> claim.keptOffMm() > 0)
+          .thenComparingLong(Claim::atNs)
+          .thenComparing(Claim::winner)
+          .thenComparingInt(Claim::keptOffMm);
 
   /** Of each robot whose program runs: its best claim on each point. */
   private final SortedMap<RobotId, SortedMap<Integer, Claim>> claims = new TreeMap<>();
@@ -68,8 +80,12 @@ final class Records {
     return known == null ? null : known.get(point);
   }
 
-  /** Whether a robot that is up knows a winner of {@code point}. */
-  boolean isKnown(int point) {
-    return claims.values().stream().anyMatch(known -> known.containsKey(point));
+  /** The best claim on {@code point} that a robot knows that is up, or null. */
+  @Nullable Claim best(int point) {
+    return claims.values().stream()
+        .map(known -> known.get(point))
+        .filter(Objects::nonNull)
+        .min(BETTER)
+        .orElse(null);
   }
 }

@@ -7,16 +7,23 @@ import org.junit.jupiter.api.Test;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.geometry.Everywhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.geocast.GeocastFact;
+import org.starl.primitives.geocast.GeocastId;
+import org.starl.primitives.geocast.GeocastMessage;
+import org.starl.shape.Shapes;
 import org.starl.spec.Monitors;
 import org.starl.time.Time;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /** The safety of a race on handwritten traces: a body of 165 mm, a point of 75 mm. */
@@ -132,5 +139,49 @@ class RaceSafetyTest {
     take(OTHER, 1);
     enter(200, Location.DONE);
     assertThat(monitors.report().violations("race.confirmed")).isEqualTo(1);
+  }
+
+  @Test
+  void aWinnerIsReplacedOnlyByOneThatWasThereEarlier() {
+    List<RaceFact.Taken> better =
+        List.of(
+            new RaceFact.Taken(0, "goal", OTHER, 1, 50),
+            new RaceFact.Taken(0, "goal", ROBOT, 7, 0),
+            new RaceFact.Taken(0, "goal", OTHER, 6, 0),
+            new RaceFact.Taken(0, "goal", ROBOT, 6, 0));
+    better.forEach(claim -> take(ROBOT, claim));
+    assertThat(monitors.report().violations("race.one_winner")).isZero();
+    for (int i = better.size() - 1; i >= 0; i--) {
+      take(ROBOT, better.get(i));
+    }
+    assertThat(monitors.report().violations("race.one_winner")).isEqualTo(better.size());
+  }
+
+  @Test
+  void aWinnerThatIsNotAnnouncedAtOnceViolatesAnnounced() {
+    RaceFact.Taken taken = new RaceFact.Taken(0, "goal", OTHER, 1, 0);
+    take(ROBOT, taken);
+    monitors.observe(announces(0, taken));
+    enter(1, Location.PICK);
+    assertThat(monitors.report().checks("race.announced")).isEqualTo(1);
+    assertThat(monitors.report().violations("race.announced")).isZero();
+    take(OTHER, taken);
+    monitors.observe(announces(0, taken)); // another robot's
+    monitors.observe(announces(1, taken));
+    assertThat(monitors.report().violations("race.announced")).isEqualTo(1);
+  }
+
+  private static Sent announces(long atMs, RaceFact.Taken taken) {
+    Instance race = Instance.of(GeocastFact.BROADCAST, "race");
+    return new Sent(
+        atMs * Time.NS_PER_MS,
+        ROBOT,
+        Sent.ALL,
+        race,
+        1,
+        1,
+        GeocastMessage.shape(Shapes.INT),
+        new GeocastMessage.Copy<>(
+            new GeocastId(ProcessId.first(ROBOT, 1), 1), new Everywhere(), 0, 1, taken.claim()));
   }
 }
