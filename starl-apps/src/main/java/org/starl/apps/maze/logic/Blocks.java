@@ -68,11 +68,6 @@ public record Blocks(Map<String, Rectangle> byName) {
     return near(way, reachMm + ASK_MM);
   }
 
-  /** The blocks that a body at {@code at} touches. */
-  public SortedSet<String> touched(Point at, double bodyMm) {
-    return near(new Path(List.of(at, at)), bodyMm);
-  }
-
   private SortedSet<String> near(Path way, double reachMm) {
     SortedSet<String> blocks = new TreeSet<>();
     for (int leg = 0; leg < way.legs(); leg++) {

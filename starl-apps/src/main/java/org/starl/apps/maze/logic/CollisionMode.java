@@ -23,7 +23,7 @@ public enum CollisionMode {
   }
 
   /** How far from its way the robot may get after a contact. */
-  double wanderMm() {
+  public double wanderMm() {
     return wanderMm;
   }
 

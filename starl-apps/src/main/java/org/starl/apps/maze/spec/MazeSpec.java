@@ -38,7 +38,9 @@ import org.starl.trace.TraceEvent.Variable;
  *   <li>{@code Belief}: no such body fits with its centre in a mark.
  *   <li>{@code Apart}: no two robots touch. Checked every 20 ms of movement.
  *   <li>{@code held}: a robot that drives holds each block that its true body touches, so no two are
- *       in one block. Checked each 400 ms of movement, and when a robot that is not at rest gives blocks up.
+ *       in one block. Checked each 400 ms of movement, and when a robot gives blocks up that is not where
+ *       others expect it: near its start or one of its goals. And it sets out only on a way on which it holds
+ *       each block that it touches; for the first way to a goal, also where it may get after a contact.
  *   <li>{@code Answered}: each goal is answered within the bound while no fault is active.
  * </ul>
  */
@@ -54,12 +56,16 @@ public final class MazeSpec implements Monitor {
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
   private static final int HELD_STEPS = 20;
   private static final double ROUNDING_MM = 0.01;
+  private static final double ROUNDED_MM = 1; // a traced way is in whole mm
 
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
   private static final double TOUCHING_MM = 2;
 
-  // Distance of the points at which a mark is checked.
+  // Distance of the points at which a mark or a way is checked.
   private static final double GRAIN_MM = 20;
+
+  // So far beside its place a robot may rest, position errors included.
+  private static final double REST_MM = 60;
 
   private final Obstacles obstacles;
   private final SortedMap<RobotId, MazeTask> tasks;
@@ -70,6 +76,7 @@ public final class MazeSpec implements Monitor {
   private final SortedSet<String> touching = new TreeSet<>();
   private final HeldSections held = new HeldSections();
   private final SortedMap<RobotId, Location> locations = new TreeMap<>();
+  private final SortedMap<RobotId, MazeFact.Way> ways = new TreeMap<>();
   private final SortedSet<RobotId> outside = new TreeSet<>();
   private long nextCheckNs;
   private long nextHeldNs;
@@ -107,7 +114,8 @@ public final class MazeSpec implements Monitor {
           "Where a robot answers that there is no way, there is none, hidden obstacles included.";
       case BELIEF -> "Where a robot has marked that its body does not fit, it does not fit.";
       case APART -> "No two robots touch.";
-      case HELD -> "A robot that drives holds each block that its body touches.";
+      case HELD ->
+          "A robot that drives holds each block that its body touches, now and on its way.";
       case ANSWERED -> "Each goal is answered within the bound.";
       default -> "";
     };
@@ -121,8 +129,8 @@ public final class MazeSpec implements Monitor {
       answers.assumeAll(faults.isFaultFree(), event.timeNs());
     }
     held.observe(event);
-    if (event instanceof Variable variable && variable.of(MazeFact.LOCATION) != null) {
-      locations.put(variable.robot(), variable.of(MazeFact.LOCATION));
+    if (event instanceof Variable variable) {
+      changed(variable, report);
     }
     if (event instanceof Joined joined) {
       for (Goal goal : goals(joined.robot())) {
@@ -135,9 +143,71 @@ public final class MazeSpec implements Monitor {
       }
     } else if (event instanceof Action action
         && action.fact() instanceof MutexFact.Release
-        && locations.get(action.robot()) != Location.DRIVE) { // it has not arrived
+        && !isAtRest(action.robot(), action.timeNs())) {
       checkHeld(action.robot(), action.timeNs(), report);
     }
+  }
+
+  private void changed(Variable variable, Report report) {
+    RobotId robot = variable.robot();
+    MazeFact.Way way = variable.of(MazeFact.WAY);
+    Location location = variable.of(MazeFact.LOCATION);
+    if (way != null) {
+      ways.put(robot, way);
+    }
+    if (location != null) {
+      boolean isFirst = locations.put(robot, location) == Location.ASK_WAIT;
+      if (location == Location.DRIVE) {
+        checkWay(robot, isFirst, variable.timeNs(), report);
+      }
+    }
+  }
+
+  /** Whether others expect the robot there while it holds no block. */
+  private boolean isAtRest(RobotId robot, long timeNs) {
+    MazeTask task = tasks.get(robot);
+    if (task == null || !bodies.isOnFloor(robot)) {
+      return true;
+    }
+    Point at = bodies.poseAt(robot, timeNs).at();
+    return at.distanceMm(task.start()) <= REST_MM
+        || task.goals().stream()
+            .anyMatch(goal -> at.distanceMm(goal.at()) <= goal.toleranceMm() + REST_MM);
+  }
+
+  private void checkWay(RobotId robot, boolean isFirst, long timeNs, Report report) {
+    MazeTask task = tasks.get(robot);
+    MazeFact.Way way = ways.get(robot);
+    if (task == null || way == null) {
+      return;
+    }
+    double reachMm = bodyMm + (isFirst ? task.mode().wanderMm() : 0) - ROUNDED_MM;
+    SortedSet<String> missing = new TreeSet<>();
+    for (int i = 1; i < way.points().size(); i++) {
+      Point from = way.points().get(i - 1);
+      Point leg = way.points().get(i).minus(from);
+      int pieces = (int) Math.max(1, StrictMath.ceil(leg.normMm() / GRAIN_MM));
+      for (int piece = 0; piece <= pieces; piece++) {
+        missing.addAll(touched(task, from.plus(leg.times((double) piece / pieces)), reachMm));
+      }
+    }
+    missing.removeIf(block -> held.holds(robot, block));
+    if (!missing.isEmpty()) {
+      String detail = "sets out on a way through " + missing + " and holds " + held.held(robot);
+      report.violated(HELD, timeNs, List.of(robot), detail);
+    }
+  }
+
+  private static SortedSet<String> touched(MazeTask task, Point at, double reachMm) {
+    SortedSet<String> touched = new TreeSet<>();
+    task.blocks()
+        .byName()
+        .forEach((name, block) -> {
+          if (block.distanceMm(at) <= reachMm) {
+            touched.add(name);
+          }
+        });
+    return touched;
   }
 
   @Override
@@ -238,7 +308,7 @@ public final class MazeSpec implements Monitor {
     }
     report.checked(HELD);
     Point at = bodies.poseAt(robot, timeNs).at();
-    SortedSet<String> missing = task.blocks().touched(at, bodies.radiusMm(robot));
+    SortedSet<String> missing = touched(task, at, bodies.radiusMm(robot));
     missing.removeIf(block -> held.holds(robot, block));
     if (missing.isEmpty()) {
       outside.remove(robot);
