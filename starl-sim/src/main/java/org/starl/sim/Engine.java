@@ -324,6 +324,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   @Override
+  public boolean isRareUnflushed(RobotId id) {
+    SimRobot robot = robots.get(id);
+    return robot != null && robot.isRareUnflushed();
+  }
+
+  @Override
   public void crash(RobotId id) {
     crash(robot(id), false);
   }

@@ -260,6 +260,10 @@ final class SimRobot implements TraceSink {
     return stable.unflushed();
   }
 
+  boolean isRareUnflushed() {
+    return stable.isRareUnflushed();
+  }
+
   /** Whether the run waits for the app to end; false after a permanent crash. */
   boolean isAwaited() {
     return !finished && (willRestart || !isDown());

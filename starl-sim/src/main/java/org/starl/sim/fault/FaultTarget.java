@@ -31,6 +31,9 @@ public interface FaultTarget {
   /** The number of the robot's writes to stable storage that a crash would lose now. */
   int unflushed(RobotId robot);
 
+  /** Whether one of these is to a variable that the robot writes no more often than half of them. */
+  boolean isRareUnflushed(RobotId robot);
+
   /** Crashes the program of a robot that is up, without restart. */
   void crash(RobotId robot);
 

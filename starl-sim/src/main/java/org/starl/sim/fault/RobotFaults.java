@@ -115,7 +115,9 @@ final class RobotFaults {
 
   /**
    * Crashes each robot once, at the worst moment: others have its message, and it has not what the
-   * message may depend on. It is up again when the fault ends.
+   * message may depend on. It is up again when the fault ends. Half of these faults wait for a write that
+   * is rare, and for any robot's message, as the robot itself may only act: else all would be of those
+   * writes that protocols do for each message, and none of an app's.
    */
   private static FaultAction forget(FaultArguments call) {
     Impairment slow = Impairment.ofDisk(call.next("the time of a write", DURATION));
@@ -125,13 +127,18 @@ final class RobotFaults {
       long endNs =
           context.lastingNs() == Span.NEVER ? Long.MAX_VALUE : target.nowNs() + context.lastingNs();
       Set<RobotId> armed = new TreeSet<>(context.robots());
+      boolean isPicky = context.rng().nextBoolean(0.5);
       Runnable fast = impair(slow).begin(context);
       LinkRule.Handle watch =
           target
               .network()
               .install(copy -> {
-                if (target.unflushed(copy.from()) > 0 && armed.remove(copy.from())) {
-                  target.at(target.nowNs(), () -> forgetNow(target, copy.from(), downNs, endNs));
+                for (RobotId robot : isPicky ? List.copyOf(armed) : List.of(copy.from())) {
+                  boolean isNow =
+                      isPicky ? target.isRareUnflushed(robot) : target.unflushed(robot) > 0;
+                  if (isNow && armed.remove(robot)) {
+                    target.at(target.nowNs(), () -> forgetNow(target, robot, downNs, endNs));
+                  }
                 }
                 return Verdict.PASS;
               });

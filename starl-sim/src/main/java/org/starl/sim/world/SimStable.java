@@ -20,6 +20,7 @@ public final class SimStable implements StableStorage {
   private final Map<String, byte[]> flushed = new TreeMap<>();
   private final Map<String, byte[]> written = new TreeMap<>();
   private final Deque<Write> pending = new ArrayDeque<>();
+  private final Map<String, Integer> counts = new TreeMap<>(); // of the writes to each key
   private long flushDelayNs;
   private long lastDueNs;
   private @Nullable Timer timer;
@@ -45,6 +46,16 @@ public final class SimStable implements StableStorage {
   /** The number of unflushed writes. */
   public int unflushed() {
     return pending.size();
+  }
+
+  /** Whether one is to a key that is written no more often than half of the keys. */
+  public boolean isRareUnflushed() {
+    if (pending.isEmpty()) {
+      return false;
+    }
+    int[] all = counts.values().stream().mapToInt(Integer::intValue).sorted().toArray();
+    return pending.stream()
+        .anyMatch(write -> counts.getOrDefault(write.key, 0) <= all[(all.length - 1) / 2]);
   }
 
   /** Serves a new incarnation; unflushed writes are lost. */
@@ -113,6 +124,7 @@ public final class SimStable implements StableStorage {
       written.put(write.key, write.value);
     }
     pending.add(write);
+    counts.merge(write.key, 1, Integer::sum);
     if (pending.size() == 1) {
       timer.set(write.dueNs);
     }

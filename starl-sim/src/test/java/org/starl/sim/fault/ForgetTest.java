@@ -3,7 +3,9 @@ package org.starl.sim.fault;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -12,6 +14,7 @@ import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.id.RobotId;
 import org.starl.shape.WireReader;
+import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 
 /** The fault crashes a program that sends before its write survives, and no other. */
@@ -62,6 +65,44 @@ class ForgetTest {
   void aProgramThatSendsTooEarlyForgetsWhatItHasSaid() {
     assertThat(run(false)).contains("bot0=[2, false]");
     assertThat(heard).containsExactly(7);
+  }
+
+  /** Writes one variable with each message and another one once; tells which message was the last to survive. */
+  private static final class Busy extends LogicThread {
+    private static final int RARE = 10;
+
+    Busy(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      Endpoint<Integer> endpoint =
+          gvh.comms.open(new Channel<>("promise", "x", CODEC), (from, n) -> {});
+      for (int i = 1; i <= 2 * RARE && gvh.id.boot() == 1; i++) {
+        sleep(500);
+        gvh.plat.stable.put(i == RARE ? "rare" : "often", new byte[] {(byte) i}, () -> {});
+        endpoint.send(new RobotId("bot1"), i);
+      }
+      sleep(20_000);
+      byte[] often = gvh.plat.stable.get("often");
+      return List.of(often == null ? 0 : often[0]);
+    }
+  }
+
+  @Test
+  void someWaitForAWriteThatIsRare() {
+    Set<Object> survived = new HashSet<>();
+    for (int ms = 100; ms < 110; ms++) {
+      SimResult result =
+          Simulation.builder()
+              .robots(2, Busy::new)
+              .fault("forget(bot0," + ms + "ms,2s,at=3200ms,until=15s)")
+              .build()
+              .run();
+      survived.addAll(result.results().get(new RobotId("bot0")));
+    }
+    assertThat(survived).containsExactlyInAnyOrder((byte) 6, (byte) (Busy.RARE - 1));
   }
 
   @Test
