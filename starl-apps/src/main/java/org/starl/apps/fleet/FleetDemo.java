@@ -1,6 +1,7 @@
 package org.starl.apps.fleet;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -47,6 +48,9 @@ public final class FleetDemo implements FactoryDemo {
   private static final double SLOWEST_MM_PER_S = 100;
   private static final long HANDLING_NS = 60 * Time.NS_PER_S;
 
+  // Loads are put down in it: the first one after a minute or two.
+  private static final Duration CHAOS = Duration.ofMinutes(4);
+
   @Override
   public AppFactory factory() {
     return FACTORY;
@@ -77,6 +81,7 @@ public final class FleetDemo implements FactoryDemo {
     long lastNs = deliveries.get(deliveries.size() - 1).atNs() + boundNs(roads, deliveries);
     return SimSettings.builder()
         .set(Setting.ROBOTS, robots)
+        .set(Setting.CHAOS_FOR, CHAOS)
         .set(Setting.DURATION.key(), lastNs / Time.NS_PER_S + 1 + "s");
   }
 
