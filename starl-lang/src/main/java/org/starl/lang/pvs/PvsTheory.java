@@ -258,7 +258,12 @@ public final class PvsTheory {
 
   private void addFunction(Function function) {
     List<String> parameters = new ArrayList<>();
-    function.signature().parameters().forEach(field -> parameters.add(names.bound(field)));
+    for (Field field : function.signature().parameters()) {
+      String bound = names.bound(field);
+      boolean isAfterName = !parameters.isEmpty() && !parameters.getLast().contains(":");
+      // PVS takes the type in 'l, i: PIDS' for that of both.
+      parameters.add(isAfterName && bound.contains(":") ? "(" + bound + ")" : bound);
+    }
     if (function.signature().readsState()) {
       parameters.add("s");
     }

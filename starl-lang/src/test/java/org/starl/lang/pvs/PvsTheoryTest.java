@@ -199,6 +199,22 @@ class PvsTheoryTest {
   }
 
   @Test
+  void typeOfAParameterIsNotThatOfTheOneBeforeIt() throws SourceErrors {
+    String theory =
+        theory(
+            """
+            automaton Two[PIDS]
+            state marks: [PIDS -> nat]
+            start forall x: PIDS :: marks(x) = 0
+            fun both?(i: PIDS, x: nat): bool = marks(i) <= x
+            action go(i: PIDS)
+              pre exists x: PIDS :: both?(x, 1)
+              eff marks := [x: PIDS -> 1]
+            """);
+    assertThat(theory).contains("both?(i, (x: nat), s): bool ="); // 'i, x: nat' are two numbers
+  }
+
+  @Test
   void assumptionsOfWhatIsUsedTwiceAreThereOnce() throws SourceErrors {
     String theory =
         theory(
