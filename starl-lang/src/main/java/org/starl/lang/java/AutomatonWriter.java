@@ -71,7 +71,8 @@ final class AutomatonWriter {
     out.blank().line(2, "@Override").line(2, "public String theory() {");
     out.line(4, "return " + constant + ";").line(2, "}");
     out.blank().line(2, "@Override").line(2, "public States start() {");
-    out.returned(4, new StartState(writer("")).of(automaton)).line(2, "}");
+    StartState start = new StartState(own -> new ExpressionWriter(automaton, types, file, own));
+    out.returned(4, start.of(automaton)).line(2, "}");
     Functions.written(automaton, true).forEach(f -> function(2, f, "s"));
     Functions.written(automaton, false).stream()
         .filter(f -> !f.signature().readsState())

@@ -1,10 +1,13 @@
 package org.starl.lang.java;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.tree.Automaton;
@@ -73,8 +76,14 @@ final class StartState {
 
   private final Map<String, Part> components = new TreeMap<>();
 
-  StartState(ExpressionWriter writer) {
-    this.writer = writer;
+  /** Equations that read components, with the variables of which they are; these are made true last. */
+  private final Map<Expr.Binary, List<Field>> late = new LinkedHashMap<>();
+
+  /**
+   * @param writer is given the Java of components, which are no variables yet
+   */
+  StartState(Function<Function<Expr, @Nullable Code>, ExpressionWriter> writer) {
+    this.writer = writer.apply(this::started);
   }
 
   /** {@code new States(...)}. */
@@ -83,6 +92,14 @@ final class StartState {
       components.put(component.name(), new Part(component.type()));
     }
     automaton.start().forEach(condition -> hold(condition, List.of()));
+    while (!late.isEmpty()) {
+      Expr.Binary next =
+          late.keySet().stream()
+              .filter(each -> late.keySet().stream().noneMatch(other -> reads(each.right(), other)))
+              .findFirst()
+              .orElseThrow(() -> dependent(ofCircle()));
+      hold(next, Objects.requireNonNull(late.remove(next)), true);
+    }
     return new Code.New(
         "States",
         automaton.state().stream()
@@ -94,8 +111,50 @@ final class StartState {
     return Objects.requireNonNull(components.get(component), component);
   }
 
-  /** Makes {@code condition} true for all values of the variables. */
+  private @Nullable Code started(Expr at) {
+    if (at instanceof Expr.Call call && call.function().readsState()) {
+      throw dependent(at);
+    }
+    return at instanceof Expr.Component of ? part(of.name()).code(writer.types(), at.pos()) : null;
+  }
+
+  /** An equation that depends on itself: each reads the component of another one. */
+  private Expr.Binary ofCircle() {
+    List<Expr.Binary> all = List.copyOf(late.keySet());
+    Expr.Binary at = all.getFirst();
+    for (int i = 0; i < all.size(); i++) {
+      Expr right = at.right();
+      at = all.stream().filter(each -> reads(right, each)).findFirst().orElseThrow();
+    }
+    return at;
+  }
+
+  private static NotExecutable dependent(Expr at) {
+    return new NotExecutable(
+        at.pos(),
+        "this start value depends on itself, or on a function of the state; expected others");
+  }
+
+  /** Whether {@code at} reads the component that an equation is of. */
+  private static boolean reads(Expr at, Expr.Binary equation) {
+    return components(at).stream().anyMatch(components(equation.left())::contains);
+  }
+
+  private static Set<String> components(Expr at) {
+    Set<String> names = new TreeSet<>();
+    if (at instanceof Expr.Component of) {
+      names.add(of.name());
+    }
+    Exprs.parts(at).forEach(part -> names.addAll(components(part)));
+    return names;
+  }
+
   private void hold(Expr condition, List<Field> variables) {
+    hold(condition, variables, false);
+  }
+
+  /** Makes {@code condition} true for all values of the variables. */
+  private void hold(Expr condition, List<Field> variables, boolean isLate) {
     switch (condition) {
       case Expr.Binary e when e.operator() == Expr.Operator.AND -> {
         hold(e.left(), variables);
@@ -105,6 +164,9 @@ final class StartState {
           hold(e.body(), Stream.concat(variables.stream(), e.variables().stream()).toList());
       case Expr.Started e ->
           set(part(e.used()), Code.name(ExpressionWriter.machine(e.used())).then("start"), e.pos());
+      case Expr.Binary e
+          when e.operator() == Expr.Operator.EQUAL && !isLate && !components(e.right()).isEmpty() ->
+          late.put(e, variables);
       case Expr.Binary e when isOwnForEach(e, variables) -> {
         Expr.At at = (Expr.At) e.left();
         Field variable = variables.getLast();

@@ -47,6 +47,50 @@ class OwnValuesTest {
     assertThat(own.enabled("a").isTrue()).isTrue();
   }
 
+  private static final String COPIES =
+      """
+      automaton Copies[P]
+      java "x.XAutomaton"
+      java P = "String"
+      type R = record(a: nat, b: nat)
+      state
+        z: nat
+        y: nat
+        x: nat
+        free: nat
+        same: nat
+        r: R
+        m: [P -> nat]
+        k: [P -> nat]
+      fun more: nat = x + 1
+      start z = y + 1, y = x, x = 2, r.a = z, r.b = 7, (forall p: P :: m(p) = r.b), k = m,
+        same = free
+      """;
+
+  @Test
+  void startValuesMayBeThoseOfOtherComponents() throws SourceErrors {
+    Compiled copies =
+        new Compiled(
+            COPIES
+                + "action a(p: P) pre z = 3 and y = 2 and r = R(a := 3, b := 7) and m(p) = 7 and"
+                + " k(p) = 7 and same = free");
+    assertThat(copies.enabled("a", "bot0").isTrue()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '~',
+      textBlock =
+          """
+          x = y          ~ 15:25: this start value depends on itself
+          x = x          ~ 15:25: this start value depends on itself
+          x = more       ~ 15:29: this start value depends on itself, or on a function of the state
+          """)
+  void startValueThatDependsOnItselfIsRefused(String equation, String told) {
+    assertThatThrownBy(() -> Compiled.files(COPIES.replace("x = 2", equation) + "action a"))
+        .hasMessageContaining(told);
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '~',
