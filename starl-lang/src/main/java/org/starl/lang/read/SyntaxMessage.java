@@ -66,6 +66,21 @@ final class SyntaxMessage {
       Set.of(
           StarlParser.ASSUME, StarlParser.INVARIANT, StarlParser.CONSTRAINT, StarlParser.PROGRESS);
 
+  private static final Set<Integer> PARTS =
+      Set.of(
+          StarlParser.TYPE,
+          StarlParser.ASSUME,
+          StarlParser.PROGRESS,
+          StarlParser.STATE,
+          StarlParser.USES,
+          StarlParser.REFINES,
+          StarlParser.FUN,
+          StarlParser.START,
+          StarlParser.ACTION,
+          StarlParser.INVARIANT,
+          StarlParser.CONSTRAINT,
+          StarlParser.JAVA);
+
   /** From {@code type T = a} to what follows. */
   private static final int WORDS_OF_TYPE = 4;
 
@@ -226,6 +241,9 @@ final class SyntaxMessage {
     if (isComponent && !WORDS.matcher(last.getText()).matches()) {
       return "':' and a type after each component, as in 'state a: nat b: nat'";
     }
+    if (text.equals(",") && isAfterComponent(at, found)) {
+      return "no ',' between components, as in 'state a: nat b: nat'";
+    }
     if (text.equals("(") && last.getType() == StarlParser.RECORD) {
       return "a name: declare 'type Name = record(...)', and use it here";
     }
@@ -253,6 +271,15 @@ final class SyntaxMessage {
       }
     }
     return false;
+  }
+
+  /** Whether the last declaration before it is 'state'. */
+  private static boolean isAfterComponent(Parser at, Token found) {
+    Token token = found;
+    while (token.getTokenIndex() > 0 && !PARTS.contains(token.getType())) {
+      token = previous(at, token);
+    }
+    return token.getType() == StarlParser.STATE;
   }
 
   private static Token previous(Parser at, Token found) {

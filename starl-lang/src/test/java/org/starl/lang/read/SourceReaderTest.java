@@ -70,6 +70,7 @@ class SourceReaderTest {
           action take(i: PIDS) ~ action take() ~ 10:13: found ')'; expected no parentheses where nothing is in them
           shows: Color ~ shows Color ~ 6:9: found 'Color'; expected ':' and a type after each component, as in 'state a: nat b: nat'
           shows: Color ~ shows, was: Color ~ 6:8: found ','; expected ':' and a type after each component, as in 'state a: nat b: nat'
+          by: option[PIDS] ~ by: option[PIDS], ~ 5:19: found ','; expected no ',' between components, as in 'state a: nat b: nat'
           type Color = red | green ~ type Color = red, green ~ 3:17: found ','; expected forms with '|' between them, as in 'type Color = red | green'
           type Color = red | green ~ type Color = {red, green} ~ 3:14: found '{'; expected forms with '|' between them, as in 'type Color = red | green'
           by: option[PIDS] ~ by: option[record(i: PIDS)] ~ 5:20: found '('; expected a name: declare 'type Name = record(...)', and use it here
