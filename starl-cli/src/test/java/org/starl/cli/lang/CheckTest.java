@@ -198,7 +198,7 @@ class CheckTest {
         .singleElement()
         .asString()
         .endsWith(
-            "lamps.starl: Lamps: value parameter 'first': more than 10,000 values at these sizes;"
+            "lamps.starl: Lamps: value parameter 'first': more than 100,000 values at these sizes;"
                 + " give one: --value 'first=...', of type set[PIDS]");
   }
 

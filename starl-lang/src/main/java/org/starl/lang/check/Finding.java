@@ -17,6 +17,8 @@ import org.starl.lang.tree.Pos;
  * @param automaton in whose source {@code pos} is
  * @param pos of what is false, or has no value
  * @param message what is wrong there
+ * @param unasked the assumptions, or the start, that are not decided of the run's first state: then this may
+ *     be no run
  */
 public record Finding(
     String name,
@@ -26,4 +28,5 @@ public record Finding(
     Set<String> actions,
     String automaton,
     Pos pos,
-    String message) {}
+    String message,
+    Set<String> unasked) {}

@@ -40,7 +40,12 @@ public final class Report {
         .ifPresentOrElse(
             finding -> {
               String name = finding.name().isEmpty() ? "a step" : finding.name();
-              lines.add(head + name + " " + finding.what());
+              String unasked = String.join(", ", finding.unasked());
+              lines.add(
+                  head
+                      + (unasked.isEmpty() ? "" : "not decided: ")
+                      + (name + " " + finding.what())
+                      + (unasked.isEmpty() ? "" : " if " + unasked + " holds of the first state"));
               finding.story().forEach(line -> lines.add("  " + line));
               lines.add(
                   "  %s:%s: %s"

@@ -221,7 +221,8 @@ final class Runs {
         story.actions(),
         search.automaton.name(),
         claim.to().pos(),
-        message);
+        message,
+        search.unaskedOf(path.getFirst()));
   }
 
   /** Takes steps by their numbers; returns the state after them. */

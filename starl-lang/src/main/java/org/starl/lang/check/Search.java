@@ -1,6 +1,7 @@
 package org.starl.lang.check;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -80,7 +81,7 @@ public final class Search {
     /** What comes of it. */
     public Verdict verdict() {
       if (finding.isPresent()) {
-        return Verdict.VIOLATED;
+        return finding.get().unasked().isEmpty() ? Verdict.VIOLATED : Verdict.NOT_DECIDED;
       }
       return undecided().isEmpty() ? Verdict.HOLDS : Verdict.NOT_DECIDED;
     }
@@ -408,7 +409,8 @@ public final class Search {
               story.actions(),
               error.automaton(),
               error.pos(),
-              message));
+              message,
+              unaskedOf(path.getFirst())));
     }
     Witness witness = machine.witness(Objects.requireNonNull(invariant), story.end());
     String message =
@@ -427,7 +429,17 @@ public final class Search {
             story.actions(),
             automaton.name(),
             witness.pos(),
-            message));
+            message,
+            unaskedOf(path.getFirst())));
+  }
+
+  /** The assumptions, or the start, that are not decided of a start state. */
+  Set<String> unaskedOf(int start) {
+    return starts.states().stream()
+        .filter(each -> states.number(symmetry.representative(each)) == start)
+        .map(starts::unasked)
+        .min(Comparator.comparingInt(Set::size))
+        .orElse(Set.of());
   }
 
   private void expand(int number) {

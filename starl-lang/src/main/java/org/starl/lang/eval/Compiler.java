@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BinaryOperator;
-import java.util.stream.IntStream;
+import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Code.Frame;
 import org.starl.lang.tree.Action.Conjunct;
@@ -258,9 +258,17 @@ final class Compiler {
     if (codes.length == 1) {
       Code only = codes[0];
       Domain of = domain.parts.getFirst();
-      return frame -> of.number(only.of(frame));
+      return frame -> number(of::number, only.of(frame));
     }
-    return frame -> domain.number(row(codes, frame));
+    return frame -> number(domain::number, row(codes, frame));
+  }
+
+  private static <T> int number(ToIntFunction<T> domain, T argument) {
+    try {
+      return domain.applyAsInt(argument);
+    } catch (Beyond e) {
+      throw Beyond.argument();
+    }
   }
 
   private Code field(Expr.Get get, Code of) {
@@ -429,11 +437,10 @@ final class Compiler {
     partial |= before;
     scope.pop(quantified.variables());
     boolean forAll = quantified.forAll();
-    boolean hasMore = !inHoles && variables.stream().anyMatch(Domain::hasMore);
-    boolean isStart = inHoles; // a map of a start state is known within the bounds alone
+    boolean hasMore = variables.stream().anyMatch(Domain::hasMore);
     List<List<Object>> instances = variables.stream().map(Domain::instances).toList();
     return frame -> {
-      boolean[] found = {false, hasMore}; // decided, beyond
+      boolean[] found = {false, hasMore, false}; // decided, beyond, an argument beyond
       visit(
           instances,
           0,
@@ -443,21 +450,15 @@ final class Compiler {
             try {
               found[0] |= body.test(in) != forAll;
             } catch (Beyond e) {
-              found[1] |= !isStart || isWithin(variables, in, first);
+              found[e.isArgument() ? 2 : 1] = true;
             }
             return isPartial || !found[0];
           });
-      if (found[1] && !found[0]) {
-        throw new Beyond();
+      if ((found[1] || found[2]) && !found[0]) {
+        throw found[1] ? new Beyond() : Beyond.argument();
       }
       return found[0] != forAll;
     };
-  }
-
-  /** Whether the variables' values, in the places from {@code first} on, are within the bounds. */
-  private static boolean isWithin(List<Domain> variables, Frame frame, int first) {
-    return IntStream.range(0, variables.size())
-        .allMatch(i -> variables.get(i).contains(frame.locals[first + i]));
   }
 
   private Code suchThat(Expr.SuchThat set, Scope scope) {
@@ -466,8 +467,8 @@ final class Compiler {
     Domain domain = bind(variables, scope, set.pos()).getFirst();
     Code body = code(set.body(), scope);
     scope.pop(variables);
-    List<Object> others = inHoles ? List.of() : domain.others();
-    boolean hasMore = !inHoles && domain.hasMore();
+    List<Object> others = domain.others();
+    boolean hasMore = domain.hasMore();
     return frame -> {
       BigInteger bits = BigInteger.ZERO;
       for (int i = 0; i < domain.values().size(); i++) {
@@ -478,7 +479,7 @@ final class Compiler {
       }
       for (Object other : others) {
         frame.locals[place] = other;
-        if (body.test(frame)) {
+        if (isBeyond(body, frame)) {
           throw new Beyond(); // a set has no elements beyond the bounds
         }
       }
@@ -487,6 +488,18 @@ final class Compiler {
       }
       return bits;
     };
+  }
+
+  /** Maps of a start state have no values beyond the bounds that an element could depend on. */
+  private boolean isBeyond(Code body, Frame frame) {
+    try {
+      return body.test(frame);
+    } catch (Beyond e) {
+      if (inHoles && e.isArgument()) {
+        return false;
+      }
+      throw e;
+    }
   }
 
   private Code mapOf(Expr.MapOf map, Scope scope) {
@@ -612,9 +625,18 @@ final class Compiler {
       case AT_LEAST -> frame -> compared(left, right, frame) >= 0;
       case IN -> {
         Domain element = ((Domain.Sets) domains.of(binary.right().type())).element;
+        Code in = binary.right() instanceof Expr.SuchThat set ? satisfies(left, set, scope) : null;
         yield frame -> {
-          Object value = left.of(frame); // a set has no elements beyond the bounds
-          return element.contains(value) && set(right, frame).testBit(element.number(value));
+          Object value = left.of(frame);
+          try {
+            BigInteger bits = set(right, frame);
+            return element.contains(value) && bits.testBit(element.number(value));
+          } catch (Beyond e) { // the set has elements beyond the bounds
+            if (in == null) {
+              throw e;
+            }
+            return in.test(frame);
+          }
         };
       }
       case SUBSET -> frame -> set(left, frame).andNot(set(right, frame)).signum() == 0;
@@ -637,6 +659,19 @@ final class Compiler {
         partial = true;
         yield frame -> ((Num) left.of(frame)).mod(positive(binary, (Num) right.of(frame)));
       }
+    };
+  }
+
+  /** Whether a value satisfies the condition of a set. */
+  private Code satisfies(Code value, Expr.SuchThat set, Scope scope) {
+    int place = scope.names.size();
+    List<Field> variables = List.of(set.variable());
+    scope.push(variables);
+    Code body = code(set.body(), scope);
+    scope.pop(variables);
+    return frame -> {
+      frame.locals[place] = value.of(frame);
+      return body.test(frame);
     };
   }
 

@@ -3,12 +3,14 @@ package org.starl.lang.eval;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.lang.eval.Code.Frame;
@@ -24,7 +26,9 @@ import org.starl.lang.tree.Type.Field;
 public final class Starts {
 
   /** So many start states are gone through, at most. */
-  public static final int MOST = 10_000;
+  public static final int MOST = 100_000;
+
+  private static final String START = "start";
 
   /** A conjunct of the condition, for values of its variables; the name is that of an assumption. */
   private record Goal(
@@ -34,14 +38,16 @@ public final class Starts {
   private final Object[] root;
   private final List<Hole> holes = new ArrayList<>();
   private final List<Goal> goals = new ArrayList<>();
-  private String named = "";
-  private final Set<Row> states = new LinkedHashSet<>();
+  private String named = START;
+
+  /** Each with the conditions that are not decided of it. */
+  private final Map<Row, Set<String>> states = new LinkedHashMap<>();
+
   private final Set<String> open = new TreeSet<>();
   private final Set<String> cut = new TreeSet<>();
   private final Set<String> bounded = new TreeSet<>();
-  private final Map<String, Long> unasked = new TreeMap<>();
 
-  /** The assumptions on the way to a state that need values beyond the bounds. */
+  /** The conditions on the way to a state that need values beyond the bounds. */
   private final List<String> passed = new ArrayList<>();
 
   /** The parts that have a value beyond the bounds now: what is found then is no state to visit. */
@@ -67,14 +73,14 @@ public final class Starts {
       named = assumption.name();
       expand(List.of(assumption.condition()), compiler, frame);
     }
-    named = "";
+    named = START;
     expand(machine.automaton().start(), compiler, frame);
     solve(0);
   }
 
   /** The start states, each once. */
   public List<Row> states() {
-    return List.copyOf(states);
+    return List.copyOf(states.keySet());
   }
 
   /** The parts that the condition leaves open, and of which all values are among the states. */
@@ -92,9 +98,16 @@ public final class Starts {
     return Collections.unmodifiableSet(bounded);
   }
 
-  /** The assumptions that could not be asked of some states: they need values beyond the bounds. */
+  /** The assumptions, or the start, that could not be asked of this state: it may be none. */
+  public Set<String> unasked(Row state) {
+    return states.getOrDefault(state, Set.of());
+  }
+
+  /** The conditions that could not be asked of some states: they need values beyond the bounds. */
   public Map<String, Long> unasked() {
-    return Collections.unmodifiableMap(unasked);
+    return states.values().stream()
+        .flatMap(Set::stream)
+        .collect(Collectors.groupingBy(name -> name, TreeMap::new, Collectors.counting()));
   }
 
   private Object hollow(Domain domain, int part) {
@@ -184,16 +197,18 @@ public final class Starts {
     }
     Goal goal = goals.get(number);
     List<Hole> filled = new ArrayList<>();
-    List<String> outside = List.of();
+    List<Hole> outside = new ArrayList<>();
+    List<String> added = List.of();
     int before = passed.size();
     try {
-      if (isTrue(goal, filled)) {
-        outside =
-            filled.stream()
-                .filter(hole ->
-                    beyond.isEmpty() && hole.value != null && !hole.domain.contains(hole.value))
+      if (isTrue(goal, filled, outside)) {
+        filled.stream()
+            .filter(hole -> hole.value != null && !hole.domain.contains(hole.value))
+            .forEach(outside::add);
+        added =
+            outside.stream()
                 .map(hole -> machine.parts().get(hole.part).name())
-                .filter(beyond::add)
+                .filter(name -> beyond.isEmpty() && beyond.add(name))
                 .toList();
         solve(number + 1);
       }
@@ -201,7 +216,7 @@ public final class Starts {
       tryAll(needed.hole, number);
     } finally {
       passed.subList(before, passed.size()).clear();
-      outside.forEach(beyond::remove);
+      added.forEach(beyond::remove);
       filled.forEach(hole -> hole.value = null);
     }
   }
@@ -227,19 +242,40 @@ public final class Starts {
     hole.value = null;
   }
 
-  /** What is beyond the bounds is not asked of a start state; an assumption is noted then. */
-  private boolean isTrue(Goal goal, List<Hole> filled) {
+  /**
+   * What is beyond the bounds is not asked of a start state, and noted; what a map is there is not: the
+   * state does not say it.
+   *
+   * @param outside a hole that has a value beyond the bounds
+   */
+  private boolean isTrue(Goal goal, List<Hole> filled, List<Hole> outside) {
+    Object part = null;
     try {
       if (goal.place != null && goal.value != null) {
-        return fill(goal.place.of(goal.frame), goal.value.of(goal.frame), filled);
+        part = goal.place.of(goal.frame);
+        return fill(part, goal.value.of(goal.frame), filled);
       }
       return goal.code.test(goal.frame);
     } catch (Beyond e) {
-      if (!goal.name.isEmpty()) {
+      Hole hole = firstOpen(part);
+      if (hole != null && !e.isArgument()) {
+        outside.add(hole);
+      } else if (!e.isArgument() || !goal.name.equals(START)) {
         passed.add(goal.name);
       }
       return true;
     }
+  }
+
+  private static @Nullable Hole firstOpen(@Nullable Object part) {
+    if (part instanceof Row row) {
+      return Arrays.stream(row.items())
+          .map(Starts::firstOpen)
+          .filter(Objects::nonNull)
+          .findFirst()
+          .orElse(null);
+    }
+    return part instanceof Hole hole && hole.value == null ? hole : null;
   }
 
   /** Whether {@code part} is equal to {@code value}, which becomes the value of its holes. */
@@ -313,9 +349,10 @@ public final class Starts {
         addStates(tried, number + 1);
       }
     } else {
-      if (states.add((Row) Compiler.filled(new Row(root.clone())))) {
-        new TreeSet<>(passed).forEach(name -> unasked.merge(name, 1L, Long::sum));
-      }
+      states.merge(
+          (Row) Compiler.filled(new Row(root.clone())),
+          new TreeSet<>(passed),
+          (known, other) -> other.isEmpty() ? other : known);
       if (states.size() > MOST) {
         throw new TooLarge(
             "start: more than %,d start states at these sizes; expected a start that leaves less open, or smaller sizes (--robots, --size, --nat, --time)"
