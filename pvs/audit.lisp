@@ -68,10 +68,19 @@
       (when (formula-decl? d)
         (starl-line "undischarged" th (id d))))))
 
+(defvar *starl-within* nil "The data types whose values are being asked for.")
+
 (defun starl-may-be-empty? (type)
-  "Whether TYPE, or what its functions, records and tuples are made of, is a subtype: but for PVS's own without
-parameters, it is not known to have a value. PVS takes the type of a parameter for one that has."
+  "Whether TYPE, or what its functions, records, tuples and forms are made of, is a subtype: but for PVS's own
+without parameters, it is not known to have a value. PVS takes the type of a parameter for one that has."
   (typecase type
+    (type-name
+     (and (adt? type)
+          (or (member type *starl-within* :test #'tc-eq)
+              (let ((*starl-within* (cons type *starl-within*)))
+                (every #'(lambda (form)
+                           (some #'(lambda (part) (starl-may-be-empty? (range (type part)))) (accessors form)))
+                       (constructors type))))))
     (dep-binding (starl-may-be-empty? (type type)))
     (subtype (or (not (starl-named-in-prelude? type))
                  (actuals (module-instance (resolution (print-type type))))))
