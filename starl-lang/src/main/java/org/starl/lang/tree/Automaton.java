@@ -149,6 +149,9 @@ public record Automaton(
         typeParameters,
         known,
         assumptions.stream()
+            .flatMap(each ->
+                Exprs.conjuncts(each.condition())
+                    .map(part -> new Invariant(each.name(), part, each.comment(), each.pos())))
             .filter(each -> names.containsAll(Exprs.parameters(each.condition())))
             .toList(),
         asked,

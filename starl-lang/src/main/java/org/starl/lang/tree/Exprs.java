@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 
 /** Parts of expressions. */
 public final class Exprs {
@@ -69,6 +70,13 @@ public final class Exprs {
     return conditions.stream()
         .reduce((a, b) -> new Expr.Binary(Expr.Operator.AND, a, b, Type.Bool.BOOL, pos))
         .orElse(new Expr.Bool(true, pos));
+  }
+
+  /** The conditions that {@code and} joins. */
+  public static Stream<Expr> conjuncts(Expr at) {
+    return at instanceof Expr.Binary and && and.operator() == Expr.Operator.AND
+        ? Stream.concat(conjuncts(and.left()), conjuncts(and.right()))
+        : Stream.of(at);
   }
 
   /** A condition that holds, if {@code at} has a value. */

@@ -264,4 +264,25 @@ class RangesOfParametersTest {
         .extracting(each -> each.numbers().get("K"))
         .containsExactly(2);
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"N > 0 and first < N", "first < N and N > 0"})
+  void assumptionThatIsAlsoOfAValueInARangeLeavesNoRangeEmpty(String assumption)
+      throws SourceErrors {
+    String text =
+        """
+        automaton Both[N: nat, first: 0..N]
+        assume A: %s
+        state at: 0..N - 1
+        start at = first
+        action stay
+          eff at := at
+        invariant Low: at < N
+        """
+            .formatted(assumption);
+    assertThat(proved(text)).contains("Both: Low holds, for any N");
+    assertThat(Machine.sizes(read(text), new Sizes(Map.of(), 2, 1), Map.of()))
+        .extracting(each -> each.numbers().get("N"))
+        .containsExactly(1, 2);
+  }
 }
