@@ -189,7 +189,7 @@ final class MessagesSpec extends LemmaMonitor {
   /** The wait after so many transmissions. */
   private static double leastWaitNs(Reliability used, int transmissions) {
     double ms = used.firstRetryMs() * StrictMath.pow(used.backoff(), transmissions - 1);
-    return Math.min(ms, used.maxWaitMs()) * Time.NS_PER_MS - ROUNDED_NS;
+    return Math.min(ms, (double) used.maxWaitMs()) * Time.NS_PER_MS - ROUNDED_NS;
   }
 
   private Reliability reliability(LetterId letter) {
