@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -269,11 +268,12 @@ public final class Starts {
 
   private static @Nullable Hole firstOpen(@Nullable Object part) {
     if (part instanceof Row row) {
-      return Arrays.stream(row.items())
-          .map(Starts::firstOpen)
-          .filter(Objects::nonNull)
-          .findFirst()
-          .orElse(null);
+      for (Object item : row.items()) {
+        Hole open = firstOpen(item);
+        if (open != null) {
+          return open;
+        }
+      }
     }
     return part instanceof Hole hole && hole.value == null ? hole : null;
   }
