@@ -167,6 +167,9 @@ final class SyntaxMessage {
     if (found.getType() == StarlParser.UNKNOWN && Character.isLetter(text.codePointAt(0))) {
       return "names of the letters a to z, digits and '_'";
     }
+    if (found.getType() == StarlParser.UNKNOWN && text.equals("_")) {
+      return "a name that begins with a letter";
+    }
     Token last = at.getTokenStream().get(Math.max(0, found.getTokenIndex() - 1));
     boolean isAtOnce = last.getStopIndex() + 1 == found.getStartIndex();
     if (text.equals("=")) {

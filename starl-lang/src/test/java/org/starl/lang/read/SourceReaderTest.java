@@ -79,6 +79,7 @@ class SourceReaderTest {
           eff by := some(i) ~ eff for j in PIDS by := some(j) ~ 12:11: found 'j'; expected all values of a map at once, as in 'm := [i: PIDS -> 0]'
           // A lamp. ~ # A lamp. ~ 1:1: found '#'; expected '//' before a comment
           type Color = red ~ type Färbung = red ~ 3:7: found 'ä'; expected names of the letters a to z, digits and '_'
+          by: option[PIDS] ~ _by: option[PIDS] ~ 5:3: found '_'; expected a name that begins with a letter
           type Color = red ~ type Both = record(in: bool) type Color = red ~ 3:20: found 'in'; expected a name, which no word of the language is
           type Color = red | green ~ type Color = red | green(by: Robot) type Both = record(of: Color) fun dark(c: Color): bool = c = green ~ 3:30: 'Robot' is no type; expected one of bool, nat, int, time, real, PIDS
           type Color = red | green ~ type Color = Color ~ 3:14: 'Color' is no type; expected one of bool, nat, int, time, real, PIDS
