@@ -74,7 +74,7 @@ class InputFilesDocTest {
   @Test
   void eachDrawingThatIsSaidToBeRefusedPrintsItsMessage(@TempDir Path folder) throws IOException {
     Map<String, String> refused = rows(DRAWING);
-    assertThat(refused).hasSize(10);
+    assertThat(refused).hasSize(11);
     for (Map.Entry<String, String> row : refused.entrySet()) {
       boolean isSvg = row.getKey().startsWith("<");
       Path drawing = folder.resolve(isSvg ? "drawing.svg" : "drawing.wpt");
