@@ -3,6 +3,7 @@ package org.starl.primitives.agreement;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -153,13 +154,13 @@ public final class SynodSpec extends LemmaMonitor {
     switch (message) {
       case Prepare m -> {
         run.acceptors.add(sent.to());
-        asked(run, sent, m, new Question(m.ballot(), false));
+        asked(run, sent, m);
       }
       case Promise m -> decree(run, m).promised(sent, m, report);
       case Accepted m -> decree(run, m).voted(sent, m.ballot(), report);
       case Accept m -> {
         decree(run, m).proposed(sent, m, report);
-        asked(run, sent, m, new Question(m.ballot(), true));
+        asked(run, sent, m);
       }
       case Decided m -> decree(run, m).decided(sent, m.value(), report);
       case Nack m -> {} // no rule
@@ -168,19 +169,11 @@ public final class SynodSpec extends LemmaMonitor {
   }
 
   /** The first question of a ballot's phase goes to all acceptors. */
-  private void asked(Run run, Sent sent, SynodMessage message, Question question) {
+  private void asked(Run run, Sent sent, SynodMessage message) {
+    Question question = Objects.requireNonNull(Question.of(message));
     if (!isRealTime && decree(run, message).questions.add(question)) {
       for (String acceptor : run.acceptors) {
-        asks.owes(
-            sent,
-            acceptor,
-            question.toString(),
-            told ->
-                switch (told) {
-                  case Accept m -> question.equals(new Question(m.ballot(), true));
-                  case Prepare m -> question.equals(new Question(m.ballot(), false));
-                  default -> false;
-                });
+        asks.owes(sent, acceptor, question.toString(), told -> question.equals(Question.of(told)));
       }
     }
   }
@@ -197,7 +190,18 @@ public final class SynodSpec extends LemmaMonitor {
     return decree;
   }
 
-  private record Question(Ballot ballot, boolean isForVotes) {}
+  /** What a ballot asks all acceptors in one of its phases. */
+  private record Question(Ballot ballot, boolean isForVotes) {
+
+    /** Null for a message that is no question. */
+    static @Nullable Question of(Object message) {
+      return switch (message) {
+        case Prepare m -> new Question(m.ballot(), false);
+        case Accept m -> new Question(m.ballot(), true);
+        default -> null;
+      };
+    }
+  }
 
   /** One channel. */
   private static final class Run {
