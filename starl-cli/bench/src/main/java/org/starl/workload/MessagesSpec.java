@@ -101,6 +101,11 @@ final class MessagesSpec extends LemmaMonitor {
     }
   }
 
+  /** How often a letter has been sent, and when for the last time. */
+  private record Transmissions(int count, long latestNs) {
+    static final Transmissions NONE = new Transmissions(0, 0);
+  }
+
   /** What a robot has done since its latest start. */
   private static final class Program {
     int boot;
@@ -109,8 +114,7 @@ final class MessagesSpec extends LemmaMonitor {
     final Set<LetterId> handled = new TreeSet<>();
     final Map<RobotId, Integer> newestBoots = new TreeMap<>();
     final Set<Instance> open = new TreeSet<>();
-    final Map<LetterId, Integer> transmissions = new TreeMap<>(); // of unsettled ones
-    final Map<LetterId, Long> latestNs = new TreeMap<>(); // the latest of these
+    final Map<LetterId, Transmissions> transmissions = new TreeMap<>(); // of unsettled ones
     final Set<Long> transmitted = new TreeSet<>();
     long transmittedNs;
   }
@@ -176,11 +180,12 @@ final class MessagesSpec extends LemmaMonitor {
 
   private void repeated(TraceEvent.Sent datagram, Program self, LetterId id, Report report) {
     RobotId robot = datagram.robot();
-    int count = self.transmissions.merge(id, 1, Integer::sum);
-    Long beforeNs = self.latestNs.put(id, datagram.timeNs());
-    if (beforeNs != null
-        && datagram.timeNs() - beforeNs < leastWaitNs(reliability(id), count - 1)
-        && faults.isClockRight(robot, beforeNs)) {
+    Transmissions before = self.transmissions.getOrDefault(id, Transmissions.NONE);
+    int count = before.count + 1;
+    self.transmissions.put(id, new Transmissions(count, datagram.timeNs()));
+    if (before.count > 0
+        && datagram.timeNs() - before.latestNs < leastWaitNs(reliability(id), before.count)
+        && faults.isClockRight(robot, before.latestNs)) {
       String detail = "sends " + id + " again too soon, for the time " + count;
       report.violated(PACED, datagram.timeNs(), List.of(robot), detail);
     }
@@ -320,7 +325,6 @@ final class MessagesSpec extends LemmaMonitor {
   private void settled(Action action, Program self, LetterId letter, Report report) {
     self.unsettled.remove(letter);
     self.transmissions.remove(letter);
-    self.latestNs.remove(letter);
     closed.stop(letter);
     deliveries.stop(letter);
     boolean wasBrief = brief.stop(letter);
@@ -341,7 +345,7 @@ final class MessagesSpec extends LemmaMonitor {
     Reliability used = reliability(letter);
     return faults.isClockRight(action.robot(), known.atNs)
         && action.timeNs() - known.atNs < used.deadlineMs() * Time.NS_PER_MS
-        && self.transmissions.getOrDefault(letter, 0) <= used.maxRetries();
+        && self.transmissions.getOrDefault(letter, Transmissions.NONE).count <= used.maxRetries();
   }
 
   private static void check(
