@@ -7,6 +7,7 @@ import java.awt.Paint;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.PathIterator;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -332,13 +333,11 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
 
     /** Whether its clip may cut something off: that of a viewport does only beyond its edge. */
     private static boolean isCut(GraphicsNode node, Element element) {
-      return node.getClip() != null
-          && !(VIEWPORTS.contains(element.getLocalName())
-              && (node.getGeometryBounds() == null
-                  || node.getClip()
-                      .getClipPath()
-                      .getBounds2D()
-                      .contains(node.getGeometryBounds())));
+      if (node.getClip() == null || !VIEWPORTS.contains(element.getLocalName())) {
+        return node.getClip() != null;
+      }
+      Rectangle2D lines = node.getGeometryBounds();
+      return lines != null && !node.getClip().getClipPath().getBounds2D().contains(lines);
     }
 
     private void noteIf(boolean isTrue, Element element, String text) {
