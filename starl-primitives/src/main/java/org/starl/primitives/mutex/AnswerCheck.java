@@ -33,8 +33,8 @@ import org.starl.trace.TraceEvent.Sent;
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
  * the request is repeated, and none consents to a request that it knows to be over. A request ends as late
  * only in a step in which its process hears of one that goes first. Nothing of this is required of a
- * process whose robot may stand in sections of an earlier one. Whom a process has asked it tells in the same
- * step what it gives back, and that it no longer waits.
+ * process whose robot may stand in sections of an earlier one. A process tells those that it
+ * has asked, in the same step, what it gives back, and that it no longer waits.
  */
 final class AnswerCheck {
 

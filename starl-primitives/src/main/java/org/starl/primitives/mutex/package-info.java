@@ -26,8 +26,8 @@
  *       B}; i requests B later than j, and waits for j, though no participant holds B.
  * </ul>
  *
- * <p>An uncontended request costs 2 (N - 1) messages and 2 delta; a release N - 1 messages: whom a
- * participant has asked it tells in the same step what it gives back ({@code Tells}). Without
+ * <p>An uncontended request costs 2 (N - 1) messages and 2 delta; a release N - 1 messages: a
+ * participant tells those that it has asked what it gives back, in the same step ({@code Tells}). Without
  * loss delta is the longest delay; with loss, add one wait of {@link
  * org.starl.primitives.mutex.MutexTimes} for each message lost in a row.
  *

@@ -238,7 +238,7 @@ class ConsentSpecTest {
   }
 
   @Test
-  void whomAProcessHasAskedItMustTellWhatItGivesBack() {
+  void aProcessTellsThoseThatItHasAskedWhatItGivesBack() {
     for (MutexFact end :
         List.of(
             new MutexFact.Release(I, 1, set("A"), set()),

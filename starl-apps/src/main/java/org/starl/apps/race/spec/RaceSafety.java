@@ -89,7 +89,9 @@ public final class RaceSafety extends LemmaMonitor {
     lemma(
         ONE_WINNER,
         "A robot knows one winner of each point, and replaces it only by a better one.");
-    lemma(ANNOUNCED, "A robot that learns of a winner, or of a better one, tells all at once.");
+    lemma(
+        ANNOUNCED,
+        "A robot that learns of a winner, or of a better one, tells all robots in the same step.");
     lemma(
         MOVES_ON,
         "A robot arrives only at points without a known winner, and stops when it knows all.");
