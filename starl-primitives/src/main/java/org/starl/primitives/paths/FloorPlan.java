@@ -2,6 +2,8 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.CoordinateArrays;
@@ -59,10 +61,13 @@ final class FloorPlan {
     solid.add(plan.union(bodies));
     Geometry known = plan.widen(solid, task.marginMm());
     List<Geometry> more = new ArrayList<>();
+    // Those of one width are widened, and so united, together: on the grid that takes much longer.
+    SortedMap<Double, List<Geometry>> axes = new TreeMap<>();
     for (Capsule capsule : task.taken()) {
-      Geometry axis = axis(capsule.axis(), plan.factory);
-      more.add(plan.widen(List.of(axis), task.marginMm() + capsule.radiusMm()));
+      axes.computeIfAbsent(capsule.radiusMm(), any -> new ArrayList<>())
+          .add(axis(capsule.axis(), plan.factory));
     }
+    axes.forEach((radiusMm, all) -> more.add(plan.widen(all, task.marginMm() + radiusMm)));
     for (org.starl.geometry.Polygon place : task.keepOut()) {
       more.add(valid(plan.factory.createPolygon(outline(place.vertices(), true))));
     }
