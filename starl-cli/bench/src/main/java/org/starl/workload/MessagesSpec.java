@@ -1,6 +1,6 @@
 package org.starl.workload;
 
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -62,7 +62,8 @@ final class MessagesSpec extends LemmaMonitor {
   private final Set<RobotId> robots = new TreeSet<>();
   private final Map<RobotId, Program> programs = new TreeMap<>();
   private final Map<LetterId, Sent> sent = new TreeMap<>();
-  private final Set<Arrival> everHandled = new HashSet<>();
+  // With the least logical clock of its receiver then: that of the acknowledgement is no lower.
+  private final Map<Arrival, Long> everHandled = new HashMap<>();
   private final Map<RobotId, Integer> newestStarts = new TreeMap<>();
   private final Within<LetterId> closed = new Within<>(0);
   private final Within<LetterId> deliveries;
@@ -242,8 +243,9 @@ final class MessagesSpec extends LemmaMonitor {
       case MailFact.Handled letter -> handled(action, self, letter, report);
       case MailFact.Delivered letter -> {
         LetterId id = new LetterId(robot, letter.boot(), letter.number());
-        boolean isHandled = everHandled.contains(new Arrival(id, letter.to()));
-        check(HANDLED, isHandled, action, id + " is told delivered, but is not", report);
+        Long clock = everHandled.get(new Arrival(id, letter.to()));
+        check(HANDLED, clock != null, action, id + " is told delivered, but is not", report);
+        self.clock = Math.max(self.clock, clock == null ? 0 : clock);
         settled(action, self, id, report);
       }
       case MailFact.Failed letter -> {
@@ -319,7 +321,7 @@ final class MessagesSpec extends LemmaMonitor {
     }
     int newest = self.newestBoots.merge(letter.from, letter.boot, Math::max);
     check(FRESH, letter.boot == newest, action, letter + " after its start " + newest, report);
-    everHandled.add(new Arrival(letter, action.robot()));
+    everHandled.merge(new Arrival(letter, action.robot()), clock, Math::min);
   }
 
   private void settled(Action action, Program self, LetterId letter, Report report) {

@@ -46,7 +46,7 @@ class MessagesSpecTest {
   }
 
   private void handle(long atS, int boot, int number) {
-    act(atS, RECEIVER, new MailFact.Handled(SENDER, LETTERS, boot, number, 7, 7));
+    act(atS, RECEIVER, new MailFact.Handled(SENDER, LETTERS, boot, number, 6 + number, 6 + number));
   }
 
   private void transmit(long atNs) {
@@ -106,6 +106,16 @@ class MessagesSpecTest {
     send(1, 1, 1, Care.DEFAULT);
     act(2, RECEIVER, new MailFact.Handled(SENDER, LETTERS, 1, 1, 7, 6));
     assertThat(at(3).violations("messages.Genuine")).isEqualTo(1);
+  }
+
+  @Test
+  void aClockBehindAnAcknowledgementViolatesGenuine() {
+    send(1, 1, 1, Care.DEFAULT);
+    act(2, RECEIVER, new MailFact.Handled(SENDER, LETTERS, 1, 1, 7, 20));
+    act(3, SENDER, new MailFact.Delivered(RECEIVER, 1, 1));
+    send(4, 1, 2, Care.DEFAULT);
+    act(5, RECEIVER, new MailFact.Handled(SENDER, LETTERS, 1, 2, 20, 20));
+    assertThat(at(6).violations("messages.Genuine")).isEqualTo(1);
   }
 
   @Test
