@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -34,7 +35,7 @@ import org.starl.trace.TraceEvent.Sent;
  * of all instances of all primitives that decide by the Synod.
  *
  * <ul>
- *   <li>{@code Ballots}: an acceptor answers no ballot below one that it has answered.
+ *   <li>{@code Ballots}: an acceptor answers no ballot below one that it has answered, and refuses only lower ones.
  *   <li>{@code Votes}: an acceptor's promise reports its latest vote.
  *   <li>{@code Quorums}: a ballot has one value, after promises of a majority, and their latest vote's
  *       if there is one; a value is reported as decided only after a majority has voted for it in one
@@ -55,6 +56,10 @@ public final class SynodSpec extends LemmaMonitor {
   static final String ANSWERS = "synod.Answers";
   static final String ASKS = "synod.Asks";
 
+  /** Not the ballots' own order, which could be wrong. */
+  private static final Comparator<Ballot> ORDER =
+      Comparator.comparingLong(Ballot::round).thenComparing(Ballot::proposer);
+
   /** Older numbers are forgotten: no robot is so far behind, and runs may be long. */
   private static final int KEPT_NUMBERS = 256;
 
@@ -64,7 +69,9 @@ public final class SynodSpec extends LemmaMonitor {
   private boolean isRealTime;
 
   public SynodSpec() {
-    lemma(BALLOTS, "An acceptor answers no ballot below one that it has answered.");
+    lemma(
+        BALLOTS,
+        "An acceptor answers no ballot below one that it has answered, and refuses only lower ones.");
     lemma(VOTES, "An acceptor's promise reports its latest vote.");
     lemma(QUORUMS, "A value is proposed, and reported as decided, only as a majority allows.");
     lemma(
@@ -117,7 +124,7 @@ public final class SynodSpec extends LemmaMonitor {
     Ballot answered = decree == null ? null : decree.answered.get(got.robot());
     if (known >= number && run.acceptors.contains(got.robot().name())) {
       mustAnswer(got, number, null);
-    } else if (answered != null && ballot.compareTo(answered) < 0) {
+    } else if (answered != null && ORDER.compare(ballot, answered) < 0) {
       mustAnswer(got, number, ballot);
     }
   }
@@ -163,7 +170,10 @@ public final class SynodSpec extends LemmaMonitor {
         asked(run, sent, m);
       }
       case Decided m -> decree(run, m).decided(sent, m.value(), report);
-      case Nack m -> {} // no rule
+      case Nack m -> {
+        boolean isLower = ORDER.compare(m.ballot(), m.promised()) < 0;
+        decree(run, m).check(BALLOTS, isLower, sent, () -> "is no lower ballot", report);
+      }
       case Query m -> {} // no rule
     }
   }
@@ -179,7 +189,7 @@ public final class SynodSpec extends LemmaMonitor {
   }
 
   private static Ballot higher(Ballot a, Ballot b) {
-    return a.compareTo(b) > 0 ? a : b;
+    return ORDER.compare(a, b) > 0 ? a : b;
   }
 
   private Decree decree(Run run, SynodMessage message) {
@@ -224,7 +234,7 @@ public final class SynodSpec extends LemmaMonitor {
     private final Run run;
     private final Map<RobotId, Ballot> answered = new TreeMap<>();
     private final Map<RobotId, Ballot> voted = new TreeMap<>();
-    private final Map<Ballot, Attempt> attempts = new TreeMap<>();
+    private final Map<Ballot, Attempt> attempts = new TreeMap<>(ORDER);
     private final Set<Question> questions = new LinkedHashSet<>();
 
     Decree(Run run) {
@@ -235,7 +245,7 @@ public final class SynodSpec extends LemmaMonitor {
       answers(sent, promise.ballot(), report);
       Vote told = promise.vote();
       Ballot last = voted.get(sent.robot());
-      boolean isLate = last != null && (told == null || told.ballot().compareTo(last) < 0);
+      boolean isLate = last != null && (told == null || ORDER.compare(told.ballot(), last) < 0);
       check(VOTES, !isLate, sent, () -> "after its vote in ballot " + last, report);
       if (told != null) {
         Value value = attempt(told.ballot()).value;
@@ -331,7 +341,8 @@ public final class SynodSpec extends LemmaMonitor {
     private long upTo(@Nullable Ballot highest) {
       long count = 0;
       for (Vote vote : promises.values()) {
-        boolean isUpTo = vote == null || (highest != null && vote.ballot().compareTo(highest) <= 0);
+        boolean isUpTo =
+            vote == null || (highest != null && ORDER.compare(vote.ballot(), highest) <= 0);
         count += isUpTo ? 1 : 0;
       }
       return count;

@@ -164,6 +164,14 @@ class SynodSpecTest {
   }
 
   @Test
+  void anAcceptorThatRefusesABallotThatIsNotLowerViolatesBallots() {
+    sends(1, C, A, new Nack(1, LOW, HIGH));
+    assertThat(monitors.report().violations(SynodSpec.BALLOTS)).isZero();
+    sends(2, C, A, new Nack(1, LOW, LOW));
+    assertThat(monitors.report().violations(SynodSpec.BALLOTS)).isEqualTo(1);
+  }
+
+  @Test
   void whoKnowsADecisionAndDoesNotTellItViolatesAnswers() {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
