@@ -35,6 +35,7 @@ final class ElectionRecord {
   private final FaultState faults;
   private int size;
   private long latestTerm;
+  private long decidedTerm; // the latest one of which a robot has said or shown the leader
 
   // The id of each robot's present program.
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
@@ -124,6 +125,22 @@ final class ElectionRecord {
     return isLater ? message.term() : isLeaderDead ? term + 1 : 0;
   }
 
+  void decided(long term) {
+    decidedTerm = Math.max(decidedTerm, term);
+  }
+
+  /** A term begins after the decision of the one before; others may stand in it already. */
+  void checkBegins(ElectionAction.candidate stands, Action action, Report report) {
+    report.checked(ElectionSpec.TERMS);
+    if (stands.n() > decidedTerm + 1 && !candidates.containsKey(stands.n())) {
+      report.violated(
+          ElectionSpec.TERMS,
+          action.timeNs(),
+          List.of(action.robot()),
+          source + ": begins term " + stands.n() + " after the decision of term " + decidedTerm);
+    }
+  }
+
   void stood(long term, ProcessId id) {
     terms.merge(id.robot(), term, Math::max);
     // A robot that stands without a call of do_election is no valid candidate.
@@ -147,6 +164,7 @@ final class ElectionRecord {
     long term = name.term();
     ProcessId leader = name.id();
     latestTerm = Math.max(latestTerm, term);
+    decided(term);
     report.checked(ElectionSpec.TERMS);
     long before = terms.merge(variable.robot(), term, Math::max);
     if (before > term) {

@@ -50,6 +50,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       "Who stands, leads or decides says so, at once and again; who hears of a later term, or a new start, stands.";
 
   private boolean leaderStays;
+  private boolean seesMessages;
   private final TurnCheck turns = new TurnCheck(faults);
   private final LastVote lastVote = new LastVote();
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
@@ -81,7 +82,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     super(ElectionFact.PRIMITIVE);
     lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
     lemma(SOUNDNESS, "A leader stood for election in its term.");
-    lemma(TERMS, "The term of a robot's program never goes back.");
+    lemma(
+        TERMS,
+        "The term of a robot's program never goes back; one begins after a decision of the one before.");
     lemma(
         LEADER,
         "Leader is null, and no older leader, after a candidacy; it is null and fail at no other time.");
@@ -109,8 +112,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   }
 
   /**
-   * Also requires that no robot suspects a leader, fails, or proposes before these times; and that robots tell
-   * each other at once.
+   * Also requires that no robot suspects a leader, fails, or proposes before these times; that robots tell
+   * each other at once; and that a term begins after the decision of the one before. The trace must have all
+   * messages.
    */
   public ElectionSpec patient(ElectionSettings settings) {
     lemma(SUSPECTED, "No robot stands against a leader that it has heard within the silence.");
@@ -122,6 +126,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     lemma(
         TURN,
         "No candidate proposes before those that its strategy puts first; each term has draws of its own.");
+    seesMessages = true;
     tells.begin();
     says.begin();
     turns.begin(settings);
@@ -172,6 +177,9 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
           silence.suspectsNobody(report); // it knows no leader of the term before
         }
         failed.remove(key(action));
+        if (seesMessages) {
+          ballots.checkBegins(stands, action, report);
+        }
         ballots.stood(stands.n(), stands.i());
         turns.stands(key(action), stands.n(), action.timeNs());
         says.owes(
@@ -231,11 +239,17 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
             && turns.isNew(got, message);
     turns.observe(event, report);
     if (event instanceof Sent sent) {
+      if (sent.message() instanceof Elected elected) {
+        instance(sent.channel()).decided(elected.term());
+      }
       sent(sent, report);
     }
     if (event instanceof Delivered got && got.message() instanceof ElectionMessage message) {
       silence.heard(got.channel(), got, message.from());
       ElectionRecord ballots = instance(got.channel());
+      if (message instanceof Elected elected) {
+        ballots.decided(elected.term());
+      }
       long due = ballots.termDue(got.robot(), message, isNewCandidate);
       if (due > 0) {
         tells.owes(

@@ -108,12 +108,14 @@ final class TurnCheck {
               sent.channel() + ": has in term " + turn.term + " the draw of the term before";
           report.violated(ElectionSpec.TURN, sent.timeNs(), List.of(sent.robot()), detail);
         }
-      } else if (turn != null
-          && !turn.hasProposed
-          && sent.message() instanceof Prepare prepare
-          && prepare.number() == turn.term) {
-        turn.hasProposed = true;
-        judge(turn, prepare.ballot().proposer(), sent, report);
+      } else if (turn != null && sent.message() instanceof Prepare prepare) {
+        if (prepare.number() < turn.term && strategy != null) {
+          String detail = sent.channel() + ": " + prepare + " while it stands in term " + turn.term;
+          report.violated(ElectionSpec.TURN, sent.timeNs(), List.of(sent.robot()), detail);
+        } else if (!turn.hasProposed && prepare.number() == turn.term) {
+          turn.hasProposed = true;
+          judge(turn, prepare.ballot().proposer(), sent, report);
+        }
       }
     }
   }

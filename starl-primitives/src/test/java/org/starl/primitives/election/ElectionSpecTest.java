@@ -122,6 +122,20 @@ class ElectionSpecTest {
   }
 
   @Test
+  void aTermThatBeginsBeforeTheDecisionOfTheOneBeforeViolatesTerms() {
+    Monitors patient = patient();
+    patient.observe(Seen.stands(1, A, 2, id(A)));
+    assertThat(patient.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
+    patient.observe(Seen.stands(1, B, 2, id(B))); // as it hears of A
+    patient.observe(Seen.tells(1, C, A, new ElectionMessage.Elected(id(C), 2, id(A))));
+    patient.observe(Seen.stands(1, C, 3, id(C)));
+    assertThat(patient.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
+    patient.observe(Seen.shows(10, C, leader(3, C)));
+    patient.observe(Seen.stands(10, B, 4, id(B)));
+    assertThat(patient.report().violations(ElectionSpec.TERMS)).isEqualTo(1);
+  }
+
+  @Test
   void aTermThatGoesBackViolatesTerms() {
     allTakePart();
     stands(A, 2);
@@ -356,6 +370,16 @@ class ElectionSpecTest {
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 2 * ms, lower)).isZero();
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 3 * ms, higher)).isEqualTo(1);
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 8 * ms, higher)).isZero();
+  }
+
+  @Test
+  void aProposalForAnEarlierTermThanItsOwnViolatesTurn() {
+    for (long term : List.of(2L, 1L)) {
+      Monitors patient = patient();
+      patient.observe(Seen.stands(1, A, 2, id(A)));
+      patient.observe(Seen.prepares(9_000_000, A, term));
+      assertThat(patient.report().violations(ElectionSpec.TURN)).isEqualTo(2 - term);
+    }
   }
 
   private static long turns(ElectionStrategy strategy, long atNs, ElectionMessage... heard) {
