@@ -35,7 +35,7 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
- * {@code Fresh}, {@code Soundness}, {@code rList}, and, where a bound is given, {@code Registered}: of
+ * {@code Fresh}, {@code Soundness}, {@code rList}, {@code failed}, and, where a bound is given, {@code Registered}: of
  * joining and of leaving; and with {@link #patient} {@code Informed}, {@code Rumour}, {@code Asks}, {@code
  * Shown} and {@code Completes}.
  */
@@ -53,6 +53,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String SHOWN = "registration.Shown";
   static final String COMPLETES = "registration.Completes";
   static final String R_LIST = "registration.rList";
+  static final String FAILED = "registration.failed";
 
   private static final String REGISTERED_SAYS =
       "A robot that asks to be registered or removed is so within the bound, or told that it failed.";
@@ -71,9 +72,14 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   private final Map<ProcessKey, ProcessId> halfway = new LinkedHashMap<>();
   private final Map<ProcessKey, Set<ProcessId>> disposed = new LinkedHashMap<>();
   private boolean isStoodInFor;
+  private long nowNs;
   private final LastVote lastVote = new LastVote();
   private final FlagCheck<RList> list = flag(RegistrationFact.R_LIST, R_LIST);
+  private final FlagCheck<Boolean> failed = flag(RegistrationFact.FAILED, FAILED);
   private final Map<ProcessKey, Program> programs = new LinkedHashMap<>();
+
+  // The last number that may admit an id which its robot gives up as it joins.
+  private final Map<ProcessKey, Long> givenUpAfter = new LinkedHashMap<>();
 
   /** One start of a robot's program: the id that asked and has not left, and its latest view. */
   private record Program(@Nullable ProcessId id, View view) {
@@ -106,11 +112,14 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
     lemma(
         FRESH,
-        "An id that has left the list never comes back; one that may have left unseen asks no more.");
+        "An id that has left the list never comes back; one that may have left unseen, and no other, asks no more.");
     lemma(SOUNDNESS, "Every id on a list has asked to be registered.");
     lemma(
         R_LIST,
         "The variable rList is null, or the list of the robot's latest view, and the robot is on it.");
+    lemma(
+        FAILED,
+        "The variable failed says whether the latest call was given up, or the robot removed.");
     progress =
         progress(
             REGISTERED,
@@ -202,6 +211,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void acted(Action action, Report report) {
+    nowNs = action.timeNs();
     ViewHistory history = instance(action.source());
     ProcessKey key = new ProcessKey(action.source(), action.robot());
     switch (action.fact()) {
@@ -213,6 +223,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         history.asked(action.robot(), asked.i());
         rumours.joins(key, true);
         progress.start(key, action.timeNs());
+        failed.says(key, action, is -> !is || nowNs > action.timeNs(), report);
         has(key, new Program(asked.i(), program(key).view), action, report);
       }
       case AgreementFact.Acceptors acceptors -> history.vote(acceptors.robots());
@@ -230,6 +241,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         awaitRemoval(action.source(), history.latest(), action.timeNs(), report);
       }
       case RegistrationAction.give_up gone -> {
+        if (gone.i().equals(program(key).id) && !program(key).view.contains(gone.i())) {
+          givenUpAfter.put(key, rumours.askedIn(key));
+        }
         leaves(history, action, gone.i(), report);
         disposes(key, gone.i(), action.timeNs(), report);
       }
@@ -287,9 +301,11 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void changed(Variable variable, Report report) {
+    nowNs = variable.timeNs();
     ViewHistory history = instance(variable.source());
     ProcessKey key = new ProcessKey(variable.source(), variable.robot());
     list.shows(variable, report);
+    failed.shows(variable, report);
     RList shown = variable.of(RegistrationFact.R_LIST);
     rumours.observe(variable, report); // ends the step before
     if (shown != null) {
@@ -332,6 +348,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         progress.meet(key, report);
       }
     } else if (Boolean.TRUE.equals(variable.of(RegistrationFact.FAILED))) {
+      givenUpAfter.remove(key);
       progress.giveUp(key, variable.timeNs(), faults, report);
       progress.stop(key);
       ProcessId left = leaving.remove(key);
@@ -350,11 +367,19 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   private void mayMiss(ProcessKey key, View view, Variable variable, Report report) {
     ProcessId id = program(key).id;
+    long askedIn = rumours.askedIn(key);
+    Long gaveUpAfter = givenUpAfter.remove(key);
     if (id != null && view.contains(id)) {
       rumours.joins(key, false);
-    } else if (id != null && rumours.mayHaveMissed(key, view.number())) {
+    } else if (id != null && askedIn > 0 && view.number() > askedIn) {
       String detail = key.source() + ": still asks as " + id + ", which a view before may have had";
       report.violated(FRESH, variable.timeNs(), List.of(variable.robot()), detail);
+    } else if (gaveUpAfter != null && view.number() <= gaveUpAfter) {
+      String detail = key.source() + ": gives up an id that no view before can have had";
+      report.violated(FRESH, variable.timeNs(), List.of(variable.robot()), detail);
+    }
+    if (id != null && program(key).view.contains(id) && !view.contains(id) && view.number() > 0) {
+      failed.says(key, variable, is -> is || nowNs > variable.timeNs(), report);
     }
   }
 
@@ -429,7 +454,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       for (Deadlines each : List.of(progress, removal, disposal, hidden, late, silent)) {
         each.stop(key);
       }
-      List.of(leaving, halfway, disposed, tellings).forEach(ids -> ids.remove(key));
+      List.of(leaving, halfway, disposed, tellings, givenUpAfter).forEach(ids -> ids.remove(key));
     }
   }
 

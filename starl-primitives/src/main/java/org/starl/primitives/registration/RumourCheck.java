@@ -89,10 +89,9 @@ final class RumourCheck {
     known(key).askedIn = 0;
   }
 
-  /** Whether it may have missed the view that admits its id, when it learns this one. */
-  boolean mayHaveMissed(ProcessKey key, long view) {
-    long askedIn = known(key).askedIn;
-    return askedIn > 0 && view > askedIn;
+  /** The last number that may admit the robot's id; 0 for none. A later view tells that it may have missed it. */
+  long askedIn(ProcessKey key) {
+    return known(key).askedIn;
   }
 
   boolean isListShown(ProcessKey key) {

@@ -107,7 +107,7 @@ class RegistrationSpecTest {
   }
 
   /** The robot a is on the list of view 1, which it shows from 1 ns on. */
-  private static Monitors showsItsList(long boundNs) {
+  static Monitors showsItsList(long boundNs) {
     RegistrationSpec spec =
         new RegistrationSpec(boundNs).patient(RegistrationSettings.DEFAULT).standingIn();
     Monitors patient = new Monitors(List.of(spec));
@@ -231,6 +231,7 @@ class RegistrationSpecTest {
     acts(20, "a", "unregister", "a");
     monitors.observe(Shown.failed(30, "a"));
     acts(5_000, "a", "do_register", "a.2");
+    monitors.observe(Shown.failed(5_000, "a", false));
     sees(5_010, "a", "2:a@1,a.2@2");
     assertThat(monitors.report().holds()).isTrue();
     assertThat(report(6_011).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);

@@ -120,6 +120,10 @@ public final class Shown {
 
   /** Whether the latest call has failed. */
   public static TraceEvent failed(long atNs, String robot) {
-    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.FAILED, true);
+    return failed(atNs, robot, true);
+  }
+
+  static TraceEvent failed(long atNs, String robot, boolean has) {
+    return new Variable(atNs, new RobotId(robot), HERE, RegistrationFact.FAILED, has);
   }
 }

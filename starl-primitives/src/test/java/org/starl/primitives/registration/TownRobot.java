@@ -158,6 +158,7 @@ final class TownRobot {
       this.record = record;
       show(RegistrationFact.VIEW, View.NONE);
       show(RegistrationFact.R_LIST, RList.UNKNOWN);
+      show(RegistrationFact.FAILED, false);
       protocol =
           town.maker.make(
               name,
