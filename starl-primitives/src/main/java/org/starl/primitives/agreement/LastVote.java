@@ -2,6 +2,7 @@ package org.starl.primitives.agreement;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 
@@ -23,10 +24,15 @@ public final class LastVote {
 
   /** Whether the variable's robot has heard a vote for this number, of the variable's primitive, in this step. */
   public boolean decides(TraceEvent.Variable variable, long number) {
+    return decides(variable, variable.source(), number);
+  }
+
+  /** Whether the event's robot has heard a vote for this number, of this primitive, in this step. */
+  public boolean decides(TraceEvent event, Instance source, long number) {
     return heard != null
-        && heard.robot().equals(variable.robot())
-        && heard.channel().owner().equals(variable.source())
-        && heard.timeNs() == variable.timeNs()
+        && heard.robot().equals(event.robot())
+        && heard.channel().owner().equals(source)
+        && heard.timeNs() == event.timeNs()
         && heard.message() instanceof Accepted vote
         && vote.number() == number;
   }

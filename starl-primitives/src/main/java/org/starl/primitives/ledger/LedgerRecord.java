@@ -22,6 +22,7 @@ import org.starl.primitives.ledger.LedgerEntry.Start;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.Instance;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Sent;
 
 /**
  * One ledger, as {@link LedgerSpec} sees it in the trace: what the first robot at each number applied, and
@@ -34,10 +35,13 @@ final class LedgerRecord {
 
   private final Instance source;
   private final Set<RobotId> voters = new TreeSet<>();
+  // By the robot and the voter: its beacons since it has asked that voter.
+  private final Map<RobotId, Map<String, Integer>> unasked = new TreeMap<>();
   private final Set<RobotId> seen = new TreeSet<>();
   private final Map<RobotId, Integer> open = new TreeMap<>();
   private final TreeMap<Long, First> decrees = new TreeMap<>();
   private final Map<TaskId, Task> tasks = new TreeMap<>();
+  private final Map<RobotId, ProcessId> programs = new TreeMap<>();
   private int unfinished;
 
   // The first and the last decree that each robot has by itself, as it must keep them.
@@ -141,6 +145,14 @@ final class LedgerRecord {
     return seen;
   }
 
+  /** Whether the robot asks each voter with one of as many beacons as there are voters. */
+  boolean asksInTurn(Sent sent, boolean asks) {
+    Map<String, Integer> counts = unasked.computeIfAbsent(sent.robot(), robot -> new TreeMap<>());
+    int count = asks ? 0 : counts.getOrDefault(sent.to(), 0) + 1;
+    counts.put(sent.to(), count);
+    return count < voters.size();
+  }
+
   void asked(LedgerEntry entry, Action event, Report report) {
     RobotId robot = event.robot();
     open.merge(robot, 1, Integer::sum);
@@ -160,6 +172,7 @@ final class LedgerRecord {
     had.remove(robot);
     freed.remove(robot);
     owns.remove(robot);
+    unasked.remove(robot);
   }
 
   /** Whether the robot must have this decree, to tell it to others. */
@@ -245,10 +258,14 @@ final class LedgerRecord {
 
   private void take(long number, LedgerEntry entry, Action event, Report report) {
     switch (entry) {
-      case Start e ->
-          tasks.values().stream()
-              .filter(task -> e.who().robot().equals(task.claimant))
-              .forEach(task -> task.claimant = null);
+      case Start e -> {
+        ProcessId before = programs.put(e.who().robot(), e.who());
+        boolean isNew = before == null || before.compareTo(e.who()) < 0;
+        check(LedgerSpec.PRESENT, isNew, event, e + " after that of " + before, report);
+        tasks.values().stream()
+            .filter(task -> e.who().robot().equals(task.claimant))
+            .forEach(task -> task.claimant = null);
+      }
       case Add e -> {
         check(LedgerSpec.KEPT, tasks.put(e.task(), new Task()) == null, event, "twice", report);
         unfinished++;
@@ -257,6 +274,7 @@ final class LedgerRecord {
         Task task = task(e.task(), event, report);
         boolean isFree = task.claimant == null && task.worker == null && !task.isFinished;
         check(LedgerSpec.BEGUN_BY_ONE, isFree, event, e + " of a task that is not open", report);
+        checkPresent(e.who(), e, event, report);
         task.claimant = e.who().robot();
         task.holder = e.who();
         task.claims.put(e.claim(), e.who());
@@ -275,6 +293,7 @@ final class LedgerRecord {
         Task task = task(e.task(), event, report);
         boolean isRight = e.who().robot().equals(task.worker) && !task.isFinished;
         check(LedgerSpec.FINISHED_ONCE, isRight, event, e + " without its begin", report);
+        checkPresent(e.who(), e, event, report);
         task.worker = null;
         task.isFinished = true;
         unfinished--;
@@ -282,6 +301,12 @@ final class LedgerRecord {
       case Free e -> task(e.task(), event, report).claimant = null;
       case Reopen e -> task(e.task(), event, report).worker = null;
     }
+  }
+
+  /** What an earlier program of a robot wanted is void. */
+  private void checkPresent(ProcessId who, LedgerEntry entry, Action event, Report report) {
+    boolean isPresent = who.equals(programs.get(who.robot()));
+    check(LedgerSpec.PRESENT, isPresent, event, entry + " of a program that has ended", report);
   }
 
   private Task task(TaskId id, Action event, Report report) {

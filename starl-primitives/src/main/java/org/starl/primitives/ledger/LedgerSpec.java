@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.LastVote;
 import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
 import org.starl.primitives.agreement.SynodSpec;
@@ -27,7 +28,7 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * The specification of ledgers, after the package's contract: {@code OneLog}, {@code BegunByOne}, {@code
- * FinishedOnce}, {@code Kept}, {@code Told}, {@code held}, and, where bounds are given, {@code Answered} and {@code
+ * FinishedOnce}, {@code Kept}, {@code Present}, {@code Told}, {@code held}, and, where bounds are given, {@code Answered} and {@code
  * Freed}, and with {@link #patient} {@code Suspected} and {@code Behind}.
  */
 public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
@@ -36,6 +37,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   static final String BEGUN_BY_ONE = "ledger.BegunByOne";
   static final String FINISHED_ONCE = "ledger.FinishedOnce";
   static final String KEPT = "ledger.Kept";
+  static final String PRESENT = "ledger.Present";
   static final String TOLD = "ledger.Told";
   static final String ANSWERED = "ledger.Answered";
   static final String FREED = "ledger.Freed";
@@ -49,6 +51,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   private final Deadlines freed;
   private final SuspicionCheck silence = new SuspicionCheck(SUSPECTED, faults);
   private final TellCheck tells = new TellCheck(BEHIND);
+  private final LastVote lastVote = new LastVote();
 
   /** Safety only. */
   public LedgerSpec() {
@@ -70,6 +73,9 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
     lemma(BEGUN_BY_ONE, "No two robots are told to do a task, unless it was reopened between.");
     lemma(FINISHED_ONCE, "A task is finished at most once, by the robot that has begun it.");
     lemma(KEPT, "A task that was added stays in the ledger until it is finished.");
+    lemma(
+        PRESENT,
+        "Programs of a robot start in order, and only the latest one claims and finishes.");
     lemma(
         TOLD,
         "A claim, or its end, is in the log when its robot is told so, and each ends its own.");
@@ -94,7 +100,9 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
    */
   public LedgerSpec patient(LedgerSettings settings) {
     lemma(SUSPECTED, "No voter ends the claim of a robot that it has heard within the lease.");
-    lemma(BEHIND, "A robot that asks for decrees is told the next one at once, by who has it.");
+    lemma(
+        BEHIND,
+        "A robot that decides a decree, or is asked for it, tells it at once; it asks all voters in turn.");
     silence.setSilence(settings.leaseMs() * NS_PER_MS);
     tells.begin();
     answered.setLeast(settings.deadlineMs() * NS_PER_MS);
@@ -125,6 +133,9 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
       case LedgerFact.Voters voters -> log.voters(voters.robots());
       case LedgerFact.Applied decree -> {
         log.applied(decree, action, report);
+        if (lastVote.decides(action, action.source(), decree.number())) {
+          mustTell(log, action, decree.number());
+        }
         log.knows(robot, decree.number(), false);
         checkHeld(key, action, log, report);
         if (freed.isBounded() && decree.entries().stream().anyMatch(LedgerSpec::endsAClaim)) {
@@ -149,6 +160,18 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
         }
       }
       default -> {}
+    }
+  }
+
+  private void mustTell(LedgerRecord log, Action action, long number) {
+    for (RobotId voter : log.voters()) {
+      if (!voter.equals(action.robot())) {
+        tells.owes(
+            action,
+            voter.name(),
+            "decree " + number,
+            told -> told instanceof Decided decree && decree.number() == number);
+      }
     }
   }
 
@@ -181,6 +204,7 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
   @Override
   protected void happened(TraceEvent event, Report report) {
     tells.observe(event, report);
+    lastVote.observe(event);
     if (event instanceof Delivered got && got.message() instanceof Here here) {
       silence.heard(got.channel(), got, here.from());
       if (here.asks() && instance(got.channel()).has(got.robot(), here.number() + 1)) {
@@ -189,6 +213,11 @@ public final class LedgerSpec extends InstanceSpec<LedgerRecord> {
             got.from().name(),
             "decree " + (here.number() + 1),
             told -> told instanceof Decided decree && decree.number() == here.number() + 1);
+      }
+    } else if (event instanceof Sent sent && sent.message() instanceof Here here) {
+      if (answered.isBounded() && !instance(sent.channel()).asksInTurn(sent, here.asks())) {
+        String detail = sent.channel() + ": has not asked " + sent.to() + " in its turn";
+        report.violated(BEHIND, sent.timeNs(), List.of(sent.robot()), detail);
       }
     } else if (event instanceof Sent sent
         && sent.channel().kind().equals(LedgerFact.SYNOD)

@@ -140,6 +140,46 @@ class LedgerSpecTest {
   }
 
   @Test
+  void whoDecidesADecreeAndTellsNotAllVotersViolatesBehind() {
+    for (long toldNs : List.of(5L, 6L)) {
+      Monitors patient = patient();
+      patient.observe(votes(0, A));
+      patient.observe(Seen.hearsVote(5, A, B, 1));
+      patient.observe(applies(5, A, 1, 0));
+      patient.observe(Seen.decrees(toldNs, A, B, 1));
+      patient.observe(applies(7, B, 1, 0)); // it is told, and decides nothing
+      patient.observe(installs(8, B, 1, 0));
+      assertThat(patient.report().violations(LedgerSpec.BEHIND)).isEqualTo(toldNs - 5);
+    }
+  }
+
+  @Test
+  void aVoterThatIsNotAskedInItsTurnViolatesBehind() {
+    Monitors patient = patient();
+    patient.observe(votes(0, A));
+    for (boolean asks : List.of(true, false, true, false)) {
+      patient.observe(Seen.beacons(1, A, B, asks));
+    }
+    assertThat(patient.report().violations(LedgerSpec.BEHIND)).isZero();
+    patient.observe(Seen.beacons(2, A, B, false));
+    assertThat(patient.report().violations(LedgerSpec.BEHIND)).isEqualTo(1);
+  }
+
+  @Test
+  void whatAnEarlierProgramOfARobotWantedViolatesPresent() {
+    LedgerEntry again = new LedgerEntry.Start(PA2);
+    sees(applies(1, A, 1, 1, START_A, ADD, CLAIM_A, BEGIN_A, again));
+    assertThat(violations(LedgerSpec.PRESENT)).isZero();
+    sees(applies(2, A, 2, 0, FINISH_A));
+    assertThat(violations(LedgerSpec.PRESENT)).isEqualTo(1);
+    sees(applies(3, A, 3, 1, START_A));
+    assertThat(violations(LedgerSpec.PRESENT)).isEqualTo(2);
+    Monitors late = new Monitors(List.of(new LedgerSpec(BOUND_NS, FREED_NS)));
+    late.observe(applies(1, A, 1, 1, START_A, ADD, again, CLAIM_A));
+    assertThat(late.report().violations(LedgerSpec.PRESENT)).isEqualTo(1);
+  }
+
+  @Test
   void otherEntriesAtOneNumberViolateOneLog() {
     sees(applies(1, A, 1, 1, ADD), applies(2, B, 1, 0));
     assertThat(violations(LedgerSpec.ONE_LOG)).isEqualTo(1);

@@ -90,6 +90,19 @@ final class Seen {
     return says(timeNs, robot, to.name(), new SynodMessage.Decided(number, Value.EMPTY));
   }
 
+  /** The robot hears a vote for its ballot. */
+  static Delivered hearsVote(long timeNs, RobotId robot, RobotId from, long number) {
+    Instance synod = Instance.of(LedgerFact.SYNOD, SOURCE.xid());
+    SynodMessage vote = new SynodMessage.Accepted(number, new Ballot(1, ProcessId.first(robot, 1)));
+    return new Delivered(timeNs, robot, from, synod, 1, SynodMessage.SHAPE, vote);
+  }
+
+  /** The robot tells a voter that it lives. */
+  static Sent beacons(long timeNs, RobotId robot, RobotId to, boolean asks) {
+    LedgerMessage here = new LedgerMessage.Here(ProcessId.first(robot, 1), 1, asks);
+    return new Sent(timeNs, robot, to.name(), SOURCE, 1, 1, LedgerMessage.SHAPE, here);
+  }
+
   private static Sent says(long timeNs, RobotId robot, String to, SynodMessage message) {
     Instance synod = Instance.of(LedgerFact.SYNOD, SOURCE.xid());
     return new Sent(timeNs, robot, to, synod, 1, 1, SynodMessage.SHAPE, message);
