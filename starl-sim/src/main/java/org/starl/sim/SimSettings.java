@@ -157,8 +157,8 @@ public final class SimSettings {
   public WorldLimits worldLimits() {
     double maxMmPerS = get(Setting.MAX_SPEED);
     return get(Setting.IDEAL_MOTION)
-        ? new WorldLimits(maxMmPerS, IDEAL_RAD_PER_S, false)
-        : new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, true);
+        ? new WorldLimits(maxMmPerS, IDEAL_RAD_PER_S, false, false)
+        : new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, true, speedError() > 0);
   }
 
   /** The motion parameters of robot number {@code index}, unless its app sets others. */

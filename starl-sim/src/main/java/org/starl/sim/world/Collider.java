@@ -33,6 +33,12 @@ final class Collider {
   private static final double STEP_MM = 1;
   private static final double KEEP_MM = World.TOUCH_MM / 2;
 
+  /** As if it rolled on a wheel of this radius: the most that robots allow for. */
+  private static final double ROLLING_MM = 100;
+
+  /** Well below a right angle: else it would begin and end to press without end. */
+  private static final double BESIDE_RAD = 1.3;
+
   /** The minimum interval of checks of a body that turns in contact. */
   private static final long LEAST_TURN_NS = 1_000;
 
@@ -78,7 +84,9 @@ final class Collider {
     }
     look(body);
     updateTouched(body);
-    world.move(body, presses(body) ? 0 : body.wantedMmPerS, body.wantedRadPerS);
+    boolean presses = presses(body);
+    double rollsRadPerS = presses && world.turnsAtContact() ? rollsRadPerS(body) : 0;
+    world.move(body, presses ? 0 : body.wantedMmPerS, body.wantedRadPerS + rollsRadPerS);
     share(body);
     body.setDue(Math.min(body.spentNs(), nextEdgeNs(body)));
     body.setBumps(bumps(body));
@@ -214,6 +222,20 @@ final class Collider {
     double speeds = speed + other.speedMmPerS();
     double shareMm = speeds == 0 ? 0 : freeMm * (speed / speeds);
     return Math.max(shareMm, freeMm - other.budgetMm(nowNs));
+  }
+
+  /** A body that pushes against one thing rolls along it, until that is beside it. */
+  private static double rollsRadPerS(Body body) {
+    if (body.wantedMmPerS < 0 || body.touchedBodies.size() + body.touchedWalls.size() > 1) {
+      return 0;
+    }
+    double bearingRad =
+        body.touchedBodies.isEmpty()
+            ? bearingRad(body, body.touchedWalls.get(0))
+            : bearingRad(body, body.touchedBodies.get(0));
+    return Math.abs(bearingRad) > BESIDE_RAD
+        ? 0
+        : StrictMath.copySign(body.wantedMmPerS / ROLLING_MM, -bearingRad);
   }
 
   private boolean presses(Body body) {

@@ -192,6 +192,10 @@ public final class World {
     return limits.collisions();
   }
 
+  boolean turnsAtContact() {
+    return limits.turnsAtContact();
+  }
+
   double greatestRadiusMm() {
     return greatestRadiusMm;
   }

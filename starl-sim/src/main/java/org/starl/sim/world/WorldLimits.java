@@ -7,11 +7,13 @@ package org.starl.sim.world;
  * @param maxRadPerS the maximum turning speed
  * @param collisions whether bodies and walls are solid; if not, bodies pass through everything and
  *     no bump occurs
+ * @param turnsAtContact whether a body whose wheels push it against something turns away from that
  */
-public record WorldLimits(double maxMmPerS, double maxRadPerS, boolean collisions) {
+public record WorldLimits(
+    double maxMmPerS, double maxRadPerS, boolean collisions, boolean turnsAtContact) {
 
   /** The limits of an iRobot Create: 500 mm/s per wheel, wheels 258 mm apart; solid. */
-  public static final WorldLimits CREATE = new WorldLimits(500, 2 * 500 / 258.0, true);
+  public static final WorldLimits CREATE = new WorldLimits(500, 2 * 500 / 258.0, true, false);
 
   public WorldLimits {
     if (!(maxMmPerS > 0) || !(maxRadPerS > 0)) {

@@ -222,7 +222,7 @@ final class WorldTest {
             time,
             time,
             trace,
-            new WorldLimits(500, 4, false),
+            new WorldLimits(500, 4, false, false),
             Obstacles.of(Obstacle.wall(point(500, -500), point(500, 500))));
     Body body = bot(0, 0, 0, EAST);
     bot(1, 1000, 0, NORTH);
@@ -230,6 +230,22 @@ final class WorldTest {
     time.runFor(4);
     assertThat(body.pose().xMm()).isCloseTo(2000, within(1e-9));
     assertThat(body.bumps()).isEqualTo(Bumps.NONE);
+  }
+
+  @Test
+  void aBodyWithErrorsTurnsAwayFromWhatItsWheelsPushItAgainst() {
+    WorldLimits rolling = new WorldLimits(500, 4, true, true);
+    Obstacle wall = Obstacle.wall(point(500, -5000), point(500, 5000));
+    world = new World(time, time, trace, rolling, Obstacles.of(wall));
+    Body body = bot(0, 0, 0, 0.5);
+    body.drive(straight(100));
+    time.runFor(4);
+    assertThat(body.bumps()).as("the wall is on its right").isEqualTo(Bumps.RIGHT);
+    double pushesRad = body.pose().headingRad();
+    time.runFor(0.1);
+    assertThat(body.pose().headingRad() - pushesRad).isCloseTo(0.1, within(1e-6));
+    time.runFor(5);
+    assertThat(body.pose().headingRad()).as("the wall is beside it").isBetween(1.3, NORTH);
   }
 
   @Test
