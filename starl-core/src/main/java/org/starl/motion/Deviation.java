@@ -19,8 +19,14 @@ import org.starl.trace.Var;
  * @param yMm along its y axis
  * @param headingRad counter-clockwise
  * @param errorMm the bound that the robot believes its position error to have, in mm
+ * @param errorRad the same of its heading
  */
-public record Deviation(double xMm, double yMm, double headingRad, double errorMm) {
+public record Deviation(
+    double xMm, double yMm, double headingRad, double errorMm, double errorRad) {
+
+  // Clocks and rounding may be off by so much.
+  private static final double SLACK_MM = 1;
+  private static final double SLACK_RAD = 0.01;
 
   /** The traced variable. A robot without one believes in its true pose, nearly. */
   public static final Var<Deviation> VAR = Var.of("deviation", shape());
@@ -29,7 +35,7 @@ public record Deviation(double xMm, double yMm, double headingRad, double errorM
   public static final Instance SOURCE = Instance.of("gps");
 
   /** No deviation at all. */
-  public static final Deviation NONE = new Deviation(0, 0, 0, 0);
+  public static final Deviation NONE = new Deviation(0, 0, 0, 0, 0);
 
   /** Of this belief from {@code truth}. */
   public static Deviation of(Location.Known belief, Pose truth) {
@@ -38,7 +44,8 @@ public record Deviation(double xMm, double yMm, double headingRad, double errorM
         pose.xMm() - truth.xMm(),
         pose.yMm() - truth.yMm(),
         Angles.difference(pose.headingRad(), truth.headingRad()),
-        belief.errorMm());
+        belief.errorMm(),
+        belief.errorRad());
   }
 
   /** The distance between the believed and the true position, in mm. */
@@ -48,12 +55,18 @@ public record Deviation(double xMm, double yMm, double headingRad, double errorM
 
   /** Whether the true position is outside the robot's own error bound, by more than 1 mm. */
   public boolean isFalse() {
-    return distanceMm() > errorMm + 1;
+    return distanceMm() > errorMm + SLACK_MM;
+  }
+
+  /** Whether the true heading is outside the robot's own error bound, by more than 0.6 degrees. */
+  public boolean isTurned() {
+    return Math.abs(headingRad) > errorRad + SLACK_RAD;
   }
 
   /** Whether a picture of it would look different from one of {@code other}, by {@code leastMm}. */
   public boolean differs(Deviation other, double leastMm) {
     return isFalse() != other.isFalse()
+        || isTurned() != other.isTurned()
         || StrictMath.hypot(xMm - other.xMm, yMm - other.yMm) > leastMm
         || StrictMath.abs(errorMm - other.errorMm) > leastMm;
   }
@@ -80,6 +93,7 @@ public record Deviation(double xMm, double yMm, double headingRad, double errorM
         part("yMm", REAL, Deviation::yMm),
         part("headingRad", REAL, Deviation::headingRad),
         part("errorMm", REAL, Deviation::errorMm),
+        part("errorRad", REAL, Deviation::errorRad),
         Deviation::new);
   }
 }

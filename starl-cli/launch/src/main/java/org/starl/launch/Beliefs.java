@@ -43,7 +43,7 @@ final class Beliefs {
       return null;
     }
     double errorMm = withinMm.getOrDefault(robot, 0.0);
-    Location.Known belief = new Location.Known(measured, errorMm, 0, timeNs, timeNs);
+    Location.Known belief = new Location.Known(measured, errorMm, StrictMath.PI, timeNs, timeNs);
     Deviation now = Deviation.of(belief, truth.poseAt(robot, timeNs));
     if (!now.differs(told.getOrDefault(robot, Deviation.NONE), SHOWN_MM)) {
       return null;

@@ -126,7 +126,8 @@ final class MeasuredBodies {
   }
 
   private static Variable believed(TraceEvent event, Pose pose) {
-    var fromOrigin = new org.starl.motion.Deviation(pose.xMm(), pose.yMm(), pose.headingRad(), 0);
+    var fromOrigin =
+        new org.starl.motion.Deviation(pose.xMm(), pose.yMm(), pose.headingRad(), 0, StrictMath.PI);
     return new Variable(
         event.timeNs(),
         event.robot(),

@@ -121,6 +121,7 @@ class LiveMergeTest {
   }
 
   private static Variable deviation(long timeNs, double xMm) {
-    return new Variable(timeNs, BOT, Deviation.SOURCE, Deviation.VAR, new Deviation(xMm, 0, 1, 0));
+    return new Variable(
+        timeNs, BOT, Deviation.SOURCE, Deviation.VAR, new Deviation(xMm, 0, 1, 0, StrictMath.PI));
   }
 }

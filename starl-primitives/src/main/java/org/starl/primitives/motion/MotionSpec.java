@@ -142,7 +142,9 @@ public final class MotionSpec extends LemmaMonitor {
    * after a fault of them: of fixes and wheels within their bounds, but for such faults.
    */
   public MotionSpec located() {
-    lemma(LOCATED, "A robot is within its error bound of the place where it believes to be.");
+    lemma(
+        LOCATED,
+        "A robot is within its error bounds of the place and the heading that it believes to have.");
     isLocated = true;
     return this;
   }
@@ -380,8 +382,9 @@ public final class MotionSpec extends LemmaMonitor {
 
   private void checkLocated(Variable variable, Report report) {
     Deviation deviation = variable.of(Deviation.VAR);
-    if (isLocated && deviation != null && deviation.isFalse()) {
-      report.violated(LOCATED, variable.timeNs(), List.of(variable.robot()), deviation.toString());
+    if (isLocated && deviation != null && (deviation.isFalse() || deviation.isTurned())) {
+      String heading = deviation.isTurned() ? ", heading " + deviation.headingRad() : "";
+      report.violated(LOCATED, variable.timeNs(), List.of(variable.robot()), deviation + heading);
     }
   }
 
@@ -414,7 +417,10 @@ public final class MotionSpec extends LemmaMonitor {
   /** A robot reacts to a bump, and does not push on; one whose wheels turn in vain fails. */
   private void checkHeldUp(MotionRecord motion, long nowNs, Report report) {
     long stoodNs = nowNs - Math.max(motion.triesFromNs, bodies.standsFromNs(motion.robot, nowNs));
-    if (motion.isOpen && motion.isCalm && stoodNs > heldUpMs * NS_PER_MS && !isRealTime) {
+    // Its wheels may be stuck.
+    long mostMs = motion.isCalm ? heldUpMs : heldUpMs + p.stuckAfterMs();
+    boolean isTimed = faultsOfTime == 0 && !isRealTime;
+    if (motion.isOpen && isTimed && stoodNs > mostMs * NS_PER_MS) {
       String detail = "stands for " + stoodNs / NS_PER_MS + " ms during its move";
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
     }

@@ -16,6 +16,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.motion.Deviation;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFailure;
 import org.starl.motion.MotionFlag;
@@ -208,6 +209,25 @@ class MotionSpecTest {
     backing.observe(new Joined(0, new RobotId("b"), new Pose(-340, 0, 0), 165));
     bumps(backing);
     assertThat(backing.report().violations(MotionSpec.TOLD)).isZero();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"9000, 0", "16000, 1"})
+  void aMotionWhoseWheelsAreStuckForLongViolatesTold(long goesOnMs, int violations) {
+    moves(1_000, new Nowhere());
+    monitors.observe(new Fault(1_000 * MS, A, Fault.BEGIN, "stuck", "stuck(a)"));
+    monitors.observe(new Moved(1_000 * MS, A, HERE, 0, 0));
+    monitors.observe(new Moved(goesOnMs * MS, A, HERE, 100, 0));
+    assertThat(monitors.report().violations(MotionSpec.TOLD)).isEqualTo(violations);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.1, 0.1, 0", "0.1, 0.2, 0", "0.2, 0.1, 1", "-0.2, 0.1, 1"})
+  void aHeadingOutsideItsBoundViolatesLocated(double offRad, double errorRad, int violations) {
+    Monitors own = located();
+    Deviation deviation = new Deviation(0, 0, offRad, 0, errorRad);
+    own.observe(new Variable(0, A, Deviation.SOURCE, Deviation.VAR, deviation));
+    assertThat(own.report().violations(MotionSpec.LOCATED)).isEqualTo(violations);
   }
 
   private static Monitors located() {

@@ -130,7 +130,7 @@ class RunPageTest {
     run.observed(new TraceEvent.Variable(1000 * MS, A, Instance.APP, LOCATION, "REQUEST"));
     run.observed(
         new TraceEvent.Variable(
-            1500 * MS, B, Deviation.SOURCE, Deviation.VAR, new Deviation(-500, 300, 1, 200)));
+            1500 * MS, B, Deviation.SOURCE, Deviation.VAR, new Deviation(-500, 300, 1, 200, 1)));
     run.observed(new TraceEvent.Sent(2000 * MS, A, "bot1", MUTEX, 1, 50, Shapes.TEXT, "REQ[1]"));
     run.observed(new TraceEvent.Delivered(2700 * MS, B, A, MUTEX, 1, Shapes.TEXT, "REQ[1]"));
     run.observed(new TraceEvent.Fault(3000 * MS, C, TraceEvent.Fault.CRASH, ""));
