@@ -1,6 +1,7 @@
 package org.starl.workload;
 
 import java.time.Duration;
+import java.util.function.BiConsumer;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Request;
 import org.starl.body.CollisionPolicy;
@@ -9,6 +10,7 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Region;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionControl;
 import org.starl.primitives.motion.MotionPrim;
@@ -44,14 +46,19 @@ final class MotionClient extends Client {
   /** Between fixes that are this far apart a robot needs its odometry; older ones stop it. */
   private static final Duration SELDOM = Duration.ofMillis(250);
 
+  /** Part of the runs in which robots plan no ways: they drive straight at what they must avoid. */
+  private static final double STRAIGHT = 0.3;
+
   private final MotionPrim motion;
+  private final BiConsumer<ItemPosition, Region> mover;
   private Point home = new Point(0, 0);
   private boolean hasHome;
 
-  private MotionClient(GlobalVarHolder gvh, Setup setup, boolean isHurried) {
+  private MotionClient(GlobalVarHolder gvh, Setup setup, boolean isHurried, boolean isStraight) {
     super(gvh, setup, THINK_MS);
     gvh.plat.moat.setParameters(paced(gvh.plat.moat.parameters(), isHurried));
     motion = new MotionControl(gvh);
+    mover = isStraight ? gvh.plat.moat::doMove : motion::do_move;
   }
 
   static void setUp(Setup setup) {
@@ -59,10 +66,11 @@ final class MotionClient extends Client {
     Rng drawn = new Rng(setup.request().seed()).fork("motion/walls");
     boolean hasWalls = drawn.nextBoolean(0.5);
     boolean isHurried = drawn.nextBoolean(HURRIED);
+    boolean isStraight = drawn.nextBoolean(STRAIGHT);
     Obstacles walls = hasWalls ? setup.walls() : Obstacles.NONE;
     setup.simulation().obstacles(walls);
     MotionParameters parameters = paced(setup.settings().motionParameters(0), isHurried);
-    setup.placeSilent(gvh -> new MotionClient(gvh, setup, isHurried));
+    setup.placeSilent(gvh -> new MotionClient(gvh, setup, isHurried, isStraight));
     setup.simulation().monitor(() -> new MotionSpec(parameters).located().backingOff(walls));
     // Past a body or a wall that stands at its target a robot drives until its time is over.
     boolean isLong = hasWalls || isHurried || !parameters.collisionPolicy().fails();
@@ -129,7 +137,7 @@ final class MotionClient extends Client {
     Point to = around(home, REACH_MM);
     Point centre = rng.nextBoolean(0.5) ? around(home, REACH_MM) : onTheWay(to);
     Circle avoid = new Circle(centre, MAX_RADIUS_MM * rng.nextDouble());
-    motion.do_move(new ItemPosition("place" + round, to.xMm(), to.yMm()), avoid);
+    mover.accept(new ItemPosition("place" + round, to.xMm(), to.yMm()), avoid);
     if (rng.nextBoolean(CANCELLED)) {
       pause(rng.nextLong(0, CANCEL_MS));
       motion.motion_stop();
