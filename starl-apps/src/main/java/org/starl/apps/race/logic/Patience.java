@@ -31,14 +31,6 @@ public final class Patience {
       inVain = 0;
     }
     inVain++;
-    return distanceMm <= allowedMm(point, bodyRadiusMm, inVain);
-  }
-
-  /**
-   * The greatest distance from which a robot may win after so many motions in vain; not above 0 for
-   * none.
-   */
-  public static double allowedMm(RacePoint point, double bodyRadiusMm, int inVain) {
-    return (inVain - TRIES + 1) * (2 * bodyRadiusMm + point.radiusMm());
+    return distanceMm <= (inVain - TRIES + 1) * (2 * bodyRadiusMm + point.radiusMm());
   }
 }

@@ -84,13 +84,27 @@ public final class RaceFact {
     }
   }
 
+  /** A robot, at this distance, has the way to a point from now on, as far as the one that says so knows. */
+  public record Way(RobotId robot, int point, int distanceMm) {
+
+    /** The shape of these facts, under their name in the trace. */
+    public static final RecordShape<Way> SHAPE =
+        Shapes.of(
+                Way.class,
+                part("robot", ROBOT, Way::robot),
+                part("point", INT, Way::point),
+                part("distanceMm", INT, Way::distanceMm),
+                Way::new)
+            .named("way");
+  }
+
   /** What a reader of traces needs. */
   public static final Vocabulary VOCABULARY =
       PrimitiveVocabulary.ALL
           .messages(
               GeocastFact.BROADCAST, GeocastMessage.shape(RaceMessage.shape(RaceMessage.MOST)))
           .messages(GeocastFact.GEOCAST, GeocastMessage.shape(RightOfWay.Ask.SHAPE))
-          .facts(Instance.APP.primitive(), Arrived.SHAPE, Taken.SHAPE)
+          .facts(Instance.APP.primitive(), Arrived.SHAPE, Taken.SHAPE, Way.SHAPE)
           .variables(Instance.APP.primitive(), LOCATION, POINT);
 
   private RaceFact() {}

@@ -3,6 +3,7 @@ package org.starl.apps.race.logic;
 import java.util.Comparator;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.race.logic.RaceFact.Way;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
@@ -17,9 +18,11 @@ import org.starl.time.Time;
  * has the right of way for 8 s; all others that have heard it draw back meanwhile. Safety does not
  * depend on it: a robot that has not heard is only in the way for longer. Strand only.
  */
-final class RightOfWay {
+public final class RightOfWay {
 
-  private static final long LASTS_NS = 8 * Time.NS_PER_S;
+  /** So long a robot has the way. */
+  public static final long LASTS_NS = 8 * Time.NS_PER_S;
+
   private static final long ASK_MS = 2_000;
   private static final double AREA_RADII = 12;
 
@@ -82,6 +85,7 @@ final class RightOfWay {
     Held wanted = new Held(robot, ask, gvh.plat.clock.nowNs());
     if (held == null || !isHeld(ask.point) || NEAREST.compare(wanted, held) < 0) {
       held = wanted;
+      gvh.trace.action(Way.SHAPE, new Way(robot, ask.point(), ask.distanceMm()));
     }
   }
 }

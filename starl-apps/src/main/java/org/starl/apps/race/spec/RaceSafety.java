@@ -10,10 +10,13 @@ import java.util.TreeSet;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
 import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RaceFact.Arrived;
 import org.starl.apps.race.logic.RaceFact.Taken;
+import org.starl.apps.race.logic.RaceFact.Way;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RightOfWay;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
@@ -45,8 +48,9 @@ import org.starl.trace.TraceEvent.Variable;
  *       its motion has ended.
  *   <li>{@code confirmed}: when a robot is done, all robots that were never down know the winners, unless it
  *       has told them for long.
- *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, or until the point
- *       is won.
+ *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, and while another
+ *       one has the way, or until the point is won; one that drives and hears of another one's way draws
+ *       back. While a robot has the way, only a nearer one gets it, and it does not ask anew.
  * </ul>
  */
 public final class RaceSafety extends LemmaMonitor {
@@ -62,6 +66,9 @@ public final class RaceSafety extends LemmaMonitor {
   // By a clock that runs fast, too.
   private static final long TELLS_NS = RaceApp.TELL_PATIENCE_MS * Time.NS_PER_MS / 2;
   private static final long MAKES_WAY_NS = RaceApp.MAKE_WAY_MS * Time.NS_PER_MS * 9 / 10;
+  // It looks each 100 ms; a clock may jump by some ms.
+  private static final long LOOKS_NS = Time.NS_PER_S;
+  private static final long WAY_NS = RightOfWay.LASTS_NS - 100 * Time.NS_PER_MS;
   private static final double ROUNDING_MM = 0.01;
 
   // By so much a robot may err about how much nearer a motion has brought it.
@@ -78,6 +85,8 @@ public final class RaceSafety extends LemmaMonitor {
   private final Set<Claim> made = new TreeSet<>();
   private final Map<RobotId, Long> tellsFromNs = new TreeMap<>();
   private final Map<RobotId, Long> makesWayFromNs = new TreeMap<>();
+  private final Map<RobotId, Long> racesFromNs = new TreeMap<>();
+  private final Map<RobotId, Action> ways = new TreeMap<>();
   private final Set<RobotId> wereDown = new TreeSet<>();
 
   private final TellCheck tells = new TellCheck(ANNOUNCED);
@@ -99,7 +108,8 @@ public final class RaceSafety extends LemmaMonitor {
         CONFIRMED,
         "When a robot is done, all that were never down know the winners, or it has told them for long.");
     lemma(
-        MAKES_WAY, "A robot that draws back for others does so for 3 s, unless the point is won.");
+        MAKES_WAY,
+        "A robot draws back for 3 s, and while a nearer one that asks has the way, unless the point is won.");
     this.points = List.copyOf(points);
     tells.begin();
   }
@@ -113,6 +123,7 @@ public final class RaceSafety extends LemmaMonitor {
           arrived(action, arrived, report);
       case Action action when action.fact() instanceof Taken taken ->
           taken(action, taken.claim(), report);
+      case Action action when action.fact() instanceof Way way -> passes(action, way, report);
       case Variable variable when variable.of(RaceFact.POINT) != null -> sets(variable);
       case Variable variable when variable.of(MotionFact.FLAG) != null -> ends(variable);
       case Variable variable when variable.of(RaceFact.LOCATION) != null ->
@@ -120,6 +131,8 @@ public final class RaceSafety extends LemmaMonitor {
       case Fault fault when fault.name().equals(Fault.CRASH) -> {
         wereDown.add(fault.robot());
         makesWayFromNs.remove(fault.robot());
+        racesFromNs.remove(fault.robot());
+        ways.remove(fault.robot());
       }
       default -> {}
     }
@@ -156,13 +169,48 @@ public final class RaceSafety extends LemmaMonitor {
     inVain.merge(robot, 1, Integer::sum);
   }
 
+  private void passes(Action action, Way way, Report report) {
+    Action last = ways.put(action.robot(), action);
+    if (last != null
+        && last.fact() instanceof Way before
+        && before.point() == way.point()
+        && action.timeNs() - last.timeNs() < WAY_NS) {
+      boolean isAgain = way.robot().equals(action.robot()) && before.robot().equals(way.robot());
+      if (isAgain || way.distanceMm() > before.distanceMm()) {
+        String detail =
+            (isAgain ? "asks again, after " : "a farther robot has the way, after ") + before;
+        report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
+      }
+    }
+  }
+
+  /** Whether another robot has the way to its point for so long, as far as it knows. */
+  private boolean isOthers(TraceEvent event, long forNs) {
+    Action last = ways.get(event.robot());
+    return last != null
+        && last.fact() instanceof Way way
+        && !way.robot().equals(event.robot())
+        && points.get(way.point()).equals(racingTo.get(event.robot()))
+        && event.timeNs() - last.timeNs() >= forNs
+        && event.timeNs() - last.timeNs() < WAY_NS;
+  }
+
   private void goesOn(Variable location, Report report) {
     RobotId robot = location.robot();
+    Location next = Objects.requireNonNull(location.of(RaceFact.LOCATION));
     Long sinceNs = makesWayFromNs.remove(robot);
-    switch (Objects.requireNonNull(location.of(RaceFact.LOCATION))) {
+    long racesNs = location.timeNs() - racesFromNs.getOrDefault(robot, location.timeNs());
+    racesFromNs.remove(robot);
+    boolean hasDrivenOn = racesNs >= LOOKS_NS && isOthers(location, LOOKS_NS);
+    if (hasDrivenOn || (next == Location.RACE && sinceNs != null && isOthers(location, 1))) {
+      String detail = "drives on, and another robot has the way";
+      report.violated(MAKES_WAY, location.timeNs(), List.of(robot), detail);
+    }
+    switch (next) {
       case MAKE_WAY -> makesWayFromNs.put(robot, location.timeNs());
       case RACE -> {
         report.checked(MAKES_WAY);
+        racesFromNs.put(robot, location.timeNs());
         if (sinceNs != null && location.timeNs() - sinceNs < MAKES_WAY_NS) {
           String detail = "makes way for " + Time.text(location.timeNs() - sinceNs, 1) + " only";
           report.violated(MAKES_WAY, location.timeNs(), List.of(robot), detail);
@@ -218,7 +266,7 @@ public final class RaceSafety extends LemmaMonitor {
   /** From so far the robot may claim that it was kept off; not above 0 for from nowhere. */
   private double patienceMm(RobotId robot, RacePoint point) {
     double bodyMm = bodies.isOnFloor(robot) ? bodies.radiusMm(robot) : 0;
-    return Patience.allowedMm(point, bodyMm, inVain.getOrDefault(robot, 0));
+    return (inVain.getOrDefault(robot, 0) - 2) * (2 * bodyMm + point.radiusMm()); // from the third
   }
 
   private void checkConfirmed(Variable done, Report report) {

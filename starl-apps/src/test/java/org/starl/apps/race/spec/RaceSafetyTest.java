@@ -127,6 +127,46 @@ class RaceSafetyTest {
     assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
   }
 
+  private void passes(long atMs, RobotId robot, int distanceMm) {
+    RaceFact.Way way = new RaceFact.Way(robot, 0, distanceMm);
+    monitors.observe(
+        Action.of(atMs * Time.NS_PER_MS, ROBOT, Instance.APP, RaceFact.Way.SHAPE, way));
+  }
+
+  @Test
+  void aRobotMakesWayAsLongAsANearerOneHasIt() {
+    enter(0, Location.RACE);
+    passes(1_000, OTHER, 300);
+    enter(1_100, Location.MAKE_WAY);
+    enter(9_000, Location.RACE);
+    assertThat(monitors.report().violations("race.makes_way")).isZero();
+    passes(10_000, OTHER, 300);
+    enter(10_100, Location.MAKE_WAY);
+    enter(14_000, Location.RACE);
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+    enter(16_000, Location.PICK); // only then, though it has known for long
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(2);
+  }
+
+  @Test
+  void whileARobotHasTheWayOnlyANearerOneGetsIt() {
+    passes(0, OTHER, 300);
+    passes(1_000, ROBOT, 200);
+    passes(9_000, OTHER, 400);
+    assertThat(monitors.report().violations("race.makes_way")).isZero();
+    passes(10_000, ROBOT, 500);
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotThatHasTheWayDoesNotAskAnew() {
+    passes(0, ROBOT, 300);
+    passes(8_000, ROBOT, 200);
+    assertThat(monitors.report().violations("race.makes_way")).isZero();
+    passes(10_000, ROBOT, 100);
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+  }
+
   @Test
   void aRobotIsDoneWhenTheOthersKnowAsGoodAWinner() {
     place(monitors, ROBOT, 0);
