@@ -129,6 +129,7 @@ class FaultyRobotsTest {
     "BUMPED_IS_THERE, maze.Reached",
     "BUMPED_IS_NO_WAY, maze.NoWay",
     "MARKS_A_GUESS, maze.Belief",
+    "MARKS_A_GUESS, maze.Told",
     "REQUESTS_NO_BLOCKS, maze.Apart",
     "REQUESTS_NO_BLOCKS, maze.held",
     "HOLDS_FOR_EVER, maze.Answered",

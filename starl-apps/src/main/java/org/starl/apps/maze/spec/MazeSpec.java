@@ -8,6 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.Mark;
 import org.starl.apps.maze.logic.MazeApp.Location;
 import org.starl.apps.maze.logic.MazeFact;
 import org.starl.apps.maze.logic.MazeTask;
@@ -21,11 +22,13 @@ import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
+import org.starl.spec.TellCheck;
 import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -42,6 +45,7 @@ import org.starl.trace.TraceEvent.Variable;
  *       others expect it: near its start or one of its goals. And it sets out only on a way on which it holds
  *       each block that it touches; for the first way to a goal, also where it may get after a contact.
  *   <li>{@code Answered}: each goal is answered within the bound while no fault is active.
+ *   <li>{@code Told}: a robot that has marked a place sends the mark to all others in the same step.
  * </ul>
  */
 public final class MazeSpec implements Monitor {
@@ -52,6 +56,7 @@ public final class MazeSpec implements Monitor {
   public static final String APART = "maze.Apart";
   public static final String HELD = "maze.held";
   static final String ANSWERED = "maze.Answered";
+  static final String TOLD = "maze.Told";
 
   private static final long STEP_NS = 20 * Time.NS_PER_MS;
   private static final int HELD_STEPS = 20;
@@ -78,6 +83,7 @@ public final class MazeSpec implements Monitor {
   private final SortedMap<RobotId, Location> locations = new TreeMap<>();
   private final SortedMap<RobotId, MazeFact.Way> ways = new TreeMap<>();
   private final SortedSet<RobotId> outside = new TreeSet<>();
+  private final TellCheck tells = new TellCheck(TOLD);
   private long nextCheckNs;
   private long nextHeldNs;
 
@@ -94,11 +100,12 @@ public final class MazeSpec implements Monitor {
     this.tasks = tasks;
     this.bodyMm = bodyMm;
     answers = new Within<>(boundNs);
+    tells.begin();
   }
 
   @Override
   public List<String> lemmas() {
-    return List.of(REACHED, NO_WAY, BELIEF, APART, HELD, ANSWERED);
+    return List.of(REACHED, NO_WAY, BELIEF, APART, HELD, ANSWERED, TOLD);
   }
 
   @Override
@@ -117,6 +124,7 @@ public final class MazeSpec implements Monitor {
       case HELD ->
           "A robot that drives holds each block that its body touches, now and on its way.";
       case ANSWERED -> "Each goal is answered within the bound.";
+      case TOLD -> "A robot that marks where bodies do not fit tells all robots in the same step.";
       default -> "";
     };
   }
@@ -124,6 +132,7 @@ public final class MazeSpec implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     finish(event.timeNs(), report);
+    tells.observe(event, report);
     bodies.observe(event);
     if (faults.observe(event)) {
       answers.assumeAll(faults.isFaultFree(), event.timeNs());
@@ -138,7 +147,14 @@ public final class MazeSpec implements Monitor {
       }
     } else if (event instanceof Action action && action.fact() instanceof MazeFact fact) {
       switch (fact) {
-        case MazeFact.Marked marked -> checkMark(action, marked.place(), report);
+        case MazeFact.Marked marked -> {
+          checkMark(action, marked.place(), report);
+          tells.owes(
+              action,
+              Sent.ALL,
+              "a mark",
+              told -> told instanceof Mark mark && marked.place().equals(mark.place(1)));
+        }
         case MazeFact.Answered answered -> checkAnswer(action, answered, report);
       }
     } else if (event instanceof Action action
