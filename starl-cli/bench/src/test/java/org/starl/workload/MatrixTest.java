@@ -190,6 +190,7 @@ class MatrixTest {
     List<String> monitors =
         new ClassFileImporter()
                 .withImportOption(new ImportOption.DoNotIncludeTests())
+                .withImportOption(location -> !location.contains("/run/test-classes/"))
                 .importPackages("org.starl.primitives")
                 .stream()
                 .filter(type -> type.isAssignableTo(Monitor.class))

@@ -128,7 +128,7 @@ class LauncherBuildTest {
   }
 
   @Test
-  void testsAreOfCheckedClassesAndAllElseIsBuiltWithoutTheGates() throws Exception {
+  void allTestsAreOfCheckedClassesAndAllElseIsBuiltWithoutTheGates() throws Exception {
     file("bin/mvn", "#!/bin/sh\necho \"$*\" >>words\n" + COMPILES);
     file("bin/aapt2", "");
 
@@ -136,13 +136,15 @@ class LauncherBuildTest {
     lines(0, "install");
     start("apk").waitFor(); // its maker is not there
     lines(0, "test");
+    lines(0, "test", "--all");
 
     assertThat(Files.readAllLines(folder.resolve("words")))
         .satisfiesExactly(
             list -> assertThat(list).contains("compile -Prun "),
             install -> assertThat(install).contains("install -Prun "),
             apk -> assertThat(apk).contains("compile -Prun "),
-            test -> assertThat(test).contains("verify ").doesNotContain("-Prun"));
+            test -> assertThat(test).contains("test -Prun -Dmaven.test.skip=false"),
+            all -> assertThat(all).contains("verify ").doesNotContain("-Prun"));
   }
 
   @Test
@@ -281,10 +283,11 @@ class LauncherBuildTest {
     file("starl-old/target/surefire-reports/TEST-old.xml", suite.formatted(100));
     file(
         "bin/mvn",
-        "#!/bin/sh\nfor m in starl-core starl-cli; do\nmkdir -p $m/target/surefire-reports\n"
-            + "echo '"
+        "#!/bin/sh\ncase \" $* \" in *' -Prun '*) run=/run ;; esac\n"
+            + "for m in starl-core starl-cli; do\n"
+            + "mkdir -p $m/target$run/surefire-reports\necho '"
             + suite.formatted(5)
-            + "' >$m/target/surefire-reports/TEST-a.xml\ndone\necho \"[WARNING] $*\"\n");
+            + "' >$m/target$run/surefire-reports/TEST-a.xml\ndone\n");
 
     assertThat(lines(0, "test", "--all")).last().isEqualTo("starl: 8 passed, 0 failed, 2 skipped");
     assertThat(lines(0, "test")).last().isEqualTo("starl: 8 passed, 0 failed, 2 skipped");
