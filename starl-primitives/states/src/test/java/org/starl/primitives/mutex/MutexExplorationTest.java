@@ -103,6 +103,7 @@ class MutexExplorationTest {
   }
 
   @Test
+  @Tag("long")
   void membersAndAJoinerAtTwoPlaces() {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>(Map.of(A, 1L, B, 1L, C, 2L));
     List<View> views = List.of(BOTH, new View(2, admitted));
