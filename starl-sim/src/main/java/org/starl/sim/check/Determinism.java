@@ -4,8 +4,6 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.math.BigDecimal;
-import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,8 +11,6 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.SimResult;
@@ -22,6 +18,8 @@ import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
 
 /**
  * Checks that a simulation depends only on its seeds and settings: runs it twice, on both kinds of
@@ -33,40 +31,31 @@ import org.starl.sim.kernel.CarrierKind;
  */
 public record Determinism(List<String> runs, long lines, @Nullable Difference difference) {
 
-  private static final Pattern PLACE =
-      Pattern.compile("\"timeNs\":(\\d+)(?:,\"robot\":\"([^\"]+)\")?");
-  private static final int NANOS = 9;
-
   /**
    * The first line that differs between two runs: a line of the trace, or the outcome after it.
    *
    * @param line its number in the trace, from 1
+   * @param event the event of the second run's line; null if that is another line, or none
    */
   public record Difference(
-      String firstRun, String secondRun, long line, String firstLine, String secondLine) {
+      String firstRun,
+      String secondRun,
+      long line,
+      String firstLine,
+      String secondLine,
+      @Nullable TraceEvent event) {
 
     /** Three lines: the position, and the text of each run. */
     @Override
     public String toString() {
-      String place = place(firstLine);
       return "first difference at line %s%s\n  %s: %s\n  %s: %s"
           .formatted(
               line,
-              place.isEmpty() ? place(secondLine) : place,
+              event == null ? "" : " (" + Time.text(event.timeNs(), 9) + ", " + event.robot() + ")",
               firstRun,
               firstLine,
               secondRun,
               secondLine);
-    }
-
-    private static String place(String text) {
-      Matcher matcher = PLACE.matcher(text);
-      if (!matcher.find()) {
-        return "";
-      }
-      BigDecimal seconds = new BigDecimal(new BigInteger(matcher.group(1)), NANOS);
-      String robot = matcher.group(2) == null ? "" : ", " + matcher.group(2);
-      return " (" + seconds.toPlainString() + " s" + robot + ")";
     }
   }
 
@@ -124,7 +113,8 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
       throws IOException {
     try (InputStream in = new BufferedInputStream(Files.newInputStream(reference), 1 << 16)) {
       LineComparer comparer = new LineComparer(in);
-      comparer.write(run(scenario, run, comparer).getBytes(StandardCharsets.UTF_8));
+      Supplier<Simulation.Builder> observed = () -> scenario.get().observer(comparer);
+      comparer.write(run(observed, run, comparer).getBytes(StandardCharsets.UTF_8));
       return comparer.difference(first, run.name());
     }
   }

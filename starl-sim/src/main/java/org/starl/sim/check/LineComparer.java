@@ -5,20 +5,25 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.SimObserver;
 import org.starl.sim.check.Determinism.Difference;
+import org.starl.trace.TraceEvent;
 
 /**
  * Compares written bytes with a reference and keeps the first line that differs. A premature end of
- * either side is a difference.
+ * either side is a difference. As an observer, before the recorder, it also keeps the event of that line.
  */
-final class LineComparer extends OutputStream {
+final class LineComparer extends OutputStream implements SimObserver {
 
   /** The text of a missing line. */
   static final String NOTHING = "(nothing more)";
 
   private final InputStream reference;
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+  private final Deque<TraceEvent> unwritten = new ArrayDeque<>();
   private long lineNumber = 1;
   private @Nullable String referenceLine;
   private boolean lineIsComplete;
@@ -28,6 +33,13 @@ final class LineComparer extends OutputStream {
    */
   LineComparer(InputStream reference) {
     this.reference = reference;
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    if (referenceLine == null) {
+      unwritten.add(event);
+    }
   }
 
   @Override
@@ -46,7 +58,9 @@ final class LineComparer extends OutputStream {
       line.write(written);
     } else if (referenceLine == null) {
       line.reset();
-      lineNumber++;
+      if (lineNumber++ > 1) { // the first is the header
+        unwritten.poll();
+      }
     } else {
       lineIsComplete = true;
     }
@@ -89,7 +103,9 @@ final class LineComparer extends OutputStream {
       referenceLine = restOfReference(next);
       writtenLine = line.size() == 0 ? NOTHING : writtenLine;
     }
-    return new Difference(referenceName, writtenName, lineNumber, referenceLine, writtenLine);
+    TraceEvent event = lineNumber > 1 ? unwritten.peek() : null;
+    return new Difference(
+        referenceName, writtenName, lineNumber, referenceLine, writtenLine, event);
   }
 
   /**

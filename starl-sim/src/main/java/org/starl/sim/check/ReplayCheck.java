@@ -33,7 +33,7 @@ public record ReplayCheck(
     LineComparer comparer = new LineComparer(trace);
     SimulationFailed failure = null;
     try (TraceRecorder recorder = new TraceRecorder(comparer)) {
-      simulation.observer(recorder).build().run();
+      simulation.observer(comparer).observer(recorder).build().run();
     } catch (SimulationFailed e) {
       failure = e;
     }

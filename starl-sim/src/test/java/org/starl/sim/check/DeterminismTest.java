@@ -130,6 +130,18 @@ class DeterminismTest {
     assertThat(difference.secondLine()).contains("broken 1");
   }
 
+  @Test
+  void theTextOfAFailureIsNoEvent() throws IOException {
+    AtomicInteger calls = new AtomicInteger();
+    Determinism check =
+        verify((round, gvh, rng) -> {
+          throw new IllegalStateException("\"timeNs\":7, call " + calls.getAndIncrement());
+        });
+    Difference difference = Objects.requireNonNull(check.difference());
+    assertThat(difference.toString())
+        .startsWith("first difference at line " + difference.line() + "\n");
+  }
+
   @ParameterizedTest
   @CsvSource(
       nullValues = "-",
