@@ -53,7 +53,7 @@ record Names(String packageName, String automaton, String action, String constan
     boolean isTaken =
         Stream.concat(
                 automaton.valueParameters().stream().map(Field::name),
-                automaton.types().stream().map(each -> each.type().toString()))
+                automaton.types().stream().map(each -> each.type().name()))
             .anyMatch(constant::equals);
     return new Names(
         full.substring(0, dot),

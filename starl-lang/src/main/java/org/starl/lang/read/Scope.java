@@ -92,7 +92,7 @@ final class Scope {
 
   /** The types of a used automaton are known by their names, if these are free. */
   void knowTypes(Automaton used) {
-    used.types().forEach(each -> types.putIfAbsent(each.type().toString(), each.type()));
+    used.types().forEach(each -> types.putIfAbsent(each.type().name(), each.type()));
     used.uses().values().forEach(this::knowTypes);
   }
 
@@ -102,8 +102,8 @@ final class Scope {
     known.uses().values().forEach(this::addTypes);
   }
 
-  private void add(Type type) {
-    types.putIfAbsent(type.toString(), type);
+  private void add(Type.Named type) {
+    types.putIfAbsent(type.name(), type);
     if (type instanceof Type.Sum sum) {
       sum.constructors().forEach(c -> constructors.putIfAbsent(c.name(), new Known(sum, c)));
     }

@@ -189,14 +189,14 @@ record TypeReader(Scope scope, Problems problems) {
   }
 
   /** Declares a type. */
-  Type declare(StarlParser.TypePartContext at) {
+  Type.Named declare(StarlParser.TypePartContext at) {
     String name = at.name.getText();
     scope.later.remove(name);
     scope
         .taken(name)
         .ifPresent(what ->
             problems.add(at.name, "'" + name + "' is " + what + " already; expected a new name"));
-    Type type =
+    Type.Named type =
         switch (at.typeBody()) {
           case StarlParser.RecordBodyContext body ->
               new Type.Rec(scope.automaton, name, fields(body.binderGroup(), true));

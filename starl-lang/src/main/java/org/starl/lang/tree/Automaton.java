@@ -53,7 +53,7 @@ public record Automaton(
     Pos pos) {
 
   /** A type with a name. */
-  public record Declared(Type type, List<String> comment) {}
+  public record Declared(Type.Named type, List<String> comment) {}
 
   /**
    * A component of the state.

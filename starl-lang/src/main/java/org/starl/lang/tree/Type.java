@@ -77,8 +77,14 @@ public sealed interface Type {
     }
   }
 
+  /** A type with a name of its own. */
+  sealed interface Named extends Type {
+
+    String name();
+  }
+
   /** A parameter of the automaton: its values are compared, nothing else. */
-  record Opaque(String name) implements Type {
+  record Opaque(String name) implements Named {
     @Override
     public String toString() {
       return name;
@@ -86,7 +92,7 @@ public sealed interface Type {
   }
 
   /** Another name of {@code target}. */
-  record Alias(String name, Type target) implements Type {
+  record Alias(String name, Type target) implements Named {
     @Override
     public String toString() {
       return name;
@@ -94,7 +100,7 @@ public sealed interface Type {
   }
 
   /** {@code record(term: nat, who: option[PIDS])}; equal by its owner and name. */
-  record Rec(String owner, String name, List<Field> fields) implements Type {
+  record Rec(String owner, String name, List<Field> fields) implements Named {
 
     /** The field of this name. */
     public Optional<Field> field(String wanted) {
@@ -108,7 +114,7 @@ public sealed interface Type {
   }
 
   /** {@code open | passed | failed(missing: set[PIDS])}; an enumeration if no constructor has fields. */
-  record Sum(String owner, String name, List<Constructor> constructors) implements Type {
+  record Sum(String owner, String name, List<Constructor> constructors) implements Named {
 
     /** Whether no constructor has fields. */
     public boolean isEnum() {
