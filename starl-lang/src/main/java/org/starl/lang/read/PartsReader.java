@@ -246,11 +246,9 @@ class PartsReader {
         StarlParser.FunPartContext.class,
         at -> {
           String name = at.name.getText();
-          scope.wrong.add(name);
-          if (mentions(at.expression(), reading)) {
+          if (scope.declaring(name, () -> mentions(at.expression(), reading))) {
             reading.add(name);
           }
-          scope.wrong.remove(name);
           parts.add(at);
         });
     boolean grows = true;

@@ -221,22 +221,28 @@ final class ProgramReader extends PartsReader {
   private void variable(StarlParser.VariableContext at) {
     orTold(() -> {
       String name = freshName(at.name);
-      scope.wrong.add(name);
-      Type type = types.type(at.type());
-      if (at.expression() == null) {
-        throw expressions.wrong(
-            at, "variable '" + name + "' has no start value; expected ':=' and a value of " + type);
-      }
-      Expr start = expressions.read(at.expression(), type);
-      scope.wrong.remove(name);
-      return variables.add(
-          new Variable(name, type, start, source.before(at), source.after(at.getStop()), pos(at)));
+      return variables.add(scope.declaring(name, () -> variable(name, at)));
     });
+  }
+
+  private Variable variable(String name, StarlParser.VariableContext at) {
+    Type type = types.type(at.type());
+    if (at.expression() == null) {
+      throw expressions.wrong(
+          at, "variable '" + name + "' has no start value; expected ':=' and a value of " + type);
+    }
+    Expr start = expressions.read(at.expression(), type);
+    return new Variable(name, type, start, source.before(at), source.after(at.getStop()), pos(at));
   }
 
   private void instance(StarlParser.InstancePartContext at) {
     String name = freshName(at.name);
-    scope.wrong.add(name);
+    Instance instance = scope.declaring(name, () -> instance(name, at));
+    scope.state.put(name, instance.primitive().type());
+    instances.put(name, instance);
+  }
+
+  private Instance instance(String name, StarlParser.InstancePartContext at) {
     Primitive primitive =
         primitive(at.of.getText())
             .orElseThrow(() -> {
@@ -255,9 +261,7 @@ final class ProgramReader extends PartsReader {
         pos(at.of));
     List<Expr> arguments =
         expressions.arguments(primitive.name(), primitive.parameters(), at.expression(), at);
-    scope.wrong.remove(name);
-    scope.state.put(name, primitive.type());
-    instances.put(name, new Instance(name, primitive, arguments, source.before(at), pos(at)));
+    return new Instance(name, primitive, arguments, source.before(at), pos(at));
   }
 
   private void every(StarlParser.EveryPartContext at) {
