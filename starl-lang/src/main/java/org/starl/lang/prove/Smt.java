@@ -2,6 +2,7 @@ package org.starl.lang.prove;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Texts of SMT-LIB 2. */
 final class Smt {
@@ -65,12 +66,26 @@ final class Smt {
     return condition.equals(FALSE) ? otherwise : call("ite", condition, then, otherwise);
   }
 
-  /** {@code bindings} are texts such as {@code (i PIDS)}. */
-  static String quantified(boolean forAll, List<String> bindings, String body) {
+  /** A bound variable. */
+  record Binding(String name, String sort) {
+
+    static List<String> names(List<Binding> bindings) {
+      return bindings.stream().map(Binding::name).toList();
+    }
+
+    /** {@code ((i PIDS) (n Int))}. */
+    static String text(List<Binding> bindings) {
+      return bindings.stream()
+          .map(each -> "(" + each.name + " " + each.sort + ")")
+          .collect(Collectors.joining(" ", "(", ")"));
+    }
+  }
+
+  static String quantified(boolean forAll, List<Binding> bindings, String body) {
     if (bindings.isEmpty() || body.equals(TRUE) || body.equals(FALSE)) {
       return body; // no type is empty
     }
-    return call(forAll ? "forall" : "exists", "(" + String.join(" ", bindings) + ")", body);
+    return call(forAll ? "forall" : "exists", Binding.text(bindings), body);
   }
 
   static String number(BigDecimal value, boolean isReal) {

@@ -13,6 +13,7 @@ import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.starl.lang.prove.Smt.Binding;
 import org.starl.lang.prove.Val.Fn;
 import org.starl.lang.prove.Val.Term;
 import org.starl.lang.tree.Action.Conjunct;
@@ -42,7 +43,8 @@ final class Translator {
    * @param path the conditions under which it is reached
    * @param binders the variables that are bound around it
    */
-  record RecursiveCall(String name, List<Val> arguments, List<String> path, List<String> binders) {}
+  record RecursiveCall(
+      String name, List<Val> arguments, List<String> path, List<Binding> binders) {}
 
   private final Sorts sorts;
   private final Script script;
@@ -52,7 +54,7 @@ final class Translator {
   private final List<RecursiveCall> calls = new ArrayList<>();
   private @Nullable List<Obligation> obligations;
   private List<String> path = new ArrayList<>();
-  private List<String> binders = new ArrayList<>();
+  private List<Binding> binders = new ArrayList<>();
   private int bound;
   private int definitions; // of recursive functions, which no assertion before them may name
   private boolean isApproximate;
@@ -97,18 +99,16 @@ final class Translator {
 
   /** A symbol that stands for {@code value}. */
   Val define(String name, Type type, Val value) {
-    List<String> names = new ArrayList<>();
-    List<String> parameters = new ArrayList<>();
+    List<Binding> parameters = new ArrayList<>();
     for (String sort : argumentSorts(type)) {
-      names.add("x" + names.size());
-      parameters.add("(" + names.getLast() + " " + sort + ")");
+      parameters.add(new Binding("x" + parameters.size(), sort));
     }
     binders.addAll(parameters);
-    String text = applied(value, type, names);
+    String text = applied(value, type, Binding.names(parameters));
     binders.subList(binders.size() - parameters.size(), binders.size()).clear();
     script.line(
-        "(define-fun %s (%s) %s %s)"
-            .formatted(name, String.join(" ", parameters), resultSort(type), text));
+        "(define-fun %s %s %s %s)"
+            .formatted(name, Binding.text(parameters), resultSort(type), text));
     return symbol(name, List.of(), type);
   }
 
@@ -182,16 +182,14 @@ final class Translator {
       }
       return array;
     }
-    List<String> names = new ArrayList<>();
-    List<String> bindings = new ArrayList<>();
+    List<Binding> bindings = new ArrayList<>();
     for (Type argument : of.arguments()) {
-      names.add("x$" + bound++);
-      bindings.add("(" + names.getLast() + " " + sorts.sort(argument) + ")");
+      bindings.add(new Binding("x$" + bound++, sorts.sort(argument)));
     }
     binders.addAll(bindings);
-    String body = term(map.at().apply(names), of.result());
+    String body = term(map.at().apply(Binding.names(bindings)), of.result());
     binders.subList(binders.size() - bindings.size(), binders.size()).clear();
-    return Smt.call("lambda", "(" + String.join(" ", bindings) + ")", body);
+    return Smt.call("lambda", Binding.text(bindings), body);
   }
 
   /** That a value is one of its type: what the sorts do not say. */
@@ -243,7 +241,7 @@ final class Translator {
               "the type " + list + ": lists of numbers are not translated without '++' or length");
         }
         String within = "(and (<= 0 " + n + ") (< " + n + " " + length(smt(value)) + "))";
-        yield Smt.quantified(true, List.of("(" + n + " Int)"), Smt.implies(within, inside));
+        yield Smt.quantified(true, List.of(new Binding(n, "Int")), Smt.implies(within, inside));
       }
       default -> Smt.TRUE;
     };
@@ -298,7 +296,7 @@ final class Translator {
       boolean forAll,
       List<Field> variables,
       List<Val> before,
-      List<String> open,
+      List<Binding> open,
       java.util.function.Function<List<Val>, String> body) {
     if (before.size() == variables.size()) {
       return closed(forAll, variables, before, open, body);
@@ -306,10 +304,10 @@ final class Translator {
     Field variable = variables.get(before.size());
     List<String> all = sorts.elements(variable.type());
     List<String> parts = new ArrayList<>();
-    List<String> stillOpen = new ArrayList<>(open);
+    List<Binding> stillOpen = new ArrayList<>(open);
     if (all.isEmpty()) {
       all = List.of((variable.name().matches("[0-9]+") ? "x" : variable.name()) + "$" + bound++);
-      stillOpen.add("(" + all.getFirst() + " " + sorts.sort(variable.type()) + ")");
+      stillOpen.add(new Binding(all.getFirst(), sorts.sort(variable.type())));
     }
     for (String element : all) {
       List<Val> values = new ArrayList<>(before);
@@ -323,7 +321,7 @@ final class Translator {
       boolean forAll,
       List<Field> variables,
       List<Val> values,
-      List<String> open,
+      List<Binding> open,
       java.util.function.Function<List<Val>, String> body) {
     String guard = inside(variables, values);
     binders.addAll(open);
@@ -572,7 +570,7 @@ final class Translator {
       each(type.arguments(), terms -> texts(terms, type, body));
     }
     List<String> pathHere = List.copyOf(path);
-    List<String> bindersHere = List.copyOf(binders);
+    List<Binding> bindersHere = List.copyOf(binders);
     return new Fn(
         type,
         arguments -> {
@@ -581,7 +579,7 @@ final class Translator {
             values.add(of(arguments.get(i), type.arguments().get(i)));
           }
           List<String> pathThere = path;
-          List<String> bindersThere = binders;
+          List<Binding> bindersThere = binders;
           path = new ArrayList<>(pathHere);
           binders = new ArrayList<>(bindersThere);
           binders.addAll(bindersHere);
@@ -706,7 +704,7 @@ final class Translator {
       requireChoice(name, sort, set.type());
       return of(Smt.call(name, term(set, set.type())), element);
     }
-    List<String> around = binders.stream().distinct().toList();
+    List<Binding> around = binders.stream().distinct().toList();
     String array = array(set, sort, around);
     Val chosen = of(Smt.call(name, array), element);
     script.require(Smt.quantified(true, around, membership(chosen, set)));
@@ -724,23 +722,16 @@ final class Translator {
   }
 
   /** An array that is the set: a new symbol, as Z3 decides little with those that it has no name for. */
-  private String array(Fn set, String sort, List<String> around) {
+  private String array(Fn set, String sort, List<Binding> around) {
     Type element = set.type().arguments().getFirst();
     if (!sorts.elements(element).isEmpty()) {
       return term(set, set.type());
     }
     String name = "set$" + bound++;
-    List<String> variables = new ArrayList<>();
-    List<String> sorts = new ArrayList<>();
-    for (String binder : around) {
-      int space = binder.indexOf(' ');
-      variables.add(binder.substring(1, space));
-      sorts.add(binder.substring(space + 1, binder.length() - 1));
-    }
-    script.declare(name, sorts, sort);
-    String array = Smt.call(name, variables);
+    script.declare(name, around.stream().map(Binding::sort).toList(), sort);
+    String array = Smt.call(name, Binding.names(around));
     String x = "x$" + bound++;
-    List<String> all = with(around, "(" + x + " " + this.sorts.sort(element) + ")");
+    List<Binding> all = with(around, new Binding(x, sorts.sort(element)));
     String isIn = smt(set.at().apply(List.of(x)));
     script.require(Smt.quantified(true, all, Smt.equal(Smt.call("select", array, x), isIn)));
     return array;
@@ -787,8 +778,8 @@ final class Translator {
     String j = "n$" + bound++;
     String within = "(and (<= 0 %1$s) (< %1$s %2$s) (< %2$s %3$s))".formatted(i, j, length(list));
     String equal = Smt.equal(Smt.call("seq.nth", list, i), Smt.call("seq.nth", list, j));
-    return Smt.quantified(
-        true, List.of("(" + i + " Int)", "(" + j + " Int)"), Smt.implies(within, Smt.not(equal)));
+    List<Binding> both = List.of(new Binding(i, "Int"), new Binding(j, "Int"));
+    return Smt.quantified(true, both, Smt.implies(within, Smt.not(equal)));
   }
 
   private Val get(Expr.Get get, Scope scope) {
@@ -966,21 +957,21 @@ final class Translator {
     names.put(name, name);
     List<Field> parameters = function.signature().parameters();
     List<Val> values = new ArrayList<>();
-    List<String> bindings = new ArrayList<>();
+    List<Binding> bindings = new ArrayList<>();
     for (Field parameter : parameters) {
-      bindings.add("(" + parameter.name() + "$ " + sorts.sort(parameter.type()) + ")");
+      bindings.add(new Binding(parameter.name() + "$", sorts.sort(parameter.type())));
       values.add(of(parameter.name() + "$", parameter.type()));
     }
     Type result = function.signature().result();
     List<String> more = new ArrayList<>();
     for (String sort : argumentSorts(result)) {
       more.add("x" + more.size());
-      bindings.add("(" + more.getLast() + " " + sort + ")");
+      bindings.add(new Binding(more.getLast(), sort));
     }
     definitions++;
     String body = withoutObligations(() -> body(function, scope, values, more));
     definitions--;
-    String text = "(" + String.join(" ", bindings) + ") " + resultSort(result) + " " + body;
+    String text = Binding.text(bindings) + " " + resultSort(result) + " " + body;
     // Over two states that are equal in all that it reads, it is one function.
     String same = texts.putIfAbsent(text.replace("(" + name + " ", "(self "), name);
     if (same != null) {
@@ -1026,15 +1017,15 @@ final class Translator {
   }
 
   private void unfold(
-      Unfolded of, List<Field> fields, List<Val> points, List<Val> arguments, List<String> open) {
+      Unfolded of, List<Field> fields, List<Val> points, List<Val> arguments, List<Binding> open) {
     List<Field> parameters = of.function().signature().parameters();
     if (arguments.size() == parameters.size()) {
       Type result = of.function().signature().result();
       List<String> more = new ArrayList<>();
-      List<String> bindings = new ArrayList<>(open);
+      List<Binding> bindings = new ArrayList<>(open);
       for (String sort : argumentSorts(result)) {
         more.add("x" + more.size());
-        bindings.add("(" + more.getLast() + " " + sort + ")");
+        bindings.add(new Binding(more.getLast(), sort));
       }
       List<String> all = new ArrayList<>(terms(parameters, arguments));
       all.addAll(more);
@@ -1057,7 +1048,7 @@ final class Translator {
       }
     } else {
       String name = "y" + arguments.size();
-      String binding = "(" + name + " " + sorts.sort(type) + ")";
+      Binding binding = new Binding(name, sorts.sort(type));
       unfold(of, fields, points, with(arguments, of(name, type)), with(open, binding));
     }
   }
