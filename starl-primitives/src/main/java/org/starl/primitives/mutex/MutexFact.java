@@ -132,6 +132,11 @@ public sealed interface MutexFact {
     public Grant(ProcessId who, ProcessId to, long num) {
       this(who, to, num, Sections.NONE);
     }
+
+    /** The sections to which it consents, of a request for {@code want}. */
+    SortedSet<String> granted(SortedSet<String> want) {
+      return part.isEmpty() ? want : part;
+    }
   }
 
   /** From now on a request needs, or would need, the consent of {@code known}. */

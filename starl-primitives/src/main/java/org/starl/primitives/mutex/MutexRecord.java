@@ -261,7 +261,7 @@ final class MutexRecord {
   private void granted(Requests.Request to, MutexFact.Grant grant, long nowNs, Report report) {
     if (to.isActive() && to.num == grant.num()) {
       Requests.Request by = requests.of(grant.who());
-      requests.consent(by, to, grant.part().isEmpty() ? to.want : grant.part());
+      requests.consent(by, to, grant.granted(to.want));
       checkPromise(to, by, nowNs, report);
     }
   }

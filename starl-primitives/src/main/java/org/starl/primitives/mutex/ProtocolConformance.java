@@ -204,7 +204,7 @@ public final class ProtocolConformance extends Conformance<ProtocolConformance.R
         case MutexFact.Known later -> known(i, run.withRemoved(later.known()));
         case MutexFact.Grant grant -> {
           SortedSet<String> its = run.state().want().at(grant.to());
-          grant(i, grant.to(), grant.num(), grant.part().isEmpty() ? its : grant.part());
+          grant(i, grant.to(), grant.num(), grant.granted(its));
         }
         case MutexFact.OdMutex access -> enter(i, access.held());
         case MutexFact.Release release -> release(i, release.given());
