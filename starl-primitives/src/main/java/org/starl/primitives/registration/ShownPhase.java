@@ -17,17 +17,20 @@ final class ShownPhase implements Phases.Step {
 
   private View view = View.NONE;
 
+  private Phase phase = Phase.OUT;
+
   @Override
   public String after(String before, TraceEvent event) {
-    Phase phase = Phase.valueOf(before);
-    return switch (event) {
-      case Action action -> acted(phase, action.fact()).name();
-      case Variable variable -> changed(phase, variable).name();
-      default -> before;
-    };
+    phase =
+        switch (event) {
+          case Action action -> acted(action.fact());
+          case Variable variable -> changed(variable);
+          default -> phase;
+        };
+    return phase.name();
   }
 
-  private Phase acted(Phase phase, Object fact) {
+  private Phase acted(Object fact) {
     return switch (fact) {
       case RegistrationAction.do_register asked -> {
         me = asked.i();
@@ -38,20 +41,20 @@ final class ShownPhase implements Phases.Step {
     };
   }
 
-  private Phase changed(Phase phase, Variable variable) {
+  private Phase changed(Variable variable) {
     View learned = variable.of(RegistrationFact.VIEW);
     if (learned != null) {
       view = learned;
-      return learned(phase);
+      return learned();
     }
     Boolean failed = variable.of(RegistrationFact.FAILED);
     if (failed != null) {
-      return failed ? failed(phase) : calledAgain(phase);
+      return failed ? failed() : calledAgain();
     }
     return phase;
   }
 
-  private Phase learned(Phase phase) {
+  private Phase learned() {
     return switch (phase) {
       case JOINING -> lists() ? Phase.IN : phase;
       case IN -> lists() ? phase : Phase.OUT;
@@ -60,12 +63,12 @@ final class ShownPhase implements Phases.Step {
     };
   }
 
-  private static Phase failed(Phase phase) {
+  private Phase failed() {
     return phase == Phase.LEAVING ? Phase.LEFT_HALFWAY : Phase.OUT;
   }
 
   /** A repeated {@code unregister} is no action of the trace. */
-  private static Phase calledAgain(Phase phase) {
+  private Phase calledAgain() {
     return phase == Phase.LEFT_HALFWAY ? Phase.LEAVING : phase;
   }
 
