@@ -18,11 +18,11 @@ final class MutexOracle {
   private MutexOracle() {}
 
   /**
-   * A violation of an invariant whose name begins with {@code lemma}, if there is one.
+   * The violations of invariants, each with its lemma's name first.
    *
    * @param last the view that was decided last, even if no participant has learned it
    */
-  static Optional<String> violation(String lemma, List<MutexNode> nodes, View last) {
+  static List<String> violations(List<MutexNode> nodes, View last) {
     List<MutexNode> active = new ArrayList<>(nodes);
     active.removeIf(node -> !node.isActive());
     List<Set<ProcessId>> known = new ArrayList<>();
@@ -71,7 +71,7 @@ final class MutexOracle {
         }
       }
     }
-    return found.stream().filter(violation -> violation.startsWith(lemma)).findFirst();
+    return found;
   }
 
   private static boolean breaksPromise(MutexNode i, MutexNode j) {

@@ -190,7 +190,7 @@ public final class MutexStates implements Model<MutexNode, MutexMessage, MutexSt
 
   @Override
   public Optional<String> violation(List<MutexNode> nodes, World world) {
-    return MutexOracle.violation("", nodes, world.last());
+    return MutexOracle.violations(nodes, world.last()).stream().findFirst();
   }
 
   @Override

@@ -122,7 +122,10 @@ final class MutexWorld {
       long before = changes;
       step();
       if (changes > before) {
-        Optional<String> violation = MutexOracle.violation(lemma, nodes, last());
+        Optional<String> violation =
+            MutexOracle.violations(nodes, last()).stream()
+                .filter(one -> one.startsWith(lemma))
+                .findFirst();
         if (violation.isPresent()) {
           return violation;
         }
