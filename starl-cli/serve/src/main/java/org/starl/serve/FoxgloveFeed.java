@@ -128,16 +128,22 @@ final class FoxgloveFeed implements MessageSink {
   }
 
   @Override
-  public int channel(String topic, String schemaName, String jsonSchema) {
+  public int channel(String topic, Schema schema) {
     channels++;
     Map<String, Object> channel =
         Map.of(
-            "id", channels,
-            "topic", topic,
-            "encoding", "json",
-            "schemaName", schemaName,
-            "schema", jsonSchema,
-            "schemaEncoding", "jsonschema");
+            "id",
+            channels,
+            "topic",
+            topic,
+            "encoding",
+            "json",
+            "schemaName",
+            schema.name(),
+            "schema",
+            schema.json(),
+            "schemaEncoding",
+            "jsonschema");
     send(Map.of("op", "advertise", "channels", List.of(channel)));
     return channels;
   }

@@ -52,7 +52,6 @@ import org.starl.trace.TraceHeader;
 public final class FoxgloveRecorder implements SimObserver {
 
   private static final long STEP_NS = 50_000_000;
-  private static final String SCENE = "foxglove.SceneUpdate";
 
   /** In Foxglove's paths, other characters need quotes, or begin the name of a field. */
   private static final Pattern NOT_IN_TOPICS = Pattern.compile("[^A-Za-z0-9_/-]");
@@ -96,13 +95,13 @@ public final class FoxgloveRecorder implements SimObserver {
   @Override
   public void started(TraceHeader header) {
     hasBegun = true;
-    int map = sink.channel("/map", SCENE, McapSchemas.SCENE);
-    floorChannel = sink.channel("/floor", SCENE, McapSchemas.SCENE);
-    trailsChannel = sink.channel("/trails", SCENE, McapSchemas.SCENE);
-    sceneChannel = sink.channel("/scene", SCENE, McapSchemas.SCENE);
-    transformsChannel = sink.channel("/tf", "foxglove.FrameTransforms", McapSchemas.TRANSFORMS);
-    logChannel = sink.channel("/log", "foxglove.Log", McapSchemas.LOG);
-    messages = sink.channel("/messages", "starl.Message", McapSchemas.MESSAGE);
+    int map = sink.channel("/map", McapSchemas.SCENE);
+    floorChannel = sink.channel("/floor", McapSchemas.SCENE);
+    trailsChannel = sink.channel("/trails", McapSchemas.SCENE);
+    sceneChannel = sink.channel("/scene", McapSchemas.SCENE);
+    transformsChannel = sink.channel("/tf", McapSchemas.TRANSFORMS);
+    logChannel = sink.channel("/log", McapSchemas.LOG);
+    messages = sink.channel("/messages", McapSchemas.MESSAGE);
     ObjectNode update = scene.update();
     for (int i = 0; i < obstacles.all().size(); i++) {
       scene.addObstacle(update, "obstacle" + i, obstacles.all().get(i));
@@ -188,7 +187,7 @@ public final class FoxgloveRecorder implements SimObserver {
   /** As one message of {@code /failure}, with all fields, and as lines of the log. */
   @Override
   public void wentWrong(Failure failure) {
-    int channel = sink.channel("/failure", "starl.Failure", McapSchemas.FAILURE);
+    int channel = sink.channel("/failure", McapSchemas.FAILURE);
     write(channel, lastNs, json.valueToTree(failure.fields()));
     failure.lines().forEach(line -> log(lastNs, Level.ERROR, "failure", line));
   }
@@ -251,7 +250,7 @@ public final class FoxgloveRecorder implements SimObserver {
 
   private int poseChannel(RobotId robot) {
     return poseChannels.computeIfAbsent(
-        robot, id -> sink.channel("/pose/" + id.name(), "foxglove.PoseInFrame", McapSchemas.POSE));
+        robot, id -> sink.channel("/pose/" + id.name(), McapSchemas.POSE));
   }
 
   /** A topic of its own for each variable: a tool that plots one need not read the others. */
@@ -259,12 +258,11 @@ public final class FoxgloveRecorder implements SimObserver {
     String path =
         "/variables/" + variable.robot() + "/" + variable.source() + "/" + variable.name();
     return variableChannels.computeIfAbsent(
-        NOT_IN_TOPICS.matcher(path).replaceAll("_"),
-        topic -> sink.channel(topic, "starl.Variable", schemaOf(value)));
+        NOT_IN_TOPICS.matcher(path).replaceAll("_"), topic -> sink.channel(topic, schemaOf(value)));
   }
 
   /** Of variables whose values are written like {@code value}. */
-  private String schemaOf(String value) {
+  private MessageSink.Schema schemaOf(String value) {
     try {
       return McapSchemas.variable(json.readTree(value));
     } catch (IOException e) {

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.starl.sim.export.MessageSink.Schema;
 
 /** The JSON schemas of the messages for Foxglove. */
 final class McapSchemas {
@@ -55,36 +56,42 @@ final class McapSchemas {
             + " models object[]");
   }
 
-  static final String POSE = schema("timestamp Time, frame_id string, pose Pose");
-  static final String LOG =
+  static final Schema POSE =
+      schema("foxglove.PoseInFrame", "timestamp Time, frame_id string, pose Pose");
+  static final Schema LOG =
       schema(
+          "foxglove.Log",
           "timestamp Time, level integer, message string, name string, file string, line integer");
-  static final String MESSAGE =
+  static final Schema MESSAGE =
       schema(
+          "starl.Message",
           "fate string, from string, to string, channel string, seq integer, bytes integer,"
               + " text string, message object, why string");
-  static final String TRANSFORMS = schema("transforms Transform[]");
-  static final String FAILURE =
+  static final Schema TRANSFORMS = schema("foxglove.FrameTransforms", "transforms Transform[]");
+  static final Schema FAILURE =
       schema(
+          "starl.Failure",
           "kind string, lemma string, sentence string, headline string, at_s number,"
               + " robots Culprit[], region string, faults string[], cause string,"
               + " commands string[]");
-  static final String SCENE = schema("deletions Deletion[], entities Entity[]");
+  static final Schema SCENE =
+      schema("foxglove.SceneUpdate", "deletions Deletion[], entities Entity[]");
 
   private McapSchemas() {}
 
   /** Of a variable whose values are like {@code value}: Foxglove needs a type for each field. */
-  static String variable(JsonNode value) {
-    String known = schema("robot string, source string, name string");
-    String fields = known.substring(0, known.length() - "}}".length());
-    return fields + ",\"value\":" + like(value) + "}}";
+  static Schema variable(JsonNode value) {
+    String fields = properties("robot string, source string, name string");
+    String json = object(fields + ",\"value\":" + like(value));
+    return new Schema("starl.Variable", json, value.isNumber());
   }
 
   private static String like(JsonNode value) {
     if (value.isObject()) {
-      return value.properties().stream()
-          .map(part -> TextNode.valueOf(part.getKey()) + ":" + like(part.getValue()))
-          .collect(Collectors.joining(",", "{\"type\":\"object\",\"properties\":{", "}}"));
+      return object(
+          value.properties().stream()
+              .map(part -> TextNode.valueOf(part.getKey()) + ":" + like(part.getValue()))
+              .collect(Collectors.joining(",")));
     }
     if (value.isArray()) {
       // Foxglove refuses lists of lists, and leaves an object without named properties as it is.
@@ -100,14 +107,22 @@ final class McapSchemas {
   }
 
   private static void define(String type, String fields) {
-    TYPES.put(type, schema(fields));
+    TYPES.put(type, object(properties(fields)));
   }
 
-  /** The schema of an object; {@code fields} are names and types, {@code []} marks a list. */
-  private static String schema(String fields) {
+  private static Schema schema(String name, String fields) {
+    return new Schema(name, object(properties(fields)), false);
+  }
+
+  private static String object(String properties) {
+    return "{\"type\":\"object\",\"properties\":{" + properties + "}}";
+  }
+
+  /** {@code fields} are names and types, {@code []} marks a list. */
+  private static String properties(String fields) {
     return Arrays.stream(fields.split(", ", -1))
         .map(McapSchemas::field)
-        .collect(Collectors.joining(",", "{\"type\":\"object\",\"properties\":{", "}}"));
+        .collect(Collectors.joining(","));
   }
 
   private static String field(String nameAndType) {

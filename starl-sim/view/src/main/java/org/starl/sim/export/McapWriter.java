@@ -114,6 +114,11 @@ final class McapWriter implements MessageSink, RosBag.Encoded, Closeable {
   }
 
   @Override
+  public int channel(String topic, Schema schema) {
+    return channel(topic, schema.name(), schema.json());
+  }
+
+  @Override
   public int channel(String topic, String schemaName, String definition) {
     int schema =
         schemaNumbers.computeIfAbsent(

@@ -7,8 +7,16 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 /** Takes messages on topics, each topic with a JSON schema: a file, or a connection. */
 public interface MessageSink {
 
+  /**
+   * A type of messages.
+   *
+   * @param json its JSON schema
+   * @param isNumber whether it is of variables that are numbers
+   */
+  record Schema(String name, String json, boolean isNumber) {}
+
   /** Opens a channel; returns its number, for {@link #message}. */
-  int channel(String topic, String schemaName, String jsonSchema);
+  int channel(String topic, Schema schema);
 
   /**
    * Takes a message.

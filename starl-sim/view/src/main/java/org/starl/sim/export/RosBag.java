@@ -125,9 +125,10 @@ final class RosBag implements MessageSink {
   }
 
   @Override
-  public int channel(String topic, String schemaName, String jsonSchema) {
-    boolean isNumber = jsonSchema.endsWith("\"value\":{\"type\":\"number\"}}}");
-    String type = TYPES.getOrDefault(schemaName, isNumber ? "std_msgs/Float64" : "std_msgs/String");
+  public int channel(String topic, Schema schema) {
+    String type =
+        TYPES.getOrDefault(
+            schema.name(), schema.isNumber() ? "std_msgs/Float64" : "std_msgs/String");
     // Names of ROS 2 have no '-', no '__', and no digit first; /map is taken for an occupancy grid.
     String name = topic.equals("/map") ? "/obstacles" : topic;
     name = name.replaceAll("[^A-Za-z0-9/]+", "_").replaceAll("/(?=[0-9])", "/n");

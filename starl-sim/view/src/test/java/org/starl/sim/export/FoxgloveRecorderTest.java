@@ -47,7 +47,7 @@ class FoxgloveRecorderTest {
     private long lastNs;
 
     @Override
-    public int channel(String topic, String schemaName, String jsonSchema) {
+    public int channel(String topic, Schema schema) {
       topics.add(topic);
       messages.put(topic, new ArrayList<>());
       return topics.size() - 1;
@@ -158,7 +158,7 @@ class FoxgloveRecorderTest {
 
   private static <T> JsonNode typeOf(Shape<T> shape, T value) throws IOException {
     ObjectMapper json = new ObjectMapper();
-    String schema = McapSchemas.variable(json.readTree(shape.json(value)));
+    String schema = McapSchemas.variable(json.readTree(shape.json(value))).json();
     return json.readTree(schema).at("/properties/value");
   }
 

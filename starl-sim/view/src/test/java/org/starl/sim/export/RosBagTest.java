@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.sim.export.MessageSink.Schema;
 
 /** Foxglove's messages become those of ROS 2; .ci/run reads a whole bag with an independent reader. */
 class RosBagTest {
@@ -34,8 +35,8 @@ class RosBagTest {
             }
           });
 
-  private ByteBuffer cdr(String type, String schema, String json) {
-    int channel = bag.channel("/a", type, schema);
+  private ByteBuffer cdr(Schema schema, String json) {
+    int channel = bag.channel("/a", schema);
     bag.message(channel, 5, object(json));
     ByteBuffer message = written.getLast();
     assertThat(message.getInt()).as("little endian, plain CDR").isEqualTo(0x100);
@@ -73,10 +74,7 @@ class RosBagTest {
   @Test
   void posesAreStamped() {
     ByteBuffer in =
-        cdr(
-            "foxglove.PoseInFrame",
-            "",
-            "{'timestamp':{'sec':3,'nsec':50},'frame_id':'world'," + POSE + "}");
+        cdr(McapSchemas.POSE, "{'timestamp':{'sec':3,'nsec':50},'frame_id':'world'," + POSE + "}");
     assertThat(List.of(in.getInt(), in.getInt())).containsExactly(3, 50);
     assertThat(text(in)).isEqualTo("world");
     doubles(in, 1, -2.5, 0, 0, 0, 0.6, 0.8);
@@ -91,8 +89,7 @@ class RosBagTest {
   void framesHaveTheirParent() {
     ByteBuffer in =
         cdr(
-            "foxglove.FrameTransforms",
-            "",
+            McapSchemas.TRANSFORMS,
             "{'transforms':[{'timestamp':{'sec':1,'nsec':2},'parent_frame_id':'world',"
                 + "'child_frame_id':'bot0','translation':{'x':1,'y':2,'z':0},"
                 + "'rotation':{'x':0,'y':0,'z':0,'w':1}}]}");
@@ -105,14 +102,14 @@ class RosBagTest {
 
   @Test
   void numbersCanBePlottedAndOtherValuesAreText() {
-    String schema = "...\"value\":{\"type\":\"number\"}}}";
-    doubles(cdr("starl.Variable", schema, "{'name':'x','value':7.5}"), 7.5);
-    assertThat(text(cdr("starl.Message", "", "{'fate':'s\u00fc\u00df'}")))
+    ObjectNode number = object("{'name':'x','value':7.5}");
+    Schema ofNumbers = McapSchemas.variable(number.get("value"));
+    doubles(cdr(ofNumbers, number.toString()), 7.5);
+    assertThat(text(cdr(McapSchemas.MESSAGE, "{'fate':'s\u00fc\u00df'}")))
         .isEqualTo("{\"fate\":\"s\u00fc\u00df\"}");
     ByteBuffer log =
         cdr(
-            "foxglove.Log",
-            "",
+            McapSchemas.LOG,
             "{'timestamp':{'sec':1,'nsec':0},'level':4,'message':'m','name':'n','file':'','line':0}");
     assertThat(log.get(12)).as("rcl_interfaces' ERROR").isEqualTo((byte) 40);
     assertThat(text(log.position(13))).isEqualTo("n");
@@ -133,7 +130,7 @@ class RosBagTest {
             + ",'thickness':0.02,'points':[{'x':0,'y':0,'z':0},{'x':1,'y':0,'z':0}],"
             + "'color':{'r':1,'g':0,'b':0,'a':1}}";
     String update = "{'deletions':[],'entities':[{'id':'a'," + time + "," + none;
-    ByteBuffer in = cdr("foxglove.SceneUpdate", "", update + line + "," + line + "]}]}");
+    ByteBuffer in = cdr(McapSchemas.SCENE, update + line + "," + line + "]}]}");
     assertThat(in.getInt()).isEqualTo(2);
     aligned(in.position(in.position() + 8), 4);
     assertThat(text(in)).isEqualTo("world");
@@ -153,8 +150,8 @@ class RosBagTest {
 
   @Test
   void namesAreThoseOfRos() {
-    bag.channel("/map", "foxglove.SceneUpdate", "");
-    bag.channel("/variables/bot-1/m.__x/0", "starl.Variable", "");
+    bag.channel("/map", McapSchemas.SCENE);
+    bag.channel("/variables/bot-1/m.__x/0", McapSchemas.variable(object("{}")));
     bag.message(1, 7, object("{'deletions':[],'entities':[]}"));
     bag.message(1, 9, object("{'deletions':[],'entities':[]}"));
     assertThat(topics)
