@@ -6,10 +6,11 @@ import org.starl.trace.Instance;
 /**
  * A datagram in transit to one robot.
  *
+ * @param title the name of its message
  * @param share share of the way that is done, 0 to 1
  */
 public record Flight(
-    RobotId from, RobotId to, Instance channel, Object message, double share, State state) {
+    RobotId from, RobotId to, Instance channel, String title, double share, State state) {
 
   /** State of a datagram; delivered and dropped ones are shown for a moment. */
   public enum State {
@@ -17,15 +18,5 @@ public record Flight(
     DELIVERED,
     /** Lost, or rejected by the receiver. */
     DROPPED
-  }
-
-  /** The first word of the message: {@code Prepare} of {@code Prepare[number=1]}. */
-  public String title() {
-    String text = message.toString();
-    int end = 0;
-    while (end < text.length() && Character.isJavaIdentifierPart(text.charAt(end))) {
-      end++;
-    }
-    return text.substring(0, end);
   }
 }

@@ -20,6 +20,7 @@ final class FlightPainter {
   private static final double BEND = 0.10;
   private static final double DOT_PX = 4.5;
   private static final double LEAST_DOT_PX = 2.5;
+  private static final int MOST = 24;
 
   void paint(Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
     if (flights.size() > MANY) {
@@ -98,7 +99,9 @@ final class FlightPainter {
     }
     if (isNamed && flight.state() != Flight.State.DELIVERED) {
       page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
-      Labels.haloed(page, flight.title(), x + 8, y + 4, theme.ink(), theme.paper());
+      String title = flight.title();
+      String shown = title.length() > MOST ? title.substring(0, MOST - 1) + "\u2026" : title;
+      Labels.haloed(page, shown, x + 8, y + 4, theme.ink(), theme.paper());
     }
   }
 

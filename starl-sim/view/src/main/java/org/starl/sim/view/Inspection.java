@@ -5,12 +5,15 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
+import org.starl.shape.Shape;
+import org.starl.sim.record.MessageText;
 import org.starl.sim.record.Scene;
 import org.starl.sim.replay.LogLine;
 import org.starl.sim.replay.Recording;
@@ -89,23 +92,21 @@ public final class Inspection {
     return switch (event) {
       case Sent out -> {
         String to = out.to().equals(Sent.ALL) ? "all" : out.to();
-        yield message(out.timeNs(), "\u2192 " + to, out.channel(), out.message());
+        yield message(out.timeNs(), "\u2192 " + to, out.channel(), out.shape(), out.message());
       }
-      case Delivered in -> message(in.timeNs(), "\u2190 " + in.from(), in.channel(), in.message());
+      case Delivered in ->
+          message(in.timeNs(), "\u2190 " + in.from(), in.channel(), in.shape(), in.message());
       case Dropped lost -> new Line(lost.timeNs(), "\u2715 " + lost.from(), lost.why(), lost.why());
       default -> null;
     };
   }
 
   /** The message's type comes first, as the column may be narrow. */
-  private static Line message(long timeNs, String peer, Instance channel, Object content) {
-    String message = content.toString();
-    int end = 0;
-    while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
-      end++;
-    }
-    String text = message.substring(0, end) + "  " + channel + "  " + message.substring(end);
-    return new Line(timeNs, peer, text, channel + "\n" + message);
+  private static Line message(
+      long timeNs, String peer, Instance channel, Shape<?> shape, Object content) {
+    MessageText message = MessageText.of(shape, content, Set.of());
+    String text = message.name() + "  " + channel + "  " + message.parts();
+    return new Line(timeNs, peer, text.strip(), channel + "\n" + message);
   }
 
   /** Recent actions, by the paper's names, faults and log lines, latest first. */

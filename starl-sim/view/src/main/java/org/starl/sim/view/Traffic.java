@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Flight;
+import org.starl.sim.record.MessageText;
 import org.starl.sim.replay.Recording;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -151,7 +153,8 @@ public final class Traffic {
   }
 
   private static Flight flight(Sent sent, RobotId to, double share, Flight.State state) {
-    return new Flight(sent.robot(), to, sent.channel(), sent.message(), share, state);
+    String title = MessageText.of(sent.shape(), sent.message(), Set.of()).name();
+    return new Flight(sent.robot(), to, sent.channel(), title, share, state);
   }
 
   /** Adds messages whose delivery or loss is not recorded yet. */

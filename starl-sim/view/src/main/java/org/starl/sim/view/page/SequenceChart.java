@@ -7,12 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
+import org.starl.sim.record.MessageText;
 import org.starl.spec.SpecReport;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -38,7 +39,7 @@ public final class SequenceChart implements SimObserver {
   private static final int CHARACTER = 6;
 
   /** What the arrows show already: both ends of a message. */
-  private static final Pattern SHOWN = Pattern.compile("(from|to)=[^,\\]]*(, )?");
+  private static final Set<String> SHOWN = Set.of("from", "to");
 
   /** In a page, its colours are the page's. */
   private static final String STYLE =
@@ -232,14 +233,14 @@ public final class SequenceChart implements SimObserver {
       case Delivered message -> {
         Long atNs = sentNs.get(message.from() + "/" + message.seq());
         String sent = atNs == null ? "" : ", sent at " + seconds(atNs);
-        String words = message.message().toString();
+        MessageText brief = MessageText.of(message.shape(), message.message(), SHOWN);
         arrow(
             svg,
             lanes.getOrDefault(from(event), x),
             x,
             false,
-            words,
-            channel + sent + ": " + words);
+            brief.toString(),
+            channel + sent + ": " + message.message());
       }
       case Dropped dropped -> {
         String words = dropped.why() + ", from " + dropped.from();
@@ -289,9 +290,8 @@ public final class SequenceChart implements SimObserver {
   /** Text, cut to its place; the whole of it when pointed at. */
   private static void text(
       StringBuilder svg, int x, int y, String attributes, int widthPx, String words, String whole) {
-    String brief = SHOWN.matcher(words).replaceAll("");
     int most = Math.max(2, widthPx / CHARACTER);
-    String shown = brief.length() > most ? brief.substring(0, most - 1) + "\u2026" : brief;
+    String shown = words.length() > most ? words.substring(0, most - 1) + "\u2026" : words;
     svg.append("<text x=\"%d\" y=\"%d\"%s>".formatted(x, y, attributes))
         .append(escaped(shown))
         .append("<title>")

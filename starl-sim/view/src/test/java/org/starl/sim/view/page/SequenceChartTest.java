@@ -10,7 +10,9 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
+import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
+import org.starl.shape.RecordShape;
 import org.starl.shape.Shapes;
 import org.starl.spec.SpecReport;
 import org.starl.trace.Instance;
@@ -70,6 +72,27 @@ class SequenceChartTest {
         .extracting(row -> row.group(3))
         .isEqualTo(decisive);
     assertThat(svg).doesNotContain("<q").contains("something went wrong");
+  }
+
+  private record Word(String from, String text) {
+    static final RecordShape<Word> SHAPE =
+        Shapes.of(
+            Word.class,
+            Shapes.part("from", Shapes.TEXT, Word::from),
+            Shapes.part("text", Shapes.TEXT, Word::text),
+            Word::new);
+  }
+
+  @Test
+  void aRecordIsShownWithoutItsSenderAndATextAsItIs() {
+    SequenceChart chart = new SequenceChart();
+    Instance channel = Instance.of("p", "i");
+    chart.observed(
+        new Delivered(0, bot(1), bot(2), channel, 1, Word.SHAPE, new Word("bot2", "to=A, b")));
+    chart.observed(new Delivered(0, bot(1), bot(2), channel, 2, Shapes.TEXT, "go to=A, b"));
+    chart.decide(List.of(bot(1)), Long.MAX_VALUE);
+    chart.end("something went wrong");
+    assertThat(chart.svg()).contains(">Word[text=to=A, b]<title>", ">go to=A, b<title>");
   }
 
   @Property(tries = 20)
