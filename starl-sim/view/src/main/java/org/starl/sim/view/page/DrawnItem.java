@@ -8,12 +8,23 @@ import org.jspecify.annotations.Nullable;
  *
  * @param kind what {@code numbers} mean, see the constants
  * @param rgba colour, as {@link java.awt.Color#getRGB}
- * @param pen stroke or font in the syntax of {@link ShapeRecorder}; empty for a filled area
+ * @param pen {@link Pen#NONE} for a filled area
  * @param text of a text; a data URL for an image; else empty
  * @param numbers sizes first, then coordinates, x and y alternating
  */
 @SuppressWarnings("ArrayRecordComponent") // equals and hashCode compare the numbers themselves
-record DrawnItem(int kind, int rgba, String pen, String text, int[] numbers) {
+record DrawnItem(int kind, int rgba, Pen pen, String text, int[] numbers) {
+
+  /**
+   * A stroke or a font.
+   *
+   * @param width of a stroke
+   * @param text in the syntax of {@link ShapeRecorder}
+   */
+  record Pen(int width, String text) {
+
+    static final Pen NONE = new Pen(0, "");
+  }
 
   /** Points of an open line. */
   static final int LINE = 0;
@@ -32,6 +43,10 @@ record DrawnItem(int kind, int rgba, String pen, String text, int[] numbers) {
 
   /** Segments, each {@link java.awt.geom.PathIterator}'s number and its points. */
   static final int PATH = 5;
+
+  boolean isFilled() {
+    return pen.equals(Pen.NONE);
+  }
 
   /** Whether both are the same in all but the colour. */
   boolean isSameShape(DrawnItem other) {

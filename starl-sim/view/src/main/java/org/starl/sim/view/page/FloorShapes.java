@@ -88,13 +88,8 @@ public final class FloorShapes {
     boolean repeatsFirst =
         isClosed && last > 0 && units[0] == units[last] && units[1] == units[last + 1];
     int[] points = repeatsFirst ? Arrays.copyOf(units, last) : units;
-    String pen = item.pen();
-    double widthMm = pen.isEmpty() ? 0 : Math.max(1, width(pen)) / UNITS_PER_MM;
+    double widthMm = item.isFilled() ? 0 : Math.max(1.0, item.pen().width()) / UNITS_PER_MM;
     return new Item(item.rgba(), widthMm, isClosed, "", world(points, 0));
-  }
-
-  private static double width(String pen) {
-    return Integer.parseInt(pen.substring(0, pen.indexOf(' ')));
   }
 
   private static int[] ellipse(int[] n) {
@@ -133,7 +128,7 @@ public final class FloorShapes {
       }
     }
     if (points.size() > 2) {
-      items.add(line(item, item.pen().isEmpty(), points.stream().mapToInt(v -> v).toArray()));
+      items.add(line(item, item.isFilled(), points.stream().mapToInt(v -> v).toArray()));
     }
   }
 

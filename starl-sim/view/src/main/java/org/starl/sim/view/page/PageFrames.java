@@ -128,7 +128,7 @@ final class PageFrames {
   }
 
   private int[] numbers(DrawnItem item, int darkRgba) {
-    int style = style(item.rgba(), darkRgba, item.pen());
+    int style = style(item.rgba(), darkRgba, item.pen().text());
     int[] own = item.numbers();
     boolean hasText = !item.text().isEmpty();
     int[] all = new int[own.length + (hasText ? 3 : 2)];

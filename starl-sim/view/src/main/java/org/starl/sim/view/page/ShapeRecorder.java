@@ -38,6 +38,7 @@ import org.apache.xmlgraphics.java2d.GraphicContext;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Painter;
 import org.starl.sim.record.Png;
+import org.starl.sim.view.page.DrawnItem.Pen;
 
 /**
  * Records drawing operations as {@link DrawnItem}s, in pixels of the page, so that a browser can
@@ -76,7 +77,7 @@ final class ShapeRecorder extends AbstractGraphics2D {
 
   @Override
   public void fill(Shape shape) {
-    add(shape, "");
+    add(shape, Pen.NONE);
   }
 
   @Override
@@ -84,24 +85,25 @@ final class ShapeRecorder extends AbstractGraphics2D {
     if (getStroke() instanceof BasicStroke line) {
       add(shape, pen(line));
     } else {
-      add(getStroke().createStrokedShape(shape), "");
+      add(getStroke().createStrokedShape(shape), Pen.NONE);
     }
   }
 
   /** {@code width cap join dash gap ...} in tenths of a pixel. */
-  private String pen(BasicStroke line) {
+  private Pen pen(BasicStroke line) {
     double scale = Math.sqrt(Math.abs(getTransform().getDeterminant()));
     StringBuilder pen = new StringBuilder();
-    pen.append(units(line.getLineWidth() * scale));
+    int width = units(line.getLineWidth() * scale);
+    pen.append(width);
     pen.append(' ').append(line.getEndCap()).append(' ').append(line.getLineJoin());
     float[] dashes = line.getDashArray();
     for (int i = 0; dashes != null && i < dashes.length; i++) {
       pen.append(' ').append(units(dashes[i] * scale));
     }
-    return pen.toString();
+    return new Pen(width, pen.toString());
   }
 
-  private void add(Shape shape, String pen) {
+  private void add(Shape shape, Pen pen) {
     AffineTransform transform = getTransform();
     boolean isUpright = transform.getShearX() == 0 && transform.getShearY() == 0;
     if (shape instanceof Ellipse2D ellipse && isUpright) {
@@ -155,7 +157,7 @@ final class ShapeRecorder extends AbstractGraphics2D {
       numbers[size++] = number;
     }
 
-    void addTo(String pen) {
+    void addTo(Pen pen) {
       if (size == 0) {
         return;
       }
@@ -172,7 +174,7 @@ final class ShapeRecorder extends AbstractGraphics2D {
     }
   }
 
-  private void add(int kind, String pen, String text, int... numbers) {
+  private void add(int kind, Pen pen, String text, int... numbers) {
     float share = getComposite() instanceof AlphaComposite alpha ? alpha.getAlpha() : 1;
     int opacity = Math.round(share * getColor().getAlpha());
     int rgba = (opacity << 24) | (getColor().getRGB() & 0xFFFFFF);
@@ -207,7 +209,13 @@ final class ShapeRecorder extends AbstractGraphics2D {
             font.getFamily().equals(Font.MONOSPACED) ? "monospace" : "sans-serif",
             angle);
     double width = font.getStringBounds(text, metrics.getFontRenderContext()).getWidth();
-    add(DrawnItem.TEXT, pen, text, units(width * scale), units(start.getX()), units(start.getY()));
+    add(
+        DrawnItem.TEXT,
+        new Pen(0, pen),
+        text,
+        units(width * scale),
+        units(start.getX()),
+        units(start.getY()));
   }
 
   @Override
@@ -234,7 +242,7 @@ final class ShapeRecorder extends AbstractGraphics2D {
         getTransform().createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
     add(
         DrawnItem.IMAGE,
-        "",
+        Pen.NONE,
         address(copy),
         units(at.width),
         units(at.height),
