@@ -249,6 +249,11 @@ public record MotionParameters(
       return this;
     }
 
+    /** Straight on at the greatest forward speed, without slowing down before the target. */
+    public Builder constantSpeed() {
+      return linSpeedMinMmPerS(linSpeedMaxMmPerS);
+    }
+
     public Builder goalRadiusMm(double value) {
       goalRadiusMm = value;
       return this;

@@ -147,7 +147,7 @@ public final class FleetApp extends LogicThread {
     gvh.plat.moat.setParameters(
         body.toBuilder()
             .goalRadiusMm(10)
-            .linSpeedMinMmPerS(body.linSpeedMaxMmPerS())
+            .constantSpeed()
             .enableArcing(false)
             .smallTurnAngleRad(Angles.fromDegrees(1))
             .collisionPolicy(CollisionPolicy.STOP_ON_COLLISION)

@@ -89,7 +89,7 @@ public final class FlowingCar extends LogicThread {
     MotionParameters body = Crossing.motion(gvh.plat.moat.parameters());
     straight =
         body.toBuilder()
-            .linSpeedMinMmPerS(body.linSpeedMaxMmPerS())
+            .constantSpeed()
             .arcSpeedMaxMmPerS(body.linSpeedMaxMmPerS())
             .arcAngleMaxRad(Angles.fromDegrees(10))
             .build();

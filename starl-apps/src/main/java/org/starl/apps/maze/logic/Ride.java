@@ -65,7 +65,7 @@ final class Ride {
     MotionParameters usual = gvh.plat.moat.parameters();
     gvh.plat.moat.setParameters(
         usual.toBuilder()
-            .linSpeedMinMmPerS(usual.linSpeedMaxMmPerS())
+            .constantSpeed()
             .collisionPolicy(mode.policy())
             .robotType(own == RobotType.GOAL ? mode.robotType() : own)
             .goalRadiusMm(PASS_MM)

@@ -93,11 +93,7 @@ public final class Drive {
   /** How a searcher with such a body moves: slower if its reaction time is long. */
   public static MotionParameters motion(MotionParameters body) {
     return DistributedPathPlanning.slowed(
-        body.toBuilder()
-            .goalRadiusMm(GOAL_RADIUS_MM)
-            .linSpeedMinMmPerS(body.linSpeedMaxMmPerS())
-            .build(),
-        STEP_MM);
+        body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).constantSpeed().build(), STEP_MM);
   }
 
   /**
