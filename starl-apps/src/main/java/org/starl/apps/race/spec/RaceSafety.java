@@ -74,6 +74,9 @@ public final class RaceSafety extends LemmaMonitor {
   // By so much a robot may err about how much nearer a motion has brought it.
   private static final double SURE_MM = 200;
 
+  /** The way that a robot knows of, from then on. */
+  private record Heard(long atNs, Way way) {}
+
   private final List<RacePoint> points;
   private final Bodies bodies = new Bodies();
   private final Records records = new Records();
@@ -86,7 +89,7 @@ public final class RaceSafety extends LemmaMonitor {
   private final Map<RobotId, Long> tellsFromNs = new TreeMap<>();
   private final Map<RobotId, Long> makesWayFromNs = new TreeMap<>();
   private final Map<RobotId, Long> racesFromNs = new TreeMap<>();
-  private final Map<RobotId, Action> ways = new TreeMap<>();
+  private final Map<RobotId, Heard> ways = new TreeMap<>();
   private final Set<RobotId> wereDown = new TreeSet<>();
 
   private final TellCheck tells = new TellCheck(ANNOUNCED);
@@ -170,15 +173,15 @@ public final class RaceSafety extends LemmaMonitor {
   }
 
   private void passes(Action action, Way way, Report report) {
-    Action last = ways.put(action.robot(), action);
+    Heard last = ways.put(action.robot(), new Heard(action.timeNs(), way));
     if (last != null
-        && last.fact() instanceof Way before
-        && before.point() == way.point()
-        && action.timeNs() - last.timeNs() < WAY_NS) {
-      boolean isAgain = way.robot().equals(action.robot()) && before.robot().equals(way.robot());
-      if (isAgain || way.distanceMm() > before.distanceMm()) {
+        && last.way().point() == way.point()
+        && action.timeNs() - last.atNs() < WAY_NS) {
+      boolean isAgain =
+          way.robot().equals(action.robot()) && last.way().robot().equals(way.robot());
+      if (isAgain || way.distanceMm() > last.way().distanceMm()) {
         String detail =
-            (isAgain ? "asks again, after " : "a farther robot has the way, after ") + before;
+            (isAgain ? "asks again, after " : "a farther robot has the way, after ") + last.way();
         report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
       }
     }
@@ -186,13 +189,12 @@ public final class RaceSafety extends LemmaMonitor {
 
   /** Whether another robot has the way to its point for so long, as far as it knows. */
   private boolean isOthers(TraceEvent event, long forNs) {
-    Action last = ways.get(event.robot());
+    Heard last = ways.get(event.robot());
     return last != null
-        && last.fact() instanceof Way way
-        && !way.robot().equals(event.robot())
-        && points.get(way.point()).equals(racingTo.get(event.robot()))
-        && event.timeNs() - last.timeNs() >= forNs
-        && event.timeNs() - last.timeNs() < WAY_NS;
+        && !last.way().robot().equals(event.robot())
+        && points.get(last.way().point()).equals(racingTo.get(event.robot()))
+        && event.timeNs() - last.atNs() >= forNs
+        && event.timeNs() - last.atNs() < WAY_NS;
   }
 
   private void goesOn(Variable location, Report report) {
