@@ -1,8 +1,9 @@
 package org.starl.apps.lightpaint.view;
 
 import java.awt.Shape;
+import org.apache.batik.dom.svg.SVGAnimatedPathDataSupport;
 import org.apache.batik.parser.AWTPathProducer;
-import org.apache.batik.parser.PathParser;
+import org.w3c.dom.svg.SVGPathSegList;
 
 /**
  * The shape of a path. A smooth curve continues a curve of its own kind only, as SVG demands: {@code T}
@@ -21,12 +22,9 @@ final class PathShape extends AWTPathProducer {
 
   private PathShape() {}
 
-  /** @param path a path that Batik can read */
-  static Shape of(String path) {
+  static Shape of(SVGPathSegList path) {
     PathShape shape = new PathShape();
-    PathParser parser = new PathParser();
-    parser.setPathHandler(shape);
-    parser.parse(path);
+    SVGAnimatedPathDataSupport.handlePathSegList(path, shape);
     return shape.getShape();
   }
 

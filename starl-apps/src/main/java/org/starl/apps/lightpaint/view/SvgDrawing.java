@@ -17,6 +17,8 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.apache.batik.anim.dom.SVGOMAnimatedPathData;
+import org.apache.batik.anim.dom.SVGOMPathElement;
 import org.apache.batik.bridge.Bridge;
 import org.apache.batik.bridge.BridgeContext;
 import org.apache.batik.bridge.BridgeException;
@@ -30,6 +32,7 @@ import org.apache.batik.bridge.SVGPathElementBridge;
 import org.apache.batik.bridge.SVGTextElementBridge;
 import org.apache.batik.bridge.SVGUseElementBridge;
 import org.apache.batik.bridge.UserAgentAdapter;
+import org.apache.batik.dom.svg.LiveAttributeException;
 import org.apache.batik.dom.util.XLinkSupport;
 import org.apache.batik.ext.awt.MultipleGradientPaint;
 import org.apache.batik.gvt.CompositeGraphicsNode;
@@ -244,8 +247,13 @@ public record SvgDrawing(List<Line> lines, List<String> notes) {
           new SVGPathElementBridge() {
             @Override
             protected void buildShape(BridgeContext context, Element path, ShapeNode node) {
-              super.buildShape(context, path, node); // refuses a wrong path
-              node.setShape(PathShape.of(path.getAttribute("d")));
+              try {
+                SVGOMAnimatedPathData d = ((SVGOMPathElement) path).getAnimatedPathData();
+                d.check();
+                node.setShape(PathShape.of(d.getAnimatedPathSegList()));
+              } catch (LiveAttributeException wrong) {
+                throw new BridgeException(context, wrong);
+              }
             }
           });
       putBridge(
