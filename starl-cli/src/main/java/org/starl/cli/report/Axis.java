@@ -1,8 +1,10 @@
 package org.starl.cli.report;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 
 /**
  * A chart axis from 0 to {@code steps} times {@code step}, with a tick at each step.
@@ -30,27 +32,12 @@ record Axis(String label, double step, int steps) {
 
   /** The smallest 1, 2 or 5 times a power of 10 that is not below {@code value}. */
   static double nice(double value) {
-    double power = 1;
-    while (power > value) {
-      power /= 10;
-    }
-    while (power * 10 <= value) {
-      power *= 10;
-    }
-    for (int factor : new int[] {1, 2, 5}) {
-      if (factor * power >= value) {
-        return rounded(factor, power);
-      }
-    }
-    return rounded(10, power);
-  }
-
-  /** Without the rounding error of repeated division: 0.1, not 0.10000000000000002. */
-  private static double rounded(int factor, double power) {
-    double value = factor * power;
-    return value >= 1
-        ? Math.rint(value)
-        : Double.parseDouble(String.format(Locale.ROOT, "%.1e", value));
+    int power = (int) Math.floor(StrictMath.log10(value));
+    return IntStream.of(1, 2, 5, 10)
+        .mapToDouble(factor -> BigDecimal.valueOf(factor, -power).doubleValue())
+        .filter(step -> step >= value)
+        .findFirst()
+        .orElseThrow();
   }
 
   double max() {
