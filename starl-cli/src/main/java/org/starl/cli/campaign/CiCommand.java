@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -93,7 +92,7 @@ public final class CiCommand extends BaseCommand implements Callable<Integer> {
     long budgetNs = budgetNs();
     List<Job> jobs = jobs();
     Path folder = Path.of(out);
-    Files.createDirectories(folder.resolve("bad"));
+    OutputFile.createFolder(folder.resolve("bad").toAbsolutePath());
     long endNs = System.nanoTime() + budgetNs;
     String classes = GoodSeeds.classes();
     JunitXml junit = new JunitXml();
@@ -287,7 +286,8 @@ public final class CiCommand extends BaseCommand implements Callable<Integer> {
     long seed = row.seed();
     List<Path> files = new ArrayList<>(List.of(trace));
     try {
-      try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(trace))) {
+      try (OutputFile file = new OutputFile("--out", trace.toString());
+          TraceRecorder recorder = new TraceRecorder(file.stream())) {
         job.request.plan(seed).simulation().observer(recorder).build().run();
       } catch (RuntimeException error) {
         if (!RunOutcome.failed(error).isLike(row.outcome())) {

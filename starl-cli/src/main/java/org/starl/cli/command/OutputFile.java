@@ -71,9 +71,7 @@ public final class OutputFile implements Closeable {
                 Files.newOutputStream(target, StandardOpenOption.WRITE));
         return;
       }
-      if (!Files.isDirectory(folder)) {
-        Files.createDirectories(folder);
-      }
+      createFolder(folder);
       long process = ProcessHandle.current().pid();
       written = folder.resolve("." + target.getFileName() + "." + process + ".part");
       out =
@@ -82,6 +80,16 @@ public final class OutputFile implements Closeable {
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
       throw unwritable(option, name, e);
+    }
+  }
+
+  /** With the folders around it; those that are empty when this process ends are deleted. */
+  public static void createFolder(Path folder) throws IOException {
+    Path outer = folder.getParent();
+    if (!Files.isDirectory(folder) && outer != null) {
+      createFolder(outer);
+      Files.createDirectories(folder);
+      folder.toFile().deleteOnExit();
     }
   }
 

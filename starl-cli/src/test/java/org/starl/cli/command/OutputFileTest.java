@@ -4,13 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.Cli;
 
 /** A file appears whole or not at all. */
 class OutputFileTest {
@@ -73,5 +77,19 @@ class OutputFileTest {
     file.stream().write(new byte[100_000]);
     assertThatThrownBy(file.stream()::close).hasMessageContaining("--out: '/dev/full'");
     assertThatThrownBy(file::close).hasMessageContaining("cannot be written (No space left");
+  }
+
+  @Tag("realtime")
+  @Test
+  void leavesNoEmptyFolder() throws Exception {
+    Path picture = folder.resolve("new/er/a.png");
+    List<String> words =
+        Cli.process("record", "hello", "--seed", "1", "--when", "violation", "--out", "" + picture);
+    Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
+    try (BufferedReader out = process.inputReader()) {
+      assertThat(out.lines()).anyMatch(line -> line.contains("no specification was violated"));
+    }
+    assertThat(process.waitFor()).isZero();
+    assertThat(folder).isEmptyDirectory();
   }
 }
