@@ -25,6 +25,7 @@ import org.starl.cli.command.Apps;
 import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.MissingDependencyException;
+import org.starl.cli.command.ProgressLine;
 import org.starl.cli.command.UntilStopped;
 import org.starl.cli.deploy.DeployCommand;
 import org.starl.cli.deploy.KeygenCommand;
@@ -202,6 +203,7 @@ public final class Main implements BaseCommand.Root, Runnable {
     CommandLine commandLine = new CommandLine(main);
     commands.forEach(commandLine::addSubcommand);
     addHelp(commandLine);
+    commandLine.setUsageHelpWidth(Math.clamp(ProgressLine.columns(), 55, 80)); // its least
     return commandLine;
   }
 

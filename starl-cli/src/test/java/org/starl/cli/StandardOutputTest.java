@@ -61,6 +61,18 @@ class StandardOutputTest {
     assertThat(process.waitFor()).isZero();
   }
 
+  @Tag("realtime")
+  @Test
+  void helpFitsTheTerminal() throws Exception {
+    ProcessBuilder builder = new ProcessBuilder(Cli.process("help"));
+    builder.environment().put("COLUMNS", "60");
+    Process process = builder.start();
+    try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
+      assertThat(out.lines()).isNotEmpty().allMatch(line -> line.length() <= 60);
+    }
+    assertThat(process.waitFor()).isZero();
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -170,7 +170,7 @@ public final class ProgressLine implements Campaign.Progress {
   }
 
   /** The width of the terminal, which shells tell in COLUMNS if it is exported. */
-  private static int columns() {
+  public static int columns() {
     String columns = System.getenv().getOrDefault("COLUMNS", "");
     return columns.matches("[1-9]\\d{1,3}") ? Integer.parseInt(columns) : USUAL_COLUMNS;
   }
