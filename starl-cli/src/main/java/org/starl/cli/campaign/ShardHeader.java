@@ -140,14 +140,13 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
    * @throws BadInput if {@code demos} do not have its app, or a value is unknown
    */
   ShardWork<?> work(String file, Demos demos) {
-    String where = file + ":1: ";
     try {
       String format = text(work, "format");
       if (format.equals(format("sweep"))) {
         SweepFile sweep = SweepFile.of(text(work, "file"), text(work, "text"));
         return SeedWork.sweep(sweep, demos);
       }
-      RunRequest request = request(where, demos);
+      RunRequest request = request(demos);
       if (format.equals(format("explore"))) {
         Exploration exploration =
             RowJson.record(work.getOrDefault("exploration", ""), Exploration.class);
@@ -157,15 +156,14 @@ record ShardHeader(Map<String, Object> work, String part, String command) {
       boolean stops = Boolean.parseBoolean(text(work, "stop"));
       return SeedWork.campaign(request, seeds, Ending.of(stops, text(work, "until"), seeds));
     } catch (BadInput e) {
-      String message = String.valueOf(e.getMessage());
-      throw message.startsWith(where) ? e : new BadInput(where + message);
+      throw new BadInput(file + ":1: " + e.getMessage());
     }
   }
 
-  private RunRequest request(String where, Demos demos) {
-    RunRequest.Builder request = RunRequest.Builder.of(demos, text(work, "app"), where, "");
+  private RunRequest request(Demos demos) {
+    RunRequest.Builder request = RunRequest.Builder.of(demos, text(work, "app"), "", "");
     if (work.get("settings") instanceof Map<?, ?> settings) {
-      settings.forEach((key, value) -> request.set(where, key.toString(), value.toString()));
+      settings.forEach((key, value) -> request.set("", key.toString(), value.toString()));
     }
     return request.build();
   }
