@@ -33,7 +33,8 @@ import org.starl.trace.TraceEvent.Sent;
  * the step in which it is asked, or in which its own request ends. A process that defers an answer says so when
  * the request is repeated, and none consents to a request that it knows to be over. A request ends as late
  * only in a step in which its process hears of one that goes first. Nothing of this is required of a
- * process whose robot may stand in sections of an earlier one. A process tells those that it
+ * process whose robot may stand in sections of an earlier one. Earlier processes of a program answer, too: one that
+ * holds sections like any other, one that has ended with its consent. A process tells those that it
  * has asked, in the same step, what it gives back, and that it no longer waits.
  */
 final class AnswerCheck {
@@ -226,14 +227,20 @@ final class AnswerCheck {
     boolean isForged = !req.from().robot().equals(got.from());
     boolean isStale =
         participant.hasEnded(req.from(), req.num()) || (before != null && req.num() < before.num());
-    if (isForged || isStale || !req.to().equals(newest.get(key))) {
+    boolean isOfThisProgram = participant.view.number() > 0;
+    if (isForged || isStale || !isOfThisProgram) {
       return;
     }
     participant.asked.put(req.from(), req);
     if (req.resumes()) {
       participant.overtakenNs = got.timeNs();
     }
-    if (participant.refuses(req.from())) {
+    boolean isRetired = !req.to().equals(newest.get(key)) && !participant.wants();
+    if (isRetired) {
+      if (!participant.fenced.contains(req.from())) { // a fence outlasts its process
+        owes(got, req, told -> told instanceof Ok ok && answers(ok, req) && ok.isWhole());
+      }
+    } else if (participant.refuses(req.from())) {
       owes(got, req, told -> told instanceof Fenced || (told instanceof Ok ok && answers(ok, req)));
     } else if (!participant.wants() && !standing.contains(key)) {
       owes(got, req, told -> told instanceof Ok ok && answers(ok, req) && ok.isWhole());

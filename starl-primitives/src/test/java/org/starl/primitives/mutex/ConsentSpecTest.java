@@ -202,6 +202,21 @@ class ConsentSpecTest {
   }
 
   @Test
+  void anEarlierProcessOfAProgramMustAnswerToo() {
+    ProcessId next = new ProcessId(I.robot(), I.inc() + 1);
+    event(0, new MutexFact.Learned(next, View.closed(List.of(next, J, K))));
+    req(1, J, I, 1);
+    ok(1, I, J, 1);
+    req(2, J, I, 2);
+    event(3, new MutexFact.Known(next, 0, new TreeSet<>()));
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+    event(3, new MutexFact.Fence(I, J, set()));
+    req(4, J, I, 3);
+    event(5, new MutexFact.Known(next, 0, new TreeSet<>()));
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
   void whoDefersMustSayWhenItIsAskedAgain() {
     ask(0);
     req(1, J, I, 1);
