@@ -68,7 +68,11 @@ public final class FleetDemo implements FactoryDemo {
 
   @Override
   public Request varied(Request request) {
-    return request.drawRobots(2, 12);
+    // With the default range no robot has to charge, which takes time; so there is less to do.
+    return request
+        .drawRobots(2, 12)
+        .drawParameter(FleetFactory.RANGE, "160m")
+        .drawParameter(FleetFactory.DELIVERIES, "12");
   }
 
   @Override

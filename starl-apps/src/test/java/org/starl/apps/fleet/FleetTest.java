@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -48,6 +50,20 @@ import org.starl.time.Time;
 class FleetTest {
 
   private static final FleetDemo DEMO = new FleetDemo();
+
+  @Test
+  void chaosDrawsARangeWithWhichRobotsHaveToCharge() {
+    SortedSet<Double> rangesMm = new TreeSet<>();
+    for (int robots = 2; robots <= 12; robots++) {
+      Roads roads = FleetFactory.roads(FleetFactory.grid(robots), 165, robots);
+      for (long seed = 1; seed <= 10; seed++) {
+        Request request = new Request(seed, OptionalInt.of(robots), DEMO.defaults(), Set.of());
+        rangesMm.add(FleetFactory.rangeMm(DEMO.varied(request), roads));
+      }
+    }
+    assertThat(rangesMm).containsExactly(160_000.0, 500_000.0);
+  }
+
   private static final double BODY_MM = 165;
 
   private static void fill(Simulation.Builder simulation, long seed, int robots) {
