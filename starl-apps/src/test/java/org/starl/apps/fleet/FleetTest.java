@@ -238,6 +238,7 @@ class FleetTest {
     return new LogicThread(gvh) {
       @Override
       public List<Object> callStarL() {
+        gvh.variable(FleetFact.ABOARD, 0L).set(1L);
         gvh.variable(FleetFact.DELIVERED, 0L).set(1L);
         gvh.variable(FleetFact.CHARGE, 1).set(0);
         gvh.variable(FleetFact.LANE, List.of()).set(List.of(1, 2));
@@ -276,6 +277,7 @@ class FleetTest {
     "ungrouped, fleet.held",
     "unasked, fleet.in_time",
     "liar, fleet.on_lane",
+    "liar, fleet.begun",
     "liar, fleet.once",
     "liar, fleet.charged",
     "filled, fleet.charged",

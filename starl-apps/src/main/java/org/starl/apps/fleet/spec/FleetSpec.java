@@ -21,6 +21,9 @@ import org.starl.apps.fleet.logic.Roads;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 import org.starl.id.RobotId;
+import org.starl.primitives.ledger.LedgerEntry;
+import org.starl.primitives.ledger.LedgerFact;
+import org.starl.primitives.ledger.LedgerOutcome;
 import org.starl.primitives.mutex.HeldSections;
 import org.starl.primitives.mutex.MutexFact;
 import org.starl.spec.Bodies;
@@ -48,6 +51,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       their ends, or at an end of the group that is no parking place or charger.
  *   <li>{@code fleet.held}: a robot holds each section in whose star the middle of its true body is, the
  *       section of the group that it is in, and the station or charger where it stands: why the three above hold. Checked when a robot gives sections up, and each 400 ms of movement.
+ *   <li>{@code fleet.begun}: a robot takes a load aboard only when the ledger has told it that it has begun
+ *       this delivery.
  *   <li>{@code fleet.once}: each delivery is put down once.
  *   <li>{@code fleet.charged}: no battery is empty. Its charge rises while the robot charges only, also over a
  *       restart, and it is full when the robot leaves the charger.
@@ -63,6 +68,7 @@ public final class FleetSpec extends LemmaMonitor {
   static final String ONE_WAY = "fleet.one_way";
   static final String GROUP = "fleet.group";
   static final String HELD = "fleet.held";
+  static final String BEGUN = "fleet.begun";
   static final String ONCE = "fleet.once";
   static final String CHARGED = "fleet.charged";
   static final String NONE_LOST = "fleet.none_lost";
@@ -99,6 +105,7 @@ public final class FleetSpec extends LemmaMonitor {
   private final SortedMap<RobotId, Integer> charges = new TreeMap<>();
   private final SortedMap<RobotId, Work> works = new TreeMap<>();
   private final HeldSections held = new HeldSections();
+  private final SortedMap<RobotId, Long> begun = new TreeMap<>();
   private final SortedMap<Long, RobotId> delivered = new TreeMap<>();
   private int asked;
   private long nextCheckNs;
@@ -124,6 +131,7 @@ public final class FleetSpec extends LemmaMonitor {
     lemma(ONE_WAY, "No two robots on one lane drive in opposite directions.");
     lemma(GROUP, "No two robots are on lanes of one group.");
     lemma(HELD, "A robot holds each section that its middle is in.");
+    lemma(BEGUN, "A robot takes a load aboard only when it has begun this delivery.");
     lemma(ONCE, "Each delivery is put down at most once.");
     lemma(CHARGED, "No battery is empty; it is charged at a charger only, until it is full.");
     lemma(NONE_LOST, "At the end of the run each delivery has been put down.");
@@ -148,6 +156,12 @@ public final class FleetSpec extends LemmaMonitor {
     }
     held.observe(event);
     if (event instanceof Action action
+        && action.fact() instanceof LedgerFact.Told told
+        && told.entry() instanceof LedgerEntry.Begin begin
+        && told.outcome() == LedgerOutcome.DONE) {
+      begun.put(action.robot(), begin.task().number());
+    }
+    if (event instanceof Action action
         && (action.fact() instanceof MutexFact.StandsIn
             || action.fact() instanceof MutexFact.Release)) {
       checkHeld(action.robot(), action.timeNs(), report);
@@ -166,6 +180,14 @@ public final class FleetSpec extends LemmaMonitor {
       }
       open.stop(number);
       report.checked(IN_TIME);
+    }
+    Long load = variable.of(FleetFact.ABOARD);
+    if (load != null && load > 0) {
+      report.checked(BEGUN);
+      if (!load.equals(begun.get(robot))) {
+        String detail = "takes delivery " + load + " aboard, and has begun " + begun.get(robot);
+        report.violated(BEGUN, variable.timeNs(), List.of(robot), detail);
+      }
     }
     charged(variable, report);
     List<Integer> lane = variable.of(FleetFact.LANE);
