@@ -13,6 +13,8 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexMessage.Fence;
+import org.starl.primitives.mutex.MutexMessage.FenceQ;
 import org.starl.primitives.mutex.MutexMessage.Fenced;
 import org.starl.primitives.mutex.MutexMessage.Noted;
 import org.starl.primitives.mutex.MutexMessage.Ok;
@@ -34,7 +36,8 @@ import org.starl.trace.TraceEvent.Sent;
  * the request is repeated, and none consents to a request that it knows to be over. A request ends as late
  * only in a step in which its process hears of one that goes first. Nothing of this is required of a
  * process whose robot may stand in sections of an earlier one. Earlier processes of a program answer, too: one that
- * holds sections like any other, one that has ended with its consent. A process tells those that it
+ * holds sections like any other, one that has ended with its consent. A process that is asked for a fence,
+ * and wants sections, gives it at once. A process asks all that it knows in one step, and tells those that it
  * has asked, in the same step, what it gives back, and that it no longer waits.
  */
 final class AnswerCheck {
@@ -98,11 +101,13 @@ final class AnswerCheck {
         }
       }
       case Delivered got when got.message() instanceof Req req -> asked(got, req);
+      case Delivered got when got.message() instanceof FenceQ question -> asked(got, question);
       case Delivered got when got.message() instanceof Rem rem && rem.left().isEmpty() ->
           of(got.channel(), rem.to()).ended.merge(rem.from(), rem.num(), Math::max);
       case Sent sent when sent.message() instanceof Ok ok -> consented(sent, ok, report);
       case Sent sent when sent.message() instanceof Req req ->
           of(sent.channel(), req.from()).asks.put(req.to(), req.num());
+      case Sent sent when sent.message() instanceof FenceQ question -> asks(sent, question);
       case Fault fault when fault.name().equals(Fault.CRASH) -> ended(fault.robot());
       case TraceEvent.Left left -> ended(left.robot());
       default -> {}
@@ -166,6 +171,13 @@ final class AnswerCheck {
       case MutexFact.DoMutex request -> {
         participant.num = request.num();
         participant.isTrying = true;
+        for (ProcessId other : request.known()) {
+          mustAsk(
+              action,
+              other,
+              told ->
+                  told instanceof Req req && req.to().equals(other) && req.num() == request.num());
+        }
       }
       case MutexFact.OdMutex access -> {
         report.checked(ConsentSpec.LATE);
@@ -207,6 +219,25 @@ final class AnswerCheck {
                     && !Sections.meet(rem.left(), given));
       }
     });
+  }
+
+  /** A question for a fence is for all. */
+  private void asks(Sent sent, FenceQ question) {
+    for (ProcessId other : of(sent.channel(), question.from()).view.ids()) {
+      if (!other.equals(question.from()) && !other.equals(question.suspect())) {
+        mustAsk(
+            sent,
+            other,
+            told ->
+                told instanceof FenceQ same
+                    && same.to().equals(other)
+                    && same.suspect().equals(question.suspect()));
+      }
+    }
+  }
+
+  private void mustAsk(TraceEvent event, ProcessId other, Predicate<Object> accepts) {
+    ends.owes(event, other.robot().name(), "what it asks, for " + other, accepts);
   }
 
   private void mayEnd(Action action, Participant participant, ProcessId me, ProcessKey key) {
@@ -251,6 +282,28 @@ final class AnswerCheck {
           told ->
               (told instanceof Ok ok && answers(ok, req))
                   || (told instanceof Noted noted && noted.num() == req.num()));
+    }
+  }
+
+  /** A process that holds or waits does not leave: so it answers if the suspect needs its consent. */
+  private void asked(Delivered got, FenceQ question) {
+    ProcessId me = question.to();
+    ProcessId suspect = question.suspect();
+    Participant participant = of(got.channel(), me);
+    View view = participant.view;
+    if (question.from().robot().equals(got.from())
+        && participant.wants()
+        && !suspect.equals(me)
+        && view.contains(me)
+        && view.admittedBy(me) <= question.admittedBy()) {
+      answers.owes(
+          got,
+          question.from().robot().name(),
+          "a fence of " + suspect,
+          told ->
+              told instanceof Fence fence
+                  && fence.to().equals(question.from())
+                  && fence.suspect().equals(suspect));
     }
   }
 

@@ -80,7 +80,7 @@ final class ConsentSpec extends InstanceMonitor<ConsentSpec.Group> {
         "A process that wants no section consents at once; a repeated request is answered at once, an ended one not.");
     lemma(
         TELLS,
-        "A process tells those that it has asked what it gives back, or that it no longer waits.");
+        "A process asks all that it knows at once, and tells them what it gives back, or that it ends.");
     lemma(LATE, "A request ends as late only when it hears of one that goes first.");
     answers = new AnswerCheck();
     return this;

@@ -217,6 +217,19 @@ class ConsentSpecTest {
   }
 
   @Test
+  void whoWantsASectionMustGiveAFenceAtOnce() {
+    deliver(0, new MutexMessage.FenceQ(J, I, K, 1)); // it may leave
+    ask(1);
+    deliver(2, new MutexMessage.FenceQ(J, I, K, 1));
+    send(2, new MutexMessage.Fence(I, J, K, set()));
+    deliver(3, new MutexMessage.FenceQ(J, I, K, 0)); // its consent is not needed
+    deliver(4, new MutexMessage.FenceQ(J, I, K, 1));
+    send(4, new MutexMessage.Fence(I, J, L, set()));
+    event(5, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+    assertThat(monitors.report().violations(ConsentSpec.ANSWERED)).isEqualTo(1);
+  }
+
+  @Test
   void whoDefersMustSayWhenItIsAskedAgain() {
     ask(0);
     req(1, J, I, 1);
@@ -260,9 +273,6 @@ class ConsentSpecTest {
             new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN))) {
       boolean isRelease = end instanceof MutexFact.Release;
       ask(0);
-      for (ProcessId other : List.of(J, K)) {
-        send(0, new MutexMessage.Req(I, other, 1, 1, 5, set("A")));
-      }
       event(2, end);
       send(2, new MutexMessage.Rem(I, J, 1, set()));
       send(2, new MutexMessage.Rem(I, K, isRelease ? 1 : 2, isRelease ? set("A") : set()));
@@ -272,11 +282,27 @@ class ConsentSpecTest {
   }
 
   @Test
+  void aProcessAsksAllThatItKnowsAtOnce() {
+    event(0, new MutexFact.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
+    send(0, new MutexMessage.Req(I, J, 1, 1, 5, set("A")));
+    send(1, new MutexMessage.Req(I, K, 1, 1, 5, set("A")));
+    assertThat(monitors.report().violations(ConsentSpec.TELLS)).isEqualTo(1);
+    event(2, new MutexFact.Learned(I, View.closed(List.of(I, J, K, L))));
+    send(3, new MutexMessage.FenceQ(I, J, K, 1));
+    send(4, new MutexMessage.FenceQ(I, L, K, 1));
+    send(4, new MutexMessage.FenceQ(I, J, K, 1));
+    event(5, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
+    assertThat(monitors.report().violations(ConsentSpec.TELLS)).isEqualTo(2);
+  }
+
+  @Test
   void nothingIsOwedToARequestThatHasEnded() {
     ask(0);
     req(1, J, I, 1);
     deliver(2, new MutexMessage.Rem(J, I, 1, set()));
     event(3, new MutexFact.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    send(3, new MutexMessage.Rem(I, J, 1, set()));
+    send(3, new MutexMessage.Rem(I, K, 1, set()));
     req(4, J, I, 1);
     event(5, new MutexFact.Known(I, 1, new TreeSet<>(Set.of(J, K))));
     assertThat(monitors.report().holds()).isTrue();
@@ -304,6 +330,9 @@ class ConsentSpecTest {
 
   private void ask(long timeNs) {
     event(timeNs, new MutexFact.DoMutex(I, 1, 1, set("A"), new TreeSet<>(Set.of(J, K))));
+    for (ProcessId other : List.of(J, K)) {
+      send(timeNs, new MutexMessage.Req(I, other, 1, 1, 5, set("A")));
+    }
   }
 
   private void ok(long timeNs, ProcessId from, ProcessId to, long num) {
