@@ -88,7 +88,11 @@ abstract class GeocastWire<T> implements StarLPrimitive {
   }
 
   private void received(RobotId from, GeocastMessage<T> message) {
-    protocol.received(from, message, gvh.plat.clock.nowNs());
+    long nowNs = gvh.plat.clock.nowNs();
+    protocol.received(from, message, nowNs);
+    if (nowNs >= protocol.wakeAtNs()) {
+      protocol.timer(nowNs); // the timer waits behind messages that came before it
+    }
     settled();
   }
 

@@ -115,6 +115,45 @@ class GeocastSimulationTest {
     assertThat(result.spec().checks(GeocastSpec.INCLUSION)).isGreaterThanOrEqualTo(4);
   }
 
+  /** Sends more than its slow computer can handle the acknowledgements of within the interval. */
+  private static final class Burst extends LogicThread {
+
+    Burst(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      Broadcast<String> all = new Broadcast<>(gvh, "all", TEXT, (origin, m) -> {});
+      sleep(500);
+      if (gvh.id.name().name().equals("bot0")) {
+        for (int i = 0; i < 40; i++) {
+          all.BCast("long", 2_000);
+          all.BCast("short", 300);
+        }
+        await(() -> all.Gcastflag().get());
+      }
+      sleep(3_000);
+      return List.of();
+    }
+  }
+
+  @Test
+  void theFlagIsTrueWithTheLastAcknowledgementThoughTheTimerOfOtherMessagesIsLate() {
+    SimResult result =
+        Simulation.builder()
+            .settings(
+                SimSettings.builder()
+                    .set("faults", "compute(bot0,3ms); datagram(bot0>bot2,1,lost)") // a short one
+                    .build())
+            .monitor(() -> new GeocastSpec(200, GeocastSettings.DEFAULT).answering())
+            .robots(3, Burst::new)
+            .build()
+            .run();
+    assertThat(result.isFinished()).isTrue();
+    assertThat(result.spec().violations()).isEmpty();
+  }
+
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
   void theContractHoldsWithLossAndNoise(long seed) {
