@@ -90,9 +90,7 @@ abstract class GeocastWire<T> implements StarLPrimitive {
   private void received(RobotId from, GeocastMessage<T> message) {
     long nowNs = gvh.plat.clock.nowNs();
     protocol.received(from, message, nowNs);
-    if (nowNs >= protocol.wakeAtNs()) {
-      protocol.timer(nowNs); // the timer waits behind messages that came before it
-    }
+    protocol.timer(nowNs); // it may be due: the timer waits behind messages that came before it
     settled();
   }
 
