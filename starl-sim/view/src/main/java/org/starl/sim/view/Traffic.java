@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -153,7 +152,7 @@ public final class Traffic {
   }
 
   private static Flight flight(Sent sent, RobotId to, double share, Flight.State state) {
-    String title = MessageText.of(sent.shape(), sent.message(), Set.of()).name();
+    String title = MessageText.name(sent.shape(), sent.message());
     return new Flight(sent.robot(), to, sent.channel(), title, share, state);
   }
 
