@@ -5,6 +5,7 @@ import java.util.SortedSet;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
+import java.util.stream.StreamSupport;
 
 /**
  * Conditions on all values of an infinite type that are evaluated at finitely many of them: the
@@ -43,6 +44,14 @@ public final class Finite {
   /** The whole numbers from {@code from} to {@code to}. */
   public static Iterable<Long> range(long from, long to) {
     return () -> LongStream.rangeClosed(from, to).iterator();
+  }
+
+  /** The {@code numbers} that are at least 0: the others are no values of {@code nat}, {@code time}. */
+  public static <N extends Number> Iterable<N> notNegative(Iterable<N> numbers) {
+    return () ->
+        StreamSupport.stream(numbers.spliterator(), false)
+            .filter(each -> each.doubleValue() >= 0)
+            .iterator();
   }
 
   /** The elements of {@code where} at which {@code condition} is true. */

@@ -213,8 +213,9 @@ final class Finite {
     if (mustBoth && leftWanted && rightWanted && isRange(of, variable)) {
       Expr from = ((Expr.Binary) of.left()).left();
       Expr to = ((Expr.Binary) of.right()).right();
+      Expr number = ((Expr.Binary) of.left()).right();
       Code range = Code.call(quantifiers() + ".range", writer.of(from), writer.of(to));
-      return List.of(tried(List.of(from, to), range));
+      return List.of(tried(List.of(from, to), within(number, from.type(), range)));
     }
     List<Code> left = bounds(variable, of.left(), leftWanted);
     if (mustBoth && left != null) {
@@ -253,9 +254,10 @@ final class Finite {
 
   private @Nullable List<Code> equal(String variable, Expr.Binary at) {
     boolean isLeft = isVariable(at.left(), variable);
+    Expr one = isLeft ? at.left() : at.right();
     Expr other = isLeft ? at.right() : at.left();
-    return (isLeft || isVariable(at.right(), variable)) && !Exprs.mentions(other, variable)
-        ? List.of(only(List.of(other)))
+    return isVariable(one, variable) && !Exprs.mentions(other, variable)
+        ? List.of(only(one, List.of(other)))
         : null;
   }
 
@@ -264,16 +266,38 @@ final class Finite {
       return null;
     }
     if (at.right() instanceof Expr.SetOf literal) {
-      return List.of(only(literal.elements()));
+      return List.of(only(at.left(), literal.elements()));
     }
     return writer.types().form(at.right().type()) == JavaTypes.Sets.FINITE
-        ? List.of(tried(List.of(at.right()), writer.of(at.right())))
+        ? List.of(
+            tried(
+                List.of(at.right()), within(at.left(), element(at.right()), writer.of(at.right()))))
         : null;
   }
 
-  private Code only(List<Expr> elements) {
-    return tried(
-        elements, writer.types().list(elements.stream().map(writer::of).toArray(Code[]::new)));
+  private static Type element(Expr set) {
+    return ((Type.SetOf) set.type().base()).element();
+  }
+
+  private Code only(Expr variable, List<Expr> elements) {
+    Code all = writer.types().list(elements.stream().map(writer::of).toArray(Code[]::new));
+    Type its = variable.type();
+    Optional<Type> other =
+        elements.stream().map(Expr::type).filter(each -> !each.isA(its)).findFirst();
+    return tried(elements, within(variable, other.orElse(its), all));
+  }
+
+  /** Of values of type {@code of}, those of the variable's type: a {@code nat} is no {@code -1}. */
+  private Code within(Expr variable, Type of, Code values) {
+    if (Type.isNumber(variable.type(), Type.Num::isWhole)
+        && Type.isNumber(of, number -> !number.isWhole())) {
+      throw new NotExecutable(
+          variable.pos(), "a whole number is sought among values of " + of + "; expected an int");
+    }
+    return Type.isNumber(of, Type.Num::hasNegative)
+            && !Type.isNumber(variable.type(), Type.Num::hasNegative)
+        ? Code.call(quantifiers() + ".notNegative", values)
+        : values;
   }
 
   /** The set of values to try; none where the source does not ask the value of these parts. */
@@ -360,9 +384,11 @@ final class Finite {
 
   private void arguments(String variable, Expr.At at, List<Code> sets) {
     Code map = writer.of(at.map());
-    for (Expr argument : at.arguments()) {
+    for (int i = 0; i < at.arguments().size(); i++) {
+      Expr argument = at.arguments().get(i);
       if (isVariable(argument, variable)) {
-        sets.add(tried(List.of(at), map.then("arguments")));
+        Type type = ((Type.MapOf) at.map().type().base()).arguments().get(i);
+        sets.add(tried(List.of(at), within(argument, type, map.then("arguments"))));
         map = map.then("defaultValue");
       } else {
         map = map.then("at", writer.of(argument));
@@ -379,13 +405,14 @@ final class Finite {
     } else if (isVariable(element, variable)) {
       Code all = writer.of(set);
       boolean isFun = writer.types().form(set.type()) == JavaTypes.Sets.FUN;
-      sets.add(tried(List.of(set), isFun ? all.then("arguments") : all));
+      Code elements = isFun ? all.then("arguments") : all;
+      sets.add(tried(List.of(set), within(element, element(set), elements)));
     }
   }
 
   private void compared(String variable, Expr one, Expr other, List<Code> sets) {
     if (isVariable(one, variable) && !isVariable(other, variable)) {
-      sets.add(only(List.of(other)));
+      sets.add(only(one, List.of(other)));
     }
   }
 }

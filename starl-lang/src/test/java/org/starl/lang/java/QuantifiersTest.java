@@ -1,6 +1,7 @@
 package org.starl.lang.java;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BiPredicate;
+import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Tag;
@@ -84,6 +86,67 @@ class QuantifiersTest {
     assertThat(compiled.enabled("all").isTrue()).isFalse();
     compiled.step("put", false);
     assertThat(compiled.enabled("all").isTrue()).isTrue();
+  }
+
+  @Test
+  void aNaturalNumberIsNeverNegative() throws SourceErrors {
+    Compiled compiled =
+        new Compiled(
+            """
+            automaton Random_decls[T]
+            java "x.XAutomaton"
+            java real = "double"
+            java time = "double"
+            state
+              z: int
+              x: real
+              ints: set[int]
+              at: [int -> bool]
+              nats: set[nat]
+              places: [nat -> bool]
+            start z = -1, x = -0.5, ints = {-2}, forall i: int :: not at(i), nats = {},
+              forall n: nat :: not places(n)
+            action mark(i: int) eff at(i) := true
+            action same pre exists k: nat :: k <= 3 and k = z
+            action differs pre forall k: nat :: k != z
+            action contained pre exists k: nat :: k in ints
+            action ranged pre exists k: nat :: z <= k and k <= -1
+            action within pre exists k: nat :: k in -3..z
+            action marked pre exists k: nat :: at(k)
+            action looked pre exists k: nat :: not (k in ints => k = 5)
+            action timed pre exists t: time :: t = x
+            action gather eff nats := {k: nat | k = z}
+            action gathered pre nats = {}
+            action place eff places := [k: nat -> if k = z then true else places(k)]
+            action placed pre places = [k: nat -> false]
+            """);
+    compiled.step("mark", -3L);
+    compiled.step("gather");
+    compiled.step("place");
+    assertThat(
+            Stream.of("same", "contained", "ranged", "within", "marked", "looked", "timed")
+                .filter(each -> compiled.enabled(each).isTrue()))
+        .isEmpty();
+    assertThat(
+            Stream.of("differs", "gathered", "placed")
+                .filter(each -> !compiled.enabled(each).isTrue()))
+        .isEmpty();
+  }
+
+  @Test
+  void wholeNumbersAreNotSoughtAmongOthers() {
+    assertThatThrownBy(() ->
+            Compiled.files(
+                """
+                automaton Random_decls
+                java "x.XAutomaton"
+                java real = "double"
+                state x: real
+                start x = 0.5
+                action found pre exists k: nat :: k = x
+                """))
+        .hasMessageContaining(
+            "x.starl:6:35: a whole number is sought among values of real; expected an int");
   }
 
   @Property(tries = 6)

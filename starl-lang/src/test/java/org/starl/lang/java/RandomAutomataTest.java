@@ -69,6 +69,11 @@ class RandomAutomataTest {
     javaAndExplorationAgreeOnEachStep(33098);
   }
 
+  @Example
+  void aNaturalNumberIsNotSoughtBelowZero() throws SourceErrors {
+    javaAndExplorationAgreeOnEachStep(-2744082863750870841L);
+  }
+
   @Property(tries = 5, shrinking = ShrinkingMode.OFF)
   @Tag("long")
   void javaAndExplorationAgreeOnEachStep(@ForAll long seed) throws SourceErrors {
@@ -145,7 +150,9 @@ class RandomAutomataTest {
             .formatted(
                 name,
                 List.of(call.java),
-                machine.automaton().action(name).orElseThrow().pre(),
+                machine.automaton().action(name).orElseThrow().pre().stream()
+                    .map(each -> each.text())
+                    .toList(),
                 text(machine, state));
     try {
       boolean isEnabled = machine.firstFalse(state, call.action, call.arguments).isEmpty();
