@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Function;
@@ -73,6 +74,14 @@ public final class TraceMerge {
       List<String> missing,
       List<Violation> violations,
       List<Violation> possible) {
+
+    /** The lemmas with a violation that is possible, and none that is certain. */
+    public SortedSet<String> undecided() {
+      SortedSet<String> lemmas =
+          possible.stream().map(Violation::lemma).collect(Collectors.toCollection(TreeSet::new));
+      violations.forEach(violation -> lemmas.remove(violation.lemma()));
+      return lemmas;
+    }
 
     /** What went wrong; null if it is not certain that anything did. */
     public @Nullable Failure failure() {

@@ -167,6 +167,7 @@ class TraceMergeTest {
 
     assertThat(result.violations()).isEmpty();
     assertThat(result.possible()).hasSize(1);
+    assertThat(result.undecided()).containsExactly("Exclusion");
     assertThat(result.missing())
         .singleElement()
         .asString()

@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
@@ -139,10 +140,15 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
             ? "within the errors of clocks and measurements"
             : "traces are missing";
     add(lines, "possible, " + unsure + ": ", result.possible());
-    if (result.missing().isEmpty()
-        && result.violations().isEmpty()
-        && result.possible().isEmpty()) {
-      lines.add("safe: " + Outcome.held(result.run().spec()));
+    if (result.missing().isEmpty() && result.violations().isEmpty()) {
+      Set<String> undecided = result.undecided();
+      String held = Outcome.held(result.run().spec(), undecided);
+      if (undecided.isEmpty()) {
+        lines.add("safe: " + held);
+      } else {
+        lines.add(held);
+        lines.add("not decided: " + String.join(" ", undecided) + "; no violation is certain");
+      }
       lines.addAll(Outcome.unknown(result.run().spec()));
     }
   }
@@ -167,6 +173,7 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
       json.put("failure", failure.fields());
     }
     json.put("possible", result.possible().stream().map(String::valueOf).toList());
+    json.put("not_decided", result.undecided());
     return json;
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.cli.command.Colour;
@@ -65,8 +66,14 @@ public final class Outcome {
 
   /** The line for a run without violations: the specifications that were checked. */
   public static String held(SpecReport spec) {
+    return held(spec, Set.of());
+  }
+
+  /** The same without these, of which it is not decided. */
+  public static String held(SpecReport spec, Set<String> undecided) {
     List<String> held = new ArrayList<>(spec.lemmas());
     held.removeAll(spec.neverChecked());
+    held.removeAll(undecided);
     long checks = held.stream().mapToLong(spec::checks).sum();
     return "%s specifications held, in %s checks: %s"
         .formatted(held.size(), checks, String.join(" ", held));
