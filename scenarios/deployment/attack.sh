@@ -86,8 +86,8 @@ done
 mkdir "$work/first" "$work/second" "$work/next"
 # The world's own file has the cameras' true address.
 sed "s/server: 127.0.0.1:[0-9]*/server: 127.0.0.1:$((base + 6))/" "$work/bot0.yaml" >"$work/world.yaml"
-root=$here/../.. attacker=$here/../../starl-cli/launch/target/test-classes
-[ -e "$attacker/org/starl/launch/Attacker.class" ] || $starl test -DskipTests >"$work/build.log" || { cat "$work/build.log"; exit 1; }
+root=$here/../.. attacker=$here/../../starl-cli/launch/target/run/test-classes
+$starl test -DskipTests -pl starl-cli/launch -am >"$work/build.log" || { cat "$work/build.log"; exit 1; }
 # The Java that the launcher finds.
 java=$(STARL_JAVA_OPTS=-XshowSettings:properties $starl list 2>&1 | sed -n 's/^ *java\.home = //p')/bin/java
 attacker=$attacker:$root/target/starl-maven/starl.jar:$(cat "$root/starl-apps/kotlin/target/run/classpath.txt")
