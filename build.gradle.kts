@@ -61,7 +61,7 @@ subprojects {
         // has a category for it.
         useJUnitPlatform {
             if (!providers.gradleProperty("all").isPresent) {
-                excludeTags("realtime", "long", "org.starl.android.app.TakesLong")
+                excludeTags("realtime", "long", "nightly", "org.starl.android.app.TakesLong")
             }
         }
         maxParallelForks = 2

@@ -30,7 +30,7 @@ import org.starl.lang.read.SourceReader;
 import org.starl.lang.tree.Automaton;
 
 /** The automata in {@code pvs/starl} with one thing made wrong, and what sees it: docs/mutants.md. */
-@Tag("long")
+@Tag("nightly")
 class MutantsTest {
 
   /** So many states of an automaton are visited, besides its start states. */
