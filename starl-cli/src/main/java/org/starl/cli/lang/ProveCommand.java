@@ -2,13 +2,15 @@ package org.starl.cli.lang;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.cli.command.ExitStatus;
 import org.starl.cli.command.MissingDependencyException;
 import org.starl.cli.command.OptionValues;
+import org.starl.cli.command.OutputFile;
 import org.starl.input.BadInput;
 import org.starl.input.FailureText;
 import org.starl.lang.prove.Claim;
@@ -101,14 +103,13 @@ public final class ProveCommand extends SourceCommand {
 
   private Report prove(Automaton automaton, long steps) {
     try {
-      Path of = folder == null ? null : Files.createDirectories(Path.of(folder, automaton.name()));
       return new Prover(
               automaton,
               steps,
               (title, text) -> {
                 questions++;
                 tell(automaton.name());
-                keep(of, title, text);
+                keep(automaton.name(), title, text);
               })
           .prove();
     } catch (Interrupted e) {
@@ -118,17 +119,18 @@ public final class ProveCommand extends SourceCommand {
     } catch (Unprovable e) {
       throw new BadInput(
           file() + ":" + automaton.pos() + ": " + automaton.name() + ": " + e.getMessage());
-    } catch (IOException | UncheckedIOException e) {
+    } catch (UncheckedIOException | InvalidPathException e) {
       throw new BadInput(
           "--keep: %s: cannot be written (%s); expected a folder"
               .formatted(BadInput.quote(String.valueOf(folder)), FailureText.of(e)));
     }
   }
 
-  private static void keep(@Nullable Path folder, String title, String text) {
+  private void keep(String automaton, String title, String text) {
     if (folder != null) {
-      try {
-        Files.writeString(folder.resolve(title + ".smt2"), text);
+      Path path = Path.of(folder, automaton, title + ".smt2");
+      try (OutputFile file = new OutputFile("--keep", path.toString())) {
+        file.stream().write(text.getBytes(StandardCharsets.UTF_8));
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }

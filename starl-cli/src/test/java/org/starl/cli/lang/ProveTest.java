@@ -65,8 +65,8 @@ class ProveTest {
     Cli cli = Cli.run("prove", file, "--keep", file);
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err().getFirst())
-        .startsWith("starl: --keep: '" + file + "': cannot be written (")
-        .endsWith("; expected a folder");
+        .startsWith("starl: --keep: '" + file + "/Lamp/")
+        .endsWith("; expected the name of a file in a writable folder");
   }
 
   @Test
@@ -88,6 +88,17 @@ class ProveTest {
     assertThat(kept.resolve("Lamp/take-keeps-Free.smt2"))
         .content()
         .contains("; action take(i: PIDS)", "(check-sat)");
+  }
+
+  @Test
+  void aQuestionIsKeptWhollyOrNotAtAll() throws IOException {
+    // What is written goes to a file beside it first, which is there already.
+    Path kept = Files.createDirectories(folder.resolve("kept/Lamp"));
+    String part = ".take-keeps-Free.smt2.%d.part".formatted(ProcessHandle.current().pid());
+    Files.createFile(kept.resolve(part));
+    Cli cli = Cli.run("prove", file(LAMP), "--keep", folder.resolve("kept").toString());
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(kept.resolve("take-keeps-Free.smt2")).doesNotExist();
   }
 
   @Test
