@@ -50,6 +50,13 @@ public record Obstacles(List<Obstacle> all) {
     return all.stream().anyMatch(body -> body.sides().stream().anyMatch(line::crosses));
   }
 
+  /** Whether a side of an obstacle is nearer to a straight line than this. */
+  public boolean isWithin(Segment line, double mm) {
+    return all.stream()
+        .flatMap(body -> body.sides().stream())
+        .anyMatch(side -> side.distanceMm(line) < mm);
+  }
+
   /** Distance to the nearest obstacle; infinite if there is none. */
   public double distanceMm(Point point) {
     double best = Double.POSITIVE_INFINITY;

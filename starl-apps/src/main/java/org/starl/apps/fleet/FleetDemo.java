@@ -20,7 +20,6 @@ import org.starl.apps.fleet.logic.Roads;
 import org.starl.apps.fleet.robot.FleetFactory;
 import org.starl.apps.fleet.spec.FleetSpec;
 import org.starl.apps.fleet.view.FleetLayer;
-import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -141,7 +140,8 @@ public final class FleetDemo implements FactoryDemo {
     List<Delivery> deliveries = job.deliveries;
     double rangeMm = FleetFactory.rangeMm(request, roads);
     FleetStory story = new FleetStory(deliveries);
-    Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
+    Simulation.Builder simulation =
+        Simulation.builder().settings(settings).observer(story).obstacles(job.graph.walls());
     Set<String> broken = FleetFactory.broken(request);
     List<String> names = ids(settings, robots).stream().map(RobotId::toString).toList();
     for (String name : broken) {
@@ -155,7 +155,7 @@ public final class FleetDemo implements FactoryDemo {
     }
     RobotProgram program = FleetFactory.program(roads, deliveries, rangeMm, broken);
     fill(simulation, robots, roads, deliveries, program, boundNs(roads, deliveries));
-    return new Plan(simulation, story, new FleetLayer(roads, deliveries), Obstacles.NONE);
+    return new Plan(simulation, story, new FleetLayer(roads, deliveries), job.graph.walls());
   }
 
   private static List<RobotId> ids(SimSettings settings, int robots) {

@@ -20,7 +20,7 @@ public final class GridMap {
   /**
    * @param blocked cell (column, row) is bit {@code row * columns + column}
    */
-  GridMap(int columns, int rows, BitSet blocked) {
+  public GridMap(int columns, int rows, BitSet blocked) {
     this.columns = columns;
     this.rows = rows;
     this.blocked = (BitSet) blocked.clone();

@@ -14,7 +14,10 @@ import java.util.stream.Collectors;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 import org.starl.input.BadInput;
 import org.starl.input.Field;
 
@@ -34,7 +37,7 @@ import org.starl.input.Field;
  *   <li>A place without a name is called v and its number in the level's list.
  * </ul>
  *
- * <p>Not used: walls, doors, lifts, speed limits and {@code orientation} (robots of StarL turn in
+ * <p>Walls are in the world and in pictures; a wall ends where a door is. Not used: doors, lifts, speed limits and {@code orientation} (robots of StarL turn in
  * place).
  */
 final class BuildingMap {
@@ -79,7 +82,7 @@ final class BuildingMap {
 
   /** The largest part of the chosen level and graph. */
   static NavGraph read(Part building, NavGraphs.Choice choice) {
-    return new BuildingMap(building, level(building, choice.level())).graph(choice.graph());
+    return new BuildingMap(building, level(building, choice.level())).graph(choice);
   }
 
   private static Part level(Part building, String name) {
@@ -102,8 +105,8 @@ final class BuildingMap {
     return levels.at(name.isEmpty() ? withLanes.iterator().next() : name, "");
   }
 
-  private NavGraph graph(int chosen) {
-    List<Part> lanes = lanes(chosen);
+  private NavGraph graph(NavGraphs.Choice choice) {
+    List<Part> lanes = lanes(choice.graph());
     // As in nav graphs, only vertices with lanes, in the order of the lanes.
     Set<Integer> ordered = new LinkedHashSet<>();
     for (Part lane : lanes) {
@@ -115,7 +118,13 @@ final class BuildingMap {
       throw level.wrong("at most " + OccupancyMap.MOST_PLACES + " places with lanes of one graph");
     }
     List<Integer> used = List.copyOf(ordered);
-    List<Point> points = points(used);
+    List<Integer> all = new ArrayList<>(used);
+    for (Part wall : level.list("walls")) {
+      Ends ends = ends(wall);
+      all.addAll(List.of(ends.from(), ends.to()));
+    }
+    List<Point> points = points(all, used.size());
+    Obstacles walls = walls(points.subList(used.size(), points.size()));
     Set<String> given = given(used);
     List<Vertex> places = new ArrayList<>();
     for (int i = 0; i < used.size(); i++) {
@@ -129,18 +138,31 @@ final class BuildingMap {
       if (points.get(from).distanceMm(points.get(to)) < 1) {
         throw lane.wrong("a lane between two places that are at least 1 mm apart");
       }
+      Segment line = new Segment(points.get(from), points.get(to));
+      if (walls.isWithin(line, choice.clearanceMm())) {
+        throw lane.wrong("a lane with a clearance of " + choice.clearanceMm() + " mm to all walls");
+      }
       add(directed, new Lane(from, to, word(lane, 2, "mutex")));
       if (flag(lane, 2, "bidirectional")) {
         add(directed, new Lane(to, from, word(lane, 2, "mutex")));
       }
     }
     return NavGraphs.withStations(
-        NavGraphs.largestPart(new NavGraph(places, List.copyOf(directed.values()))),
+        NavGraphs.largestPart(new NavGraph(places, List.copyOf(directed.values()), walls)),
         List.of(
             Vertex::isStation,
             v -> !v.isCharger() && given.contains(v.name()),
             v -> !v.isCharger(),
             v -> true));
+  }
+
+  /** From each second point to the next one. */
+  private static Obstacles walls(List<Point> ends) {
+    List<Obstacle> walls = new ArrayList<>();
+    for (int i = 0; i < ends.size(); i += 2) {
+      walls.add(Obstacle.wall(ends.get(i), ends.get(i + 1)));
+    }
+    return new Obstacles(walls);
   }
 
   /** A lane may be drawn twice. */
@@ -237,8 +259,8 @@ final class BuildingMap {
     return parameter.items(2, PARAMETER).get(1);
   }
 
-  /** The places of some vertices, in mm, y up. */
-  private List<Point> points(List<Integer> indexes) {
+  /** The places of some vertices, in mm, y up; the first {@code count} are those of the graph. */
+  private List<Point> points(List<Integer> indexes, int count) {
     List<Point> raw = indexes.stream().map(index -> raw(vertices.get(index))).toList();
     List<Point> points =
         switch (system) {
@@ -246,7 +268,7 @@ final class BuildingMap {
             Point offset = new Point(offset("offset_x"), offset("offset_y"));
             yield raw.stream().map(point -> point.minus(offset).times(MM_PER_M)).toList();
           }
-          case "wgs84" -> plane(raw);
+          case "wgs84" -> plane(raw, count);
           default -> {
             double scale = metresPerPixel() * MM_PER_M;
             yield raw.stream()
@@ -280,11 +302,11 @@ final class BuildingMap {
         : 0;
   }
 
-  /** Of longitudes and latitudes in degrees. */
-  private static List<Point> plane(List<Point> degrees) {
+  /** Of longitudes and latitudes in degrees; the first {@code count} decide the middle. */
+  private static List<Point> plane(List<Point> degrees, int count) {
     Point middle = new Point(0, 0);
-    for (Point point : degrees) {
-      middle = middle.plus(point.times(1.0 / degrees.size()));
+    for (Point point : degrees.subList(0, count)) {
+      middle = middle.plus(point.times(1.0 / count));
     }
     double latitude = StrictMath.toRadians(middle.yMm());
     double sine = StrictMath.sin(latitude);

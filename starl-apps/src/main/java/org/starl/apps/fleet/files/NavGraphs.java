@@ -37,7 +37,7 @@ public final class NavGraphs {
    * @param graph the {@code graph_idx} of the level's lanes; negative for that of
    *     most lanes
    * @param spacingMm between neighbouring places on a map, above 0
-   * @param clearanceMm from a place or a lane on a map to the nearest cell that is not free, at least 0
+   * @param clearanceMm from a place or a lane to the nearest wall, or cell that is not free, at least 0
    */
   public record Choice(String level, int graph, double spacingMm, double clearanceMm) {
 
@@ -97,7 +97,7 @@ public final class NavGraphs {
         vertices.set(place, new Vertex(v.name(), v.at(), false, true, false, v.group()));
       }
     }
-    return new NavGraph(vertices, graph.lanes());
+    return new NavGraph(vertices, graph.lanes(), graph.walls());
   }
 
   /**
@@ -111,7 +111,7 @@ public final class NavGraphs {
           vertices.add(
               new Vertex(v.name(), v.at(), v.isCharger(), rule.test(v), v.isParking(), v.group()));
         }
-        return new NavGraph(vertices, graph.lanes());
+        return new NavGraph(vertices, graph.lanes(), graph.walls());
       }
     }
     return graph;
@@ -172,6 +172,6 @@ public final class NavGraphs {
         lanes.add(new Lane(number[lane.from()], number[lane.to()], lane.group()));
       }
     }
-    return new NavGraph(vertices, lanes);
+    return new NavGraph(vertices, lanes, graph.walls());
   }
 }

@@ -5,10 +5,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import org.starl.apps.fleet.files.view.GreyImage;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 import org.starl.input.Field;
@@ -46,6 +49,9 @@ final class OccupancyMap {
   /** Free cells; bit 0 of each row and of one more row is never set. */
   private final BitSet free = new BitSet();
 
+  /** Of cells of side 1: the occupied ones are blocked, unknown ones are not. */
+  private final GridMap walls;
+
   private OccupancyMap(Part map, GreyImage image, double clearancePixels) {
     width = image.width();
     height = image.height();
@@ -54,9 +60,11 @@ final class OccupancyMap {
     boolean isNegated = List.of("1", "true").contains(map.at("negate", "0 or 1").as(NEGATE));
     double freeBelow = map.at("free_thresh", "a number from 0 to 1").as(SHARE);
     Part occupied = map.at("occupied_thresh", "a number from 0 to 1");
-    if (occupied.as(SHARE) < freeBelow) {
+    double occupiedAbove = occupied.as(SHARE);
+    if (occupiedAbove < freeBelow) {
       throw occupied.wrong("at least free_thresh, " + freeBelow);
     }
+    BitSet blocked = new BitSet();
     for (int y = 0; y < height; y++) {
       for (int x = 0; x < width; x++) {
         double shade = image.brightness(x, y);
@@ -68,8 +76,10 @@ final class OccupancyMap {
         double occupancy =
             mode.equals("raw") ? Math.round(shade * 255) / 100.0 : isNegated ? shade : 1 - shade;
         free.set(bit(x, y), isSeen && occupancy < freeBelow);
+        blocked.set((height - 1 - y) * width + x, isSeen && occupancy > occupiedAbove);
       }
     }
+    walls = new GridMap(width, height, blocked);
   }
 
   private OccupancyMap(GridMap map, double clearancePixels) {
@@ -81,6 +91,7 @@ final class OccupancyMap {
         free.set(bit(x, y), map.isFree(x, height - 1 - y));
       }
     }
+    walls = map;
   }
 
   /** A place in each free cell of the map's largest connected part; a cell is as wide as the spacing. */
@@ -91,7 +102,7 @@ final class OccupancyMap {
     }
     OccupancyMap cells = new OccupancyMap(map, choice.clearanceMm() / choice.spacingMm());
     NavGraph grid = NavGraphs.largestPart(cells.grid(file, 1, 0, 0));
-    return stationed(file, grid, choice, choice.spacingMm(), new Point(0, 0), 0);
+    return cells.stationed(file, grid, choice, choice.spacingMm(), new Point(0, 0), 0);
   }
 
   /** The largest connected part of the map's free cells. */
@@ -122,10 +133,10 @@ final class OccupancyMap {
                   step * (shift / SHIFTS) / SHIFTS));
       best = grid.vertices().size() > best.vertices().size() ? grid : best;
     }
-    return stationed(map.file(), best, choice, mmPerPixel, corner, yaw);
+    return cells.stationed(map.file(), best, choice, mmPerPixel, corner, yaw);
   }
 
-  private static NavGraph stationed(
+  private NavGraph stationed(
       String file,
       NavGraph grid,
       NavGraphs.Choice choice,
@@ -226,17 +237,24 @@ final class OccupancyMap {
     return Math.min(bit - free.previousClearBit(bit), free.nextClearBit(bit) - bit);
   }
 
-  private static NavGraph placed(NavGraph grid, double mmPerPixel, Point corner, double yaw) {
+  private NavGraph placed(NavGraph grid, double mmPerPixel, Point corner, double yaw) {
     double cos = StrictMath.cos(yaw);
     double sin = StrictMath.sin(yaw);
+    UnaryOperator<Point> onFloor =
+        pixel -> {
+          Point from = pixel.times(mmPerPixel);
+          return corner.plus(
+              new Point(from.xMm() * cos - from.yMm() * sin, from.xMm() * sin + from.yMm() * cos));
+        };
     List<Vertex> places = new ArrayList<>();
     for (Vertex v : grid.vertices()) {
-      Point from = v.at().times(mmPerPixel);
-      Point turned =
-          new Point(from.xMm() * cos - from.yMm() * sin, from.xMm() * sin + from.yMm() * cos);
-      places.add(new Vertex(v.name(), corner.plus(turned), false, false, false));
+      places.add(new Vertex(v.name(), onFloor.apply(v.at()), false, false, false));
     }
-    return new NavGraph(places, grid.lanes());
+    List<Obstacle> boxes = new ArrayList<>();
+    for (Obstacle box : walls.walls(1).all()) {
+      boxes.add(Obstacle.body(box.points().stream().map(onFloor).toArray(Point[]::new)));
+    }
+    return new NavGraph(places, grid.lanes(), new Obstacles(boxes));
   }
 
   private static NavGraph withStations(NavGraph grid) {
@@ -259,7 +277,7 @@ final class OccupancyMap {
       }
     }
     return NavGraphs.withStations(
-        new NavGraph(places, lanes), List.of(Vertex::isStation, v -> true));
+        new NavGraph(places, lanes, grid.walls()), List.of(Vertex::isStation, v -> true));
   }
 
   private static boolean isOther(int one, int other, int end, int neighbour) {

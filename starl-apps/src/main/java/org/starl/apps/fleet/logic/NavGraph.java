@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 
 /**
@@ -12,8 +13,14 @@ import org.starl.geometry.Point;
  *
  * @param vertices places; each name is unique
  * @param lanes one for each direction that may be driven
+ * @param walls of the building, for the world and for pictures: robots know only the lanes
  */
-public record NavGraph(List<Vertex> vertices, List<Lane> lanes) {
+public record NavGraph(List<Vertex> vertices, List<Lane> lanes, Obstacles walls) {
+
+  /** Without walls. */
+  public NavGraph(List<Vertex> vertices, List<Lane> lanes) {
+    this(vertices, lanes, Obstacles.NONE);
+  }
 
   /**
    * A place where one robot may stand.

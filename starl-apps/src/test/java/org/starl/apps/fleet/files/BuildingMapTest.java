@@ -20,6 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.fleet.logic.NavGraph;
 import org.starl.apps.fleet.logic.NavGraph.Lane;
 import org.starl.apps.fleet.logic.NavGraph.Vertex;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 
@@ -113,6 +115,33 @@ class BuildingMapTest {
         .hasMessageEndingWith("b.building.yaml: level 'L0': expected one of L1, L2");
     assertThatThrownBy(() -> read(GOOD, new NavGraphs.Choice("", 3, 1, 1)))
         .hasMessageEndingWith(": graph '3': expected one of 0, 1, the graph_idx of levels.L1");
+  }
+
+  private static String walled(String wall) {
+    return GOOD.replace(
+        "      - [300, 500, 0, trap, {is_charger: [4, true]}]\n",
+        "      - [300, 500, 0, trap, {is_charger: [4, true]}]\n"
+            + "      - [-100, 0, 0, \"\"]\n"
+            + "    walls:\n"
+            + "      - "
+            + wall
+            + "\n");
+  }
+
+  @Test
+  void wallsAreThoseOfTheLevel() {
+    NavGraph graph = read(walled("[0, 5, {alpha: [3, 1]}]"));
+    assertThat(graph.walls())
+        .isEqualTo(Obstacles.of(Obstacle.wall(new Point(0, 0), new Point(-5000, 0))));
+    assertThat(graph.vertices()).hasSize(3);
+  }
+
+  @Test
+  void aLaneThroughAWallIsRefused() {
+    assertThatThrownBy(() -> read(walled("[0, 4, {}]")))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("b.building.yaml:8: levels.L1.lanes[0]: ")
+        .hasMessageEndingWith("expected a lane with a clearance of 250.0 mm to all walls");
   }
 
   @Test

@@ -103,6 +103,24 @@ class OccupancyMapTest {
     assertThat(graph.lanes()).hasSize(16);
   }
 
+  @Test
+  void occupiedPixelsAreWallsAndUnknownOnesAreNot() throws IOException {
+    write(plain(RING));
+    List<Point> wall = read(MAP, EACH_PIXEL).walls().all().getFirst().points();
+    assertThat(read(MAP, EACH_PIXEL).walls().all()).hasSize(1);
+    List<Point> expected =
+        List.of(
+            new Point(-900, 2100),
+            new Point(-800, 2100),
+            new Point(-800, 2200),
+            new Point(-900, 2200));
+    for (int i = 0; i < 4; i++) {
+      assertNear(wall.get(i), expected.get(i));
+    }
+    NavGraph turned = read(MAP.replace("2.0, 0.0]", "2.0, " + StrictMath.PI / 2 + "]"), EACH_PIXEL);
+    assertNear(turned.walls().all().getFirst().points().getFirst(), new Point(-1100, 2100));
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {StrictMath.PI / 2, -1, 7})
   void theYawTurnsTheMapAboutItsCorner(double yaw) throws IOException {
