@@ -248,8 +248,15 @@
 
   const FAR_MS = 1500; // behind a run that is followed
   let nowMs = run.fromMs, speed = 1, isPlaying = false, isFollowing = false, realMs = 0;
-  const numberAt = ms => ms >= run.toMs ? last : Math.min(last, Math.floor((ms - run.fromMs) / run.everyMs + 1e-6));
   const msOf = number => Math.min(run.toMs, run.fromMs + number * run.everyMs);
+
+  function numberAt(ms) {
+    if (ms >= run.toMs) return last;
+    const number = Math.min(last, Math.floor((ms - run.fromMs) / run.everyMs + 1e-6));
+    // What went wrong between two pictures is in the second one: from then on, it is shown.
+    const failMs = run.failure ? run.failure.ms - 1e-6 : Infinity;
+    return ms >= failMs && msOf(number) < failMs ? Math.min(last, number + 1) : number;
+  }
 
   function show() {
     const number = numberAt(nowMs), next = Math.min(last, number + 1);
@@ -264,8 +271,7 @@
     const { scale, x, y } = view || fitted();
     pen.setTransform(dpr * scale, 0, 0, dpr * scale, dpr * x, dpr * y);
     run.sections.forEach((section, i) => {
-      // What went wrong between two pictures is marked in the second one.
-      if (!hidden.has(section)) drawAll(section === 'FAILURE' ? then[i] : now[i], then[i], share);
+      if (!hidden.has(section)) drawAll(now[i], then[i], share);
     });
     describe(now);
   }

@@ -393,6 +393,7 @@ class RunPageTest {
     browser().evaluate("location.hash = ''");
     browser().await("document.getElementById('selected').textContent === 'bot0'");
     assertThat(nowMs()).isEqualTo(4250);
+    assertThat(browser().text("#state")).contains("CRITICAL").doesNotContain("REQUEST");
     assertThat(browser().text("#failure"))
         .contains("Exclusive violated", "one at a time", "a <i>guess</i>", "replay: again");
     browser().key("ArrowRight");
