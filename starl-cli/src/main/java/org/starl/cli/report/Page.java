@@ -11,6 +11,8 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToLongFunction;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.starl.Version;
 import org.starl.input.TextFile;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -86,8 +88,8 @@ public final class Page {
         "http-equiv",
         "Content-Security-Policy",
         "content",
-        "default-src 'none'; img-src data:; style-src '%s' '%s'; script-src '%s' '%s'"
-            .formatted(hash(style), hash(RunPage.style()), hash(script), hash(RunPage.script())));
+        "default-src 'none'; img-src data:; style-src %s; script-src %s"
+            .formatted(hashes(style, RunPage.styles()), hashes(script, List.of(RunPage.script()))));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
     html.element("title", title);
@@ -230,11 +232,17 @@ public final class Page {
     return verdict.name().toLowerCase(Locale.ROOT);
   }
 
+  private static String hashes(String own, List<String> ofPlayers) {
+    return Stream.concat(Stream.of(own), ofPlayers.stream())
+        .map(Page::hash)
+        .collect(Collectors.joining(" "));
+  }
+
   private static String hash(String code) {
     try {
       byte[] digest =
           MessageDigest.getInstance("SHA-256").digest(code.getBytes(StandardCharsets.UTF_8));
-      return "sha256-" + Base64.getEncoder().encodeToString(digest);
+      return "'sha256-" + Base64.getEncoder().encodeToString(digest) + "'";
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException(e);
     }

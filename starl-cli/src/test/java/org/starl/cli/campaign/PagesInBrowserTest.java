@@ -64,6 +64,20 @@ class PagesInBrowserTest {
   }
 
   @Test
+  void ofACampaignWithBadRuns() throws Exception {
+    Path page = folder.resolve("campaign.html");
+    Cli cli = Cli.run("campaign", "mutex", "--seeds", "1..2", "--for", "5s", "--report", "" + page);
+    assertThat(cli.status()).as("%s", cli).isOne();
+    try (Browser browser = browser(page)) {
+      browser.evaluate(
+          "told = 0; onmessage = () => { told++; };"
+              + "document.querySelectorAll('iframe').forEach(e => { e.srcdoc = e.srcdoc; })");
+      browser.await("told === 2"); // both players show a moment
+      assertThat(browser.errors()).isEmpty();
+    }
+  }
+
+  @Test
   void ofACampaign() throws Exception {
     Path page = folder.resolve("campaign.html");
     Cli cli = Cli.run("campaign", "hello", "--seeds", "1..3", "--report", "" + page);

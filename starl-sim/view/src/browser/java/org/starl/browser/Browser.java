@@ -71,6 +71,8 @@ public final class Browser implements AutoCloseable {
                 "--disable-background-networking",
                 "--disable-component-update",
                 "--disable-sync",
+                // In another process, the errors of a report's players would not be told here.
+                "--disable-features=IsolateSandboxedIframes",
                 "--force-device-scale-factor=1",
                 "--hide-scrollbars",
                 "--remote-debugging-port=0",

@@ -45,6 +45,8 @@ public final class RunPage {
   private static final int LEAST_HEIGHT_PX = 360;
   private static final int MOST_HEIGHT_PX = 960;
   private static final int MARGIN_PX = 28;
+  private static final String STYLE = TextFile.resource(RunPage.class, "player.css");
+
   private static final int MOST_PICTURES = 20_000;
   private static final int MOST_MESSAGES = 300;
 
@@ -115,7 +117,7 @@ public final class RunPage {
 
   private static String page(String title, String source, String run) {
     return TextFile.resource(RunPage.class, "player.html")
-        .replace("{{style}}", style())
+        .replace("{{style}}", STYLE)
         .replace("{{script}}", script())
         .replace("{{connect}}", source.isEmpty() ? "" : "; connect-src 'self'")
         .replace("{{title}}", escaped(title))
@@ -260,9 +262,9 @@ public final class RunPage {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
   }
 
-  /** The style of every page; a page that embeds one allows it by its hash. */
-  public static String style() {
-    return TextFile.resource(RunPage.class, "player.css");
+  /** The styles of every page; a page that embeds one allows them by their hashes. */
+  public static List<String> styles() {
+    return List.of(STYLE, SequenceChart.STYLE);
   }
 
   /** The script of every page. */

@@ -42,7 +42,7 @@ public final class SequenceChart implements SimObserver {
   private static final Set<String> SHOWN = Set.of("from", "to");
 
   /** In a page, its colours are the page's. */
-  private static final String STYLE =
+  static final String STYLE =
       "svg:root{--ink:#222;--paper:#fff;--muted:#666;--line:#bbb;--alarm:#c02020;--pick:#e4eef6}"
           + "@media(prefers-color-scheme:dark){svg:root{--ink:#ddd;--paper:#1b1d21;--muted:#aaa;--line:#555;"
           + "--alarm:#ff6b60;--pick:#26324a}}.sequence text{font:11px sans-serif;fill:var(--ink);"
