@@ -86,6 +86,33 @@ class InterruptedTest {
   }
 
   @Test
+  void aReportIsWrittenWithoutRepeatingBadRuns() throws Exception {
+    Path page = folder.resolve("page.html");
+    Ended ended =
+        run(
+            "TERM",
+            "[1-9]\\d* of 100000 runs.*",
+            List.of(
+                "campaign",
+                "mutex",
+                "--seeds",
+                "1..100000",
+                "--for",
+                "2s",
+                "--threads",
+                "1",
+                "--report",
+                page.toString()));
+    assertThat(ended.status()).isEqualTo(143);
+    assertThat(ended.out().getLast()).isEqualTo("report: " + page);
+    assertThat(ended.err())
+        .noneMatch(line -> line.contains("repeated for pictures"))
+        .anyMatch(
+            line -> line.matches("interrupted: the report has pictures of 0 of \\d+ bad runs"));
+    assertThat(Files.readString(page)).contains("did not go well");
+  }
+
+  @Test
   void aSweepWritesItsTablesSoFar() throws Exception {
     Path file = folder.resolve("sweep.yaml");
     Path csv = folder.resolve("table.csv");

@@ -303,7 +303,7 @@ public final class CampaignCommand extends BaseCommand implements Callable<Integ
           shrunk == null ? List.of() : shrunk.lines(),
           steered,
           tally,
-          err);
+          output.command());
     }
     if (output.isJson()) {
       Map<String, Object> summary = summary(request, range, tally);

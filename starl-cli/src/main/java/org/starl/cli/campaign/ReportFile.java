@@ -2,7 +2,6 @@ package org.starl.cli.campaign;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -14,6 +13,7 @@ import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
+import org.starl.cli.command.BaseCommand;
 import org.starl.cli.command.OutputFile;
 import org.starl.cli.command.ProgressLine;
 import org.starl.cli.report.CampaignDescription;
@@ -75,7 +75,8 @@ final class ReportFile implements Closeable {
   }
 
   /**
-   * Writes the page. Runs some seeds again for their pictures.
+   * Writes the page. Runs some seeds again for their pictures, until a signal stops the command:
+   * the process ends soon, and the page must be complete by then.
    *
    * @param tally the sums over the same rows
    * @param steered the steered runs
@@ -87,19 +88,29 @@ final class ReportFile implements Closeable {
       List<String> shrunk,
       SteeredRuns steered,
       CampaignTally tally,
-      PrintWriter err)
+      BaseCommand command)
       throws IOException {
     CampaignResult result = new CampaignResult(runs);
     List<Run> shown = Report.toIllustrate(result);
     List<IllustratedRun> illustrated = new ArrayList<>();
     if (!shown.isEmpty()) {
-      ProgressLine progress = new ProgressLine(err, "bad runs repeated for pictures");
+      ProgressLine progress = new ProgressLine(command.err(), "bad runs repeated for pictures");
       for (Run run : shown) {
+        if (command.stop().isStopped()) {
+          break;
+        }
         long momentNs = Report.momentNs(run, facts.get(run.seed()));
         illustrated.add(IllustratedRun.of(run.seed(), plans, momentNs));
         progress.show(illustrated.size(), shown.size());
       }
       progress.end();
+      if (illustrated.size() < shown.size()) {
+        command
+            .err()
+            .println(
+                "interrupted: the report has pictures of %d of %d bad runs"
+                    .formatted(illustrated.size(), shown.size()));
+      }
     }
     IllustratedRun example = shown.isEmpty() ? IllustratedRun.best(first, plans) : null;
     SimulationPlan plan = plans.apply(first).simulation().build().plan();
