@@ -184,7 +184,7 @@ public record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSet
   }
 
   /** The command lines for the description of a failure. */
-  private List<String> commands(long seed) {
+  public List<String> commands(long seed) {
     String replay = "replay: " + replay(seed);
     if (seed < 0 || seed > Integer.MAX_VALUE) {
       return List.of(replay); // campaigns have no such seeds

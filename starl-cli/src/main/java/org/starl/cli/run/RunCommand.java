@@ -137,18 +137,18 @@ public final class RunCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput("--result cannot be used with " + app + ": it writes no result files");
     }
     String pictureName = png == null ? request.file(seedNumber, "png") : png;
-    String again = request.replay(seedNumber);
-    String replay = processes.areOn() ? processes.again(again) : "replay: " + again;
-    if (processes.areOn()) {
-      plan.simulation().commands(() -> List.of(replay));
-    }
+    List<String> again =
+        processes.areOn()
+            ? List.of(processes.again(request.replay(seedNumber)))
+            : request.commands(seedNumber);
+    plan.simulation().commands(() -> again);
     Ran ran;
     try {
       ran = run(app, plan, pictureName, request.words(seedNumber), request.vocabulary(seedNumber));
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
-      err().println(replay);
+      again.forEach(err()::println);
       throw e;
     }
     List<String> lines = new ArrayList<>(List.of(app + ", seed " + seedNumber));
@@ -161,7 +161,7 @@ public final class RunCommand extends BaseCommand implements Callable<Integer> {
     if (ran.isGood()) {
       return ExitStatus.GOOD;
     }
-    err().println(replay);
+    again.forEach(err()::println);
     return ExitStatus.VIOLATED;
   }
 

@@ -127,7 +127,11 @@ class ViolationTest {
     assertThat(again.status()).isEqualTo(1);
     assertThat(again.out()).contains("VIOLATED: " + violation.substring("seed 3: ".length()));
     assertThat(again.out()).contains("  stands_still: No robot drives.");
-    assertThat(again.err()).containsExactly(replay);
+    assertThat(again.err())
+        .containsExactly(
+            replay,
+            "shrink: ./starl campaign broken --seeds 3 --robots 2 --loss 0.1"
+                + " --delay 'uniform(10ms,20ms)' --shrink");
   }
 
   @Test
@@ -153,6 +157,7 @@ class ViolationTest {
     assertThat(cli.err())
         .containsExactly(
             "replay: ./starl run throwing --seed 3",
+            "shrink: ./starl campaign throwing --seeds 3 --shrink",
             "starl: throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
                 + " purpose (--stacktrace shows details)");
     assertThat(trace).isNotEmptyFile();

@@ -256,7 +256,10 @@ class RunTest {
     assertThat(cli.out())
         .anyMatch(line -> line.startsWith("NOT FINISHED: [bot0, bot1, bot2, bot3]"))
         .anyMatch(line -> line.startsWith("  likely cause: "));
-    assertThat(cli.err()).containsExactly("replay: ./starl run intersection --seed 7 --for 5s");
+    assertThat(cli.err())
+        .containsExactly(
+            "replay: ./starl run intersection --seed 7 --for 5s",
+            "shrink: ./starl campaign intersection --seeds 7 --for 5s --shrink");
   }
 
   @Test
