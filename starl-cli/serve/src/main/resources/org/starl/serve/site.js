@@ -24,9 +24,11 @@
     const { number } = await ask('/api/runs', request);
     const { runs } = await ask('/api/overview');
     const { title, command } = runs.find(run => run.number === number);
-    $('runs').append(make('article', {},
+    const article = make('article', {},
       make('header', {}, make('h2', { textContent: title }), make('p', { textContent: note }), make('code', { textContent: command })),
-      make('iframe', { src: '/run/' + number, title: 'Run ' + number + ': ' + title })));
+      make('iframe', { src: '/run/' + number, title: 'Run ' + number + ': ' + title }));
+    $('runs').append(article);
+    if (article.getBoundingClientRect().top > innerHeight / 2) article.scrollIntoView(); // below a form or a table
   }
 
   // ---- the playground

@@ -305,9 +305,16 @@ class ServeTest {
       assertThat(browser.text("#state")).startsWith("3 of 3 runs, ");
       assertThat(browser.evaluate("document.querySelectorAll('#squares i').length").asInt())
           .isEqualTo(3);
+      browser.evaluate("document.getElementById('bad').style.marginBottom = '900px'"); // more rows
       browser.evaluate("document.querySelector('#bad button').click()");
       browser.await(
           "document.querySelector('iframe')?.contentDocument?.documentElement?.dataset.ready === 'true'");
+      assertThat(
+              browser
+                  .evaluate(
+                      "document.querySelector('iframe').getBoundingClientRect().top < innerHeight")
+                  .asBoolean())
+          .isTrue();
       browser.await(
           "(page => page.getElementById('play').textContent === 'Play' && page.getElementById("
               + "'clock').textContent.split(' ')[0] > 30)"
