@@ -93,12 +93,16 @@ final class Session {
     meter.read(realNs, recording.isOver() ? playback.index() : recording.size());
   }
 
-  /** Goes once to what went wrong: in a trace as soon as it is known, in a live run when it comes. */
+  /**
+   * Goes once to what went wrong: in a trace as soon as it is known, in a live run when it comes. That
+   * a trace's run did not finish is known before its violations are.
+   */
   private void stopAtFailure() {
     Failure failure = recording.wentWrong();
     if (failure != null
         && !hasStopped
         && playback.isPlaying()
+        && (failure.kind() != Failure.Kind.UNFINISHED || recording.isChecked())
         && (live == null || playback.nowNs() >= failure.atNs())) {
       hasStopped = true;
       playback.pause();
