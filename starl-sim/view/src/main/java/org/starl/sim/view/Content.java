@@ -111,6 +111,7 @@ final class Content {
     side.setBorder(BorderFactory.createEmptyBorder());
     side.setPreferredSize(new Dimension(SIDE_PX, 400));
     side.setMinimumSize(new Dimension(220, 200));
+    floor.surface().setMinimumSize(new Dimension(160, 200));
     JSplitPane across = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, floor.surface(), side);
     across.setResizeWeight(1);
     across.setBorder(BorderFactory.createEmptyBorder());
