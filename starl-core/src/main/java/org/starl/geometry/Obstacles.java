@@ -50,11 +50,13 @@ public record Obstacles(List<Obstacle> all) {
     return all.stream().anyMatch(body -> body.sides().stream().anyMatch(line::crosses));
   }
 
-  /** Whether a side of an obstacle is nearer to a straight line than this. */
+  /** Whether an obstacle is nearer to a straight line than this. */
   public boolean isWithin(Segment line, double mm) {
     return all.stream()
-        .flatMap(body -> body.sides().stream())
-        .anyMatch(side -> side.distanceMm(line) < mm);
+        // In a solid obstacle, the line might be far from all sides.
+        .anyMatch(obstacle ->
+            obstacle.distanceMm(line.from()) < mm
+                || obstacle.sides().stream().anyMatch(side -> line.distanceMm(side) < mm));
   }
 
   /** Distance to the nearest obstacle; infinite if there is none. */

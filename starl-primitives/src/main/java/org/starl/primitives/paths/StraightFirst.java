@@ -31,11 +31,6 @@ public final class StraightFirst implements PathPlanner {
         && task.bounds().depthMm(way.to()) >= marginMm
         && task.taken().stream()
             .allMatch(other -> way.distanceMm(other.axis()) >= other.radiusMm() + marginMm)
-        && task.obstacles().all().stream()
-            // In a solid obstacle, the line might be far from all sides.
-            .allMatch(obstacle ->
-                obstacle.distanceMm(way.from()) >= marginMm
-                    && obstacle.sides().stream()
-                        .allMatch(side -> way.distanceMm(side) >= marginMm));
+        && !task.obstacles().isWithin(way, marginMm);
   }
 }
