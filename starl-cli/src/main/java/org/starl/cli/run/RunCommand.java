@@ -141,7 +141,9 @@ public final class RunCommand extends BaseCommand implements Callable<Integer> {
         processes.areOn()
             ? List.of(processes.again(request.replay(seedNumber)))
             : request.commands(seedNumber);
-    plan.simulation().commands(() -> again);
+    if (processes.areOn()) {
+      plan.simulation().commands(() -> again);
+    }
     Ran ran;
     try {
       ran = run(app, plan, pictureName, request.words(seedNumber), request.vocabulary(seedNumber));
