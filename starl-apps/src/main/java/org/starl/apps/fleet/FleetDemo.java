@@ -155,7 +155,7 @@ public final class FleetDemo implements FactoryDemo {
     }
     RobotProgram program = FleetFactory.program(roads, deliveries, rangeMm, broken);
     fill(simulation, robots, roads, deliveries, program, boundNs(roads, deliveries));
-    return new Plan(simulation, story, new FleetLayer(roads, deliveries), job.graph.walls());
+    return new Plan(simulation, story, new FleetLayer(roads, deliveries), simulation.obstacles());
   }
 
   private static List<RobotId> ids(SimSettings settings, int robots) {

@@ -24,6 +24,7 @@ import org.starl.sim.world.GridMap;
  *
  * <p>A cell is free as Nav2 has it: by {@code free_thresh}; the mode scale also
  * needs an opaque pixel; a pixel of the mode raw is the cell's occupancy in percent. The image's lower left corner is at {@code origin} in m, turned by its yaw.
+ * Occupied cells are walls of the world; unknown ones are not.
  *
  * <p>A grid map of the path-finding benchmarks has a place in each free cell.
  *

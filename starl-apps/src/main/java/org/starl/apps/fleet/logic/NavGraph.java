@@ -13,7 +13,7 @@ import org.starl.geometry.Point;
  *
  * @param vertices places; each name is unique
  * @param lanes one for each direction that may be driven
- * @param walls of the building, for the world and for pictures: robots know only the lanes
+ * @param walls of the building, in the world and in pictures; robots drive by the lanes alone
  */
 public record NavGraph(List<Vertex> vertices, List<Lane> lanes, Obstacles walls) {
 
