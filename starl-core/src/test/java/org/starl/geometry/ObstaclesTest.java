@@ -56,4 +56,20 @@ class ObstaclesTest {
     assertThatThrownBy(() -> new Obstacle(List.of(A, B), false, false, -2))
         .hasMessageContaining("-1 for ever");
   }
+
+  @Test
+  void aLineIsNearTheSidesOfAnObstacleAndInsideASolidOne() {
+    Point[] corners = {
+      new Point(0, 0), new Point(1000, 0), new Point(1000, 1000), new Point(0, 1000)
+    };
+    Obstacles body = Obstacles.of(Obstacle.body(corners));
+    Obstacles wall = Obstacles.of(Obstacle.wall(corners));
+    Segment inside = new Segment(new Point(400, 500), new Point(600, 500));
+    Segment beside = new Segment(new Point(1100, -50), new Point(1100, 2000));
+    assertThat(body.isWithin(inside, 10)).isTrue();
+    assertThat(wall.isWithin(inside, 10)).isFalse();
+    assertThat(body.isWithin(beside, 100)).isFalse();
+    assertThat(body.isWithin(beside, 101)).isTrue();
+    assertThat(wall.isWithin(beside, 101)).isTrue();
+  }
 }
