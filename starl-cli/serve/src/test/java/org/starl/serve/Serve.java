@@ -12,12 +12,16 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.starl.cli.Main;
 
 /** {@code starl serve} with these words, until it is closed. */
 final class Serve implements AutoCloseable {
+
+  private static final Duration PATIENCE = Duration.ofMinutes(1);
 
   private final StringWriter err = new StringWriter();
   private final BufferedReader out;
@@ -50,7 +54,7 @@ final class Serve implements AutoCloseable {
 
   HttpResponse<String> get(String path, String... headers)
       throws IOException, InterruptedException {
-    HttpRequest.Builder request = HttpRequest.newBuilder(at(path));
+    HttpRequest.Builder request = HttpRequest.newBuilder(at(path)).timeout(PATIENCE);
     if (headers.length > 0) {
       request.headers(headers);
     }
@@ -59,7 +63,10 @@ final class Serve implements AutoCloseable {
 
   HttpResponse<String> post(String path, String body) throws IOException, InterruptedException {
     HttpRequest request =
-        HttpRequest.newBuilder(at(path)).POST(HttpRequest.BodyPublishers.ofString(body)).build();
+        HttpRequest.newBuilder(at(path))
+            .timeout(PATIENCE)
+            .POST(HttpRequest.BodyPublishers.ofString(body))
+            .build();
     return http.send(request, HttpResponse.BodyHandlers.ofString());
   }
 
@@ -79,12 +86,15 @@ final class Serve implements AutoCloseable {
   public void close() {
     command.interrupt();
     try {
-      command.join();
+      if (!command.join(PATIENCE)) {
+        throw new AssertionError(
+            "the command goes on: " + Arrays.toString(command.getStackTrace()));
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new AssertionError("interrupted while the command ends", e);
     } finally {
-      http.close();
+      http.shutdownNow();
     }
   }
 }

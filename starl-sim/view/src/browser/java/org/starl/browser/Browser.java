@@ -9,8 +9,6 @@ import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.Reader;
-import java.io.Writer;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -19,15 +17,18 @@ import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
@@ -42,6 +43,7 @@ public final class Browser implements AutoCloseable {
       List.of("chromium", "chromium-browser", "google-chrome", "chrome");
   private static final String LISTENING = "DevTools listening on ";
   private static final long PATIENCE_S = 60;
+  private static final Duration PATIENCE = Duration.ofSeconds(PATIENCE_S);
   private static final int MOST_ASKED = 3000;
   private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -85,6 +87,7 @@ public final class Browser implements AutoCloseable {
     URI devTools = devTools();
     HttpRequest list =
         HttpRequest.newBuilder(URI.create("http://" + devTools.getAuthority() + "/json/list"))
+            .timeout(PATIENCE)
             .build();
     JsonNode pages = JSON.readTree(http.send(list, HttpResponse.BodyHandlers.ofString()).body());
     String address = "";
@@ -131,25 +134,27 @@ public final class Browser implements AutoCloseable {
   }
 
   /** Reads the address that the browser prints when it is ready, and goes on reading. */
-  private URI devTools() throws IOException {
-    BufferedReader reader = process.errorReader(StandardCharsets.UTF_8);
-    String line = reader.readLine();
-    while (line != null && !line.startsWith(LISTENING)) {
-      line = reader.readLine();
+  private URI devTools() throws Exception {
+    CompletableFuture<URI> address = new CompletableFuture<>();
+    Thread.ofVirtual().start(() -> read(process.errorReader(StandardCharsets.UTF_8), address));
+    try {
+      return address.get(PATIENCE_S, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      end();
+      throw new AssertionError("the browser has not told its address in " + PATIENCE_S + " s", e);
     }
-    if (line == null) {
-      throw new IOException("the browser ended without an address");
-    }
-    Thread.ofVirtual().start(() -> drain(reader));
-    return URI.create(line.substring(LISTENING.length()));
   }
 
-  private static void drain(Reader reader) {
-    try {
-      reader.transferTo(Writer.nullWriter());
-    } catch (IOException closed) {
-      // The browser has ended: nothing is left to read.
-      return;
+  private static void read(BufferedReader reader, CompletableFuture<URI> address) {
+    try (reader) {
+      for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+        if (line.startsWith(LISTENING)) {
+          address.complete(URI.create(line.substring(LISTENING.length())));
+        }
+      }
+      address.completeExceptionally(new IOException("the browser ended without an address"));
+    } catch (IOException e) {
+      address.completeExceptionally(e); // of no effect if the browser was closed
     }
   }
 
@@ -171,11 +176,14 @@ public final class Browser implements AutoCloseable {
   private JsonNode call(String method, Map<String, ?> parameters) throws Exception {
     int id = ++calls;
     Map<String, Object> call = Map.of("id", id, "method", method, "params", parameters);
+    long start = System.nanoTime();
     socket.sendText(JSON.writeValueAsString(call), true).get(PATIENCE_S, TimeUnit.SECONDS);
     while (true) {
-      String answer = answers.poll(PATIENCE_S, TimeUnit.SECONDS);
+      // Events that go on and on do not make it wait longer.
+      long leftNs = TimeUnit.SECONDS.toNanos(PATIENCE_S) - (System.nanoTime() - start);
+      String answer = answers.poll(leftNs, TimeUnit.NANOSECONDS);
       if (answer == null) {
-        throw new AssertionError(method + ": no answer");
+        throw new TimeoutException(method + " " + parameters + ": no answer in " + PATIENCE_S + " s");
       }
       JsonNode read = JSON.readTree(answer);
       note(read);
@@ -255,6 +263,21 @@ public final class Browser implements AutoCloseable {
     return ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
   }
 
+  private void end() {
+    List<ProcessHandle> all =
+        Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
+    all.forEach(ProcessHandle::destroy);
+    try {
+      if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) {
+        all.forEach(ProcessHandle::destroyForcibly);
+        process.waitFor();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      all.forEach(ProcessHandle::destroyForcibly);
+    }
+  }
+
   /**
    * Ends the browser and waits for its end, so that its profile can be deleted.
    *
@@ -262,10 +285,8 @@ public final class Browser implements AutoCloseable {
    */
   @Override
   public void close() {
-    process.descendants().forEach(ProcessHandle::destroy);
-    process.destroy();
-    process.onExit().join();
-    http.close();
+    end();
+    http.shutdownNow();
     if (!errors.isEmpty()) {
       throw new AssertionError("a page's console has errors: " + errors);
     }
