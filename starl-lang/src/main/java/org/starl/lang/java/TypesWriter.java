@@ -31,7 +31,7 @@ record TypesWriter(Automaton automaton, JavaTypes types, JavaText out) {
         String name = types.type(rec.name());
         String comparable = "implements Comparable<" + name + ">";
         out.head(2, "public record " + name, fields(rec.fields()), List.of(comparable, " {"));
-        ordered(4, "public", name, list("this", rec.fields()), list("that", rec.fields()));
+        ordered(name, rec.fields());
         out.line(2, "}");
       }
       case Type.Sum sum when sum.isEnum() -> {
@@ -72,22 +72,32 @@ record TypesWriter(Automaton automaton, JavaTypes types, JavaText out) {
       out.line(8, "return text();").line(6, "}").line(4, "}");
     }
     ActionWriter.args(4, constructors, types, out);
-    ordered(4, "default", type, Code.name("this"), Code.name("that"));
+    begun("default", type).line(6, "return " + sets() + ".compare(this, that);").line(4, "}");
     out.line(2, "}");
   }
 
-  /** {@code compareTo}: values are elements of sets, and arguments of maps. */
-  private void ordered(int indent, String word, String type, Code one, Code other) {
-    String sets = types.use("org.starl.spec.automaton.Sets");
-    out.blank().line(indent, "@Override");
-    out.line(indent, word + " int compareTo(" + type + " that) {");
-    out.returned(indent + 2, Code.call(sets + ".compare", one, other)).line(indent, "}");
+  /** By its fields, in their order. */
+  private void ordered(String type, List<Field> fields) {
+    JavaText text = begun("public", type);
+    for (int i = 0; i < fields.size(); i++) {
+      String field = JavaTypes.name(fields.get(i).name());
+      String order = "order = %s.compare(this.%s, that.%s);".formatted(sets(), field, field);
+      if (i == 0) {
+        text.line(6, "int " + order);
+      } else {
+        text.line(6, "if (order == 0) {").line(8, order).line(6, "}");
+      }
+    }
+    text.line(6, "return order;").line(4, "}");
   }
 
-  private Code list(String of, List<Field> fields) {
-    return types.list(
-        fields.stream()
-            .map(f -> Code.name(of).field(JavaTypes.name(f.name())))
-            .toArray(Code[]::new));
+  /** {@code compareTo}: values are elements of sets, and arguments of maps. */
+  private JavaText begun(String word, String type) {
+    out.blank().line(4, "@Override");
+    return out.line(4, word + " int compareTo(" + type + " that) {");
+  }
+
+  private String sets() {
+    return types.use("org.starl.spec.automaton.Sets");
   }
 }

@@ -1,7 +1,6 @@
 // Generated from Synod_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.agreement;
 
-import java.util.List;
 import java.util.SortedSet;
 import java.util.function.BiPredicate;
 import java.util.function.Predicate;
@@ -55,7 +54,11 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
 
     @Override
     public int compareTo(Ballot that) {
-      return Sets.compare(List.of(this.round, this.proposer), List.of(that.round, that.proposer));
+      int order = Sets.compare(this.round, that.round);
+      if (order == 0) {
+        order = Sets.compare(this.proposer, that.proposer);
+      }
+      return order;
     }
   }
 
@@ -63,7 +66,11 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
 
     @Override
     public int compareTo(Vote that) {
-      return Sets.compare(List.of(this.ballot, this.value), List.of(that.ballot, that.value));
+      int order = Sets.compare(this.ballot, that.ballot);
+      if (order == 0) {
+        order = Sets.compare(this.value, that.value);
+      }
+      return order;
     }
   }
 
@@ -78,9 +85,14 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
 
     @Override
     public int compareTo(Promise that) {
-      return Sets.compare(
-          List.of(this.acceptor, this.ballot, this.told),
-          List.of(that.acceptor, that.ballot, that.told));
+      int order = Sets.compare(this.acceptor, that.acceptor);
+      if (order == 0) {
+        order = Sets.compare(this.ballot, that.ballot);
+      }
+      if (order == 0) {
+        order = Sets.compare(this.told, that.told);
+      }
+      return order;
     }
   }
 
@@ -88,7 +100,11 @@ public final class SynodAutomaton implements Automaton<SynodAutomaton.States, Sy
 
     @Override
     public int compareTo(Accepted that) {
-      return Sets.compare(List.of(this.acceptor, this.ballot), List.of(that.acceptor, that.ballot));
+      int order = Sets.compare(this.acceptor, that.acceptor);
+      if (order == 0) {
+        order = Sets.compare(this.ballot, that.ballot);
+      }
+      return order;
     }
   }
 

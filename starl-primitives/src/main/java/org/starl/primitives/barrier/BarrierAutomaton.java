@@ -88,7 +88,11 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
 
     @Override
     public int compareTo(Told that) {
-      return Sets.compare(List.of(this.gen, this.out), List.of(that.gen, that.out));
+      int order = Sets.compare(this.gen, that.gen);
+      if (order == 0) {
+        order = Sets.compare(this.out, that.out);
+      }
+      return order;
     }
   }
 

@@ -1,7 +1,6 @@
 // Generated from Election_decls.starl by 'starl compile': change that file instead.
 package org.starl.primitives.election;
 
-import java.util.List;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
@@ -35,7 +34,11 @@ public final class ElectionAutomaton
 
     @Override
     public int compareTo(Known that) {
-      return Sets.compare(List.of(this.term, this.who), List.of(that.term, that.who));
+      int order = Sets.compare(this.term, that.term);
+      if (order == 0) {
+        order = Sets.compare(this.who, that.who);
+      }
+      return order;
     }
   }
 

@@ -60,7 +60,11 @@ public final class ProtocolAutomaton
 
     @Override
     public int compareTo(Request that) {
-      return Sets.compare(List.of(this.asker, this.at), List.of(that.asker, that.at));
+      int order = Sets.compare(this.asker, that.asker);
+      if (order == 0) {
+        order = Sets.compare(this.at, that.at);
+      }
+      return order;
     }
   }
 
@@ -69,9 +73,17 @@ public final class ProtocolAutomaton
 
     @Override
     public int compareTo(Grant that) {
-      return Sets.compare(
-          List.of(this.giver, this.asker, this.at, this.zone),
-          List.of(that.giver, that.asker, that.at, that.zone));
+      int order = Sets.compare(this.giver, that.giver);
+      if (order == 0) {
+        order = Sets.compare(this.asker, that.asker);
+      }
+      if (order == 0) {
+        order = Sets.compare(this.at, that.at);
+      }
+      if (order == 0) {
+        order = Sets.compare(this.zone, that.zone);
+      }
+      return order;
     }
   }
 
