@@ -1,6 +1,7 @@
 package org.starl.spec.automaton;
 
 import java.util.AbstractSet;
+import java.util.Comparator;
 import java.util.Iterator;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -52,7 +53,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   /** Its value at {@code argument}. */
   public V at(K argument) {
-    V exception = Tree.get(exceptions, argument);
+    V exception = Tree.get(Comparator.naturalOrder(), exceptions, argument);
     return exception == null ? otherwise.at(argument) : exception;
   }
 
@@ -64,8 +65,8 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return new Fun<>(
         otherwise,
         value.equals(otherwise.at(argument))
-            ? Tree.remove(exceptions, argument)
-            : Tree.put(exceptions, argument, value));
+            ? Tree.remove(Comparator.naturalOrder(), exceptions, argument)
+            : Tree.put(Comparator.naturalOrder(), exceptions, argument, value));
   }
 
   /** The value at all arguments that are no exceptions. */
@@ -124,23 +125,12 @@ public final class Fun<K extends Comparable<? super K>, V> {
     @Override
     @SuppressWarnings("unchecked") // as in a TreeMap, looking for anything else is a bug
     public boolean contains(Object argument) {
-      return Tree.get(of, (K) argument) != null;
+      return Tree.get(Comparator.naturalOrder(), of, (K) argument) != null;
     }
 
     @Override
     public Iterator<K> iterator() {
-      Iterator<? extends Tree<K, ?>> nodes = Tree.nodes(of);
-      return new Iterator<>() {
-        @Override
-        public boolean hasNext() {
-          return nodes.hasNext();
-        }
-
-        @Override
-        public K next() {
-          return nodes.next().key;
-        }
-      };
+      return Tree.keys(of);
     }
   }
 

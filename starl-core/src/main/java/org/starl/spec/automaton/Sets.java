@@ -3,7 +3,6 @@ package org.starl.spec.automaton;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.SortedSet;
@@ -11,8 +10,6 @@ import java.util.TreeSet;
 
 /** Immutable finite sets, and lists, as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
-
-  private static final Comparator<Object> ORDER = Sets::compare;
 
   private Sets() {}
 
@@ -51,33 +48,45 @@ public final class Sets {
 
   /** A set of its own with these elements. */
   static <T> TreeSet<T> copy(Collection<? extends T> elements) {
-    TreeSet<T> copy = new TreeSet<>(ORDER);
+    TreeSet<T> copy = new TreeSet<>(TreeOfElements.ORDER);
     copy.addAll(elements);
     return copy;
   }
 
   /** The empty set. */
   public static <T> SortedSet<T> emptyset() {
-    return Collections.unmodifiableSortedSet(copy(List.of()));
+    return new TreeOfElements<>(null);
   }
 
   /** The set of {@code x}. */
   public static <T> SortedSet<T> singleton(T x) {
-    return add(x, emptyset());
+    return new TreeOfElements<T>(null).with(x);
   }
 
   /** {@code set} and {@code x}. */
   public static <T> SortedSet<T> add(T x, Collection<? extends T> set) {
-    SortedSet<T> more = copy(set);
-    more.add(x);
-    return Collections.unmodifiableSortedSet(more);
+    return Sets.<T>tree(set).with(x);
   }
 
   /** {@code set} without {@code x}. */
   public static <T> SortedSet<T> remove(T x, Collection<? extends T> set) {
-    SortedSet<T> less = copy(set);
-    less.remove(x);
-    return Collections.unmodifiableSortedSet(less);
+    return Sets.<T>tree(set).without(x);
+  }
+
+  @SuppressWarnings("unchecked") // never changed
+  private static <T> TreeOfElements<T> tree(Collection<? extends T> elements) {
+    return elements instanceof TreeOfElements<? extends T> tree
+        ? (TreeOfElements<T>) tree
+        : new TreeOfElements<>(Tree.of(List.copyOf(Sets.<T>copy(elements)), true));
+  }
+
+  private static <T> TreeOfElements<T> with(
+      TreeOfElements<T> tree, Collection<? extends T> elements) {
+    TreeOfElements<T> more = tree;
+    for (T each : elements) {
+      more = more.with(each);
+    }
+    return more;
   }
 
   /** The list of the elements of both. */
@@ -89,31 +98,26 @@ public final class Sets {
 
   /** The set of {@code elements}. */
   public static <T> SortedSet<T> of(Collection<? extends T> elements) {
-    return Collections.unmodifiableSortedSet(copy(elements));
+    return tree(elements);
   }
 
   /** The elements of one or both. */
   public static <T> SortedSet<T> union(SortedSet<T> a, SortedSet<T> b) {
-    if (a.isEmpty() || b.isEmpty()) {
-      return a.isEmpty() ? b : a;
-    }
-    SortedSet<T> both = copy(a);
-    both.addAll(b);
-    return Collections.unmodifiableSortedSet(both);
+    return a.size() < b.size() ? with(tree(b), a) : with(tree(a), b);
   }
 
   /** The elements of {@code a} that are not in {@code b}. */
   public static <T> SortedSet<T> difference(SortedSet<T> a, SortedSet<T> b) {
-    SortedSet<T> less = copy(a);
-    less.removeAll(b);
-    return Collections.unmodifiableSortedSet(less);
+    TreeOfElements<T> less = tree(a);
+    for (T each : b) {
+      less = less.without(each);
+    }
+    return less;
   }
 
   /** The elements of both. */
   public static <T> SortedSet<T> intersection(SortedSet<T> a, SortedSet<T> b) {
-    SortedSet<T> both = copy(a);
-    both.retainAll(b);
-    return Collections.unmodifiableSortedSet(both);
+    return difference(a, difference(a, b));
   }
 
   /** Whether no element is in both. */
