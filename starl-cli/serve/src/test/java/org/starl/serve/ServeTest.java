@@ -63,7 +63,7 @@ class ServeTest {
   private int profiles;
 
   private Browser browser(URI page) throws Exception {
-    return new Browser(Files.createDirectory(folder.resolve("p" + profiles++)), page, 1200, 860);
+    return Browser.open(Files.createDirectory(folder.resolve("p" + profiles++)), page, 1200, 860);
   }
 
   private static String nowMs() {

@@ -55,11 +55,22 @@ public final class Browser implements AutoCloseable {
   private int calls;
 
   /**
-   * Opens a page. Skips the test if there is no Chromium.
+   * Opens a page. Skips the test if there is no Chromium. One that does not answer is started once
+   * more, and told.
    *
    * @param profile an empty folder
    */
-  public Browser(Path profile, URI page, int widthPx, int heightPx) throws Exception {
+  public static Browser open(Path profile, URI page, int widthPx, int heightPx) throws Exception {
+    try {
+      return new Browser(profile, page, widthPx, heightPx);
+    } catch (TimeoutException e) {
+      System.err.println("a browser is started again: " + e.getMessage());
+      Path another = profile.resolveSibling(profile.getFileName() + "-again");
+      return new Browser(another, page, widthPx, heightPx);
+    }
+  }
+
+  private Browser(Path profile, URI page, int widthPx, int heightPx) throws Exception {
     String program = program();
     assumeTrue(program != null, "skipped: no Chromium on the PATH; expected one of " + NAMES);
     process =
@@ -84,7 +95,22 @@ public final class Browser implements AutoCloseable {
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .redirectErrorStream(false)
             .start();
-    URI devTools = devTools();
+    boolean isOpen = false;
+    try {
+      socket = connect(devTools());
+      // The browser then tells also what was before.
+      call("Runtime.enable", Map.of());
+      call("Log.enable", Map.of());
+      awaitReady();
+      isOpen = true;
+    } finally {
+      if (!isOpen) {
+        end();
+      }
+    }
+  }
+
+  private WebSocket connect(URI devTools) throws Exception {
     HttpRequest list =
         HttpRequest.newBuilder(URI.create("http://" + devTools.getAuthority() + "/json/list"))
             .timeout(PATIENCE)
@@ -96,14 +122,9 @@ public final class Browser implements AutoCloseable {
         address = each.path("webSocketDebuggerUrl").asText();
       }
     }
-    socket =
-        http.newWebSocketBuilder()
-            .buildAsync(URI.create(address), new Answers())
-            .get(PATIENCE_S, TimeUnit.SECONDS);
-    // The browser then tells also what was before.
-    call("Runtime.enable", Map.of());
-    call("Log.enable", Map.of());
-    awaitReady();
+    return http.newWebSocketBuilder()
+        .buildAsync(URI.create(address), new Answers())
+        .get(PATIENCE_S, TimeUnit.SECONDS);
   }
 
   /** Asks until the page has loaded; until then the browser may show an empty one. */
@@ -137,12 +158,7 @@ public final class Browser implements AutoCloseable {
   private URI devTools() throws Exception {
     CompletableFuture<URI> address = new CompletableFuture<>();
     Thread.ofVirtual().start(() -> read(process.errorReader(StandardCharsets.UTF_8), address));
-    try {
-      return address.get(PATIENCE_S, TimeUnit.SECONDS);
-    } catch (TimeoutException e) {
-      end();
-      throw new AssertionError("the browser has not told its address in " + PATIENCE_S + " s", e);
-    }
+    return address.get(PATIENCE_S, TimeUnit.SECONDS);
   }
 
   private static void read(BufferedReader reader, CompletableFuture<URI> address) {

@@ -50,7 +50,7 @@ class ManyRobotsPageTest {
     try (OutputStream out = Files.newOutputStream(page)) {
       new RunPage(run).write(out);
     }
-    return new Browser(
+    return Browser.open(
         Files.createDirectory(folder.resolve("profile")), page.toUri(), widthPx, heightPx);
   }
 

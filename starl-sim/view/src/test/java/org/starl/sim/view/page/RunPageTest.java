@@ -159,7 +159,7 @@ class RunPageTest {
       PAGE.write(out);
     }
     Path profile = Files.createDirectory(folder.resolve("profile"));
-    opened = Optional.of(new Browser(profile, page.toUri(), 1200, 1130));
+    opened = Optional.of(Browser.open(profile, page.toUri(), 1200, 1130));
   }
 
   @AfterAll
