@@ -1,6 +1,7 @@
 package org.starl.spec.automaton;
 
-import java.util.Collections;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SortedSet;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -58,7 +59,7 @@ public final class Finite {
   @SafeVarargs
   public static <T> SortedSet<T> suchThat(
       Predicate<? super T> condition, Iterable<? extends T>... where) {
-    SortedSet<T> those = Sets.copy(Collections.emptyList());
+    List<T> those = new ArrayList<>();
     for (Iterable<? extends T> values : where) {
       for (T value : values) {
         if (condition.test(value)) {
@@ -66,7 +67,7 @@ public final class Finite {
         }
       }
     }
-    return Collections.unmodifiableSortedSet(those);
+    return Sets.of(those);
   }
 
   /**

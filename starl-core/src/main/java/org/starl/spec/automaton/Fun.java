@@ -1,7 +1,5 @@
 package org.starl.spec.automaton;
 
-import java.util.AbstractSet;
-import java.util.Comparator;
 import java.util.Iterator;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -53,7 +51,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   /** Its value at {@code argument}. */
   public V at(K argument) {
-    V exception = Tree.get(Comparator.naturalOrder(), exceptions, argument);
+    V exception = Tree.get(exceptions, argument);
     return exception == null ? otherwise.at(argument) : exception;
   }
 
@@ -65,8 +63,8 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return new Fun<>(
         otherwise,
         value.equals(otherwise.at(argument))
-            ? Tree.remove(Comparator.naturalOrder(), exceptions, argument)
-            : Tree.put(Comparator.naturalOrder(), exceptions, argument, value));
+            ? Tree.remove(exceptions, argument)
+            : Tree.put(exceptions, argument, value));
   }
 
   /** The value at all arguments that are no exceptions. */
@@ -79,7 +77,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   /** The exceptions' arguments, in order. */
   public Set<K> arguments() {
-    return new Arguments<>(exceptions);
+    return new TreeOfElements<>(exceptions);
   }
 
   /** The number of exceptions. */
@@ -107,31 +105,6 @@ public final class Fun<K extends Comparable<? super K>, V> {
       }
     }
     return true;
-  }
-
-  private static final class Arguments<K extends Comparable<? super K>> extends AbstractSet<K> {
-
-    private final @Nullable Tree<K, ?> of;
-
-    Arguments(@Nullable Tree<K, ?> of) {
-      this.of = of;
-    }
-
-    @Override
-    public int size() {
-      return Tree.size(of);
-    }
-
-    @Override
-    @SuppressWarnings("unchecked") // as in a TreeMap, looking for anything else is a bug
-    public boolean contains(Object argument) {
-      return Tree.get(Comparator.naturalOrder(), of, (K) argument) != null;
-    }
-
-    @Override
-    public Iterator<K> iterator() {
-      return Tree.keys(of);
-    }
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.starl.spec.automaton;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.SortedSet;
@@ -10,6 +11,8 @@ import java.util.TreeSet;
 
 /** Immutable finite sets, and lists, as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
+
+  static final Comparator<Object> ORDER = Sets::compare;
 
   private Sets() {}
 
@@ -48,7 +51,7 @@ public final class Sets {
 
   /** A set of its own with these elements. */
   static <T> TreeSet<T> copy(Collection<? extends T> elements) {
-    TreeSet<T> copy = new TreeSet<>(TreeOfElements.ORDER);
+    TreeSet<T> copy = new TreeSet<>(ORDER);
     copy.addAll(elements);
     return copy;
   }

@@ -1,7 +1,6 @@
 package org.starl.spec.automaton;
 
 import java.util.ArrayDeque;
-import java.util.Comparator;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
@@ -11,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A sorted map that is never changed, as a weight-balanced tree; null is the empty map. A change
  * makes a map that shares all with the old one except the path to the change, so it takes logarithmic
- * time and memory. All methods of a tree are given the same order of its keys.
+ * time and memory. Its keys are in the order of {@link Sets#compare}.
  */
 final class Tree<K, V> {
 
@@ -53,10 +52,10 @@ final class Tree<K, V> {
   }
 
   /** The value at {@code key}; null if there is none. */
-  static <K, V> @Nullable V get(Comparator<? super K> by, @Nullable Tree<K, V> tree, K key) {
+  static <K, V> @Nullable V get(@Nullable Tree<K, V> tree, K key) {
     Tree<K, V> at = tree;
     while (at != null) {
-      int order = by.compare(key, at.key);
+      int order = Sets.compare(key, at.key);
       if (order == 0) {
         return at.value;
       }
@@ -66,32 +65,30 @@ final class Tree<K, V> {
   }
 
   /** {@code tree} with {@code value} at {@code key}. */
-  static <K, V> Tree<K, V> put(
-      Comparator<? super K> by, @Nullable Tree<K, V> tree, K key, V value) {
+  static <K, V> Tree<K, V> put(@Nullable Tree<K, V> tree, K key, V value) {
     if (tree == null) {
       return new Tree<>(null, key, value, null);
     }
-    int order = by.compare(key, tree.key);
+    int order = Sets.compare(key, tree.key);
     if (order == 0) {
       return value == tree.value ? tree : new Tree<>(tree.left, tree.key, value, tree.right);
     }
     return order < 0
-        ? balanced(put(by, tree.left, key, value), tree, tree.right)
-        : balanced(tree.left, tree, put(by, tree.right, key, value));
+        ? balanced(put(tree.left, key, value), tree, tree.right)
+        : balanced(tree.left, tree, put(tree.right, key, value));
   }
 
   /** {@code tree} without {@code key}. */
-  static <K, V> @Nullable Tree<K, V> remove(
-      Comparator<? super K> by, @Nullable Tree<K, V> tree, K key) {
+  static <K, V> @Nullable Tree<K, V> remove(@Nullable Tree<K, V> tree, K key) {
     if (tree == null) {
       return null;
     }
-    int order = by.compare(key, tree.key);
+    int order = Sets.compare(key, tree.key);
     if (order < 0) {
-      return balanced(remove(by, tree.left, key), tree, tree.right);
+      return balanced(remove(tree.left, key), tree, tree.right);
     }
     if (order > 0) {
-      return balanced(tree.left, tree, remove(by, tree.right, key));
+      return balanced(tree.left, tree, remove(tree.right, key));
     }
     if (tree.left == null || tree.right == null) {
       return tree.left == null ? tree.right : tree.left;

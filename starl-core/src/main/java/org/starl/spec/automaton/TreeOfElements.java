@@ -11,23 +11,23 @@ import org.jspecify.annotations.Nullable;
 @SuppressWarnings("JdkObsolete") // no more than what theories name
 final class TreeOfElements<T> extends AbstractSet<T> implements SortedSet<T> {
 
-  static final Comparator<Object> ORDER = Sets::compare;
+  private final @Nullable Tree<T, Object> root;
 
-  private final @Nullable Tree<T, Boolean> root;
-
-  TreeOfElements(@Nullable Tree<T, Boolean> root) {
-    this.root = root;
+  /** The keys of a map. */
+  @SuppressWarnings("unchecked") // its values are not looked at
+  TreeOfElements(@Nullable Tree<T, ?> map) {
+    root = (Tree<T, Object>) map;
   }
 
   TreeOfElements<T> with(T element) {
-    return of(Tree.put(ORDER, root, element, true));
+    return of(Tree.put(root, element, true));
   }
 
   TreeOfElements<T> without(T element) {
-    return of(Tree.remove(ORDER, root, element));
+    return of(Tree.remove(root, element));
   }
 
-  private TreeOfElements<T> of(@Nullable Tree<T, Boolean> changed) {
+  private TreeOfElements<T> of(@Nullable Tree<T, Object> changed) {
     return changed == root ? this : new TreeOfElements<>(changed);
   }
 
@@ -39,7 +39,7 @@ final class TreeOfElements<T> extends AbstractSet<T> implements SortedSet<T> {
   @Override
   @SuppressWarnings("unchecked") // as in a TreeSet, looking for anything else is a bug
   public boolean contains(Object element) {
-    return Tree.get(ORDER, root, (T) element) != null;
+    return Tree.get(root, (T) element) != null;
   }
 
   @Override
@@ -49,7 +49,7 @@ final class TreeOfElements<T> extends AbstractSet<T> implements SortedSet<T> {
 
   @Override
   public Comparator<Object> comparator() {
-    return ORDER;
+    return Sets.ORDER;
   }
 
   @Override

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -100,12 +99,12 @@ class FunTest {
     int order = random.nextInt(3);
     for (int n = 0; n < 500; n++) {
       int key = order == 0 ? n : order == 1 ? -n : random.nextInt(1000);
-      tree = Tree.put(Comparator.naturalOrder(), tree, key, true);
+      tree = Tree.put(tree, key, true);
       isBalanced(tree);
     }
     for (int n = 0; n < 500; n++) {
       int key = order == 0 ? n : order == 1 ? n - 500 : random.nextInt(1000);
-      tree = Tree.remove(Comparator.naturalOrder(), tree, key);
+      tree = Tree.remove(tree, key);
       isBalanced(tree);
     }
   }
