@@ -35,6 +35,9 @@ class SetsTest {
     }
     assertThat(set).isEqualTo(model).hasSameHashCodeAs(model).hasToString(model.toString());
     assertThat(set).containsExactlyElementsOf(model);
+    for (int each : model) {
+      assertThat(Sets.add(each, set)).as("one that it has").isEqualTo(model);
+    }
     assertThat(Sets.of(changes)).containsExactlyElementsOf(new TreeSet<>(changes));
     SortedSet<Integer> with = Sets.of(others);
     assertThat(Sets.union(set, with)).isEqualTo(changed(model, each -> each.addAll(others)));
