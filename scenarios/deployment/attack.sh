@@ -8,7 +8,8 @@
 # robot's file names a port of the attacker as the address of each other robot and of the cameras.
 set -u
 . "$(dirname "$0")/rig.sh"
-base=${BASE:-$((20000 + $$ % 300 * 100))}
+# Below the ports that Linux gives to any program.
+base=${BASE:-$((20000 + $$ % 120 * 100))}
 limit=${LIMIT:-60}
 # Short-lived processes on few cores; each robot has a guard process, too.
 export STARL_JAVA_OPTS="${STARL_JAVA_OPTS:-} -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m"
@@ -102,6 +103,8 @@ run=$work/first
 begin_world "$work/world.yaml" "$run"
 for number in 0 1 2 3; do begin_robot bot$number "$work/bot$number.yaml" "$run" 1000; done
 until_ $((2 * limit)) more_rounds "$run" 1 || { echo "no crossing without an attack"; failed=1; }
+# A robot that is not there notices nothing: no row would say why.
+all_run "$run" || exit 1
 
 # Robots whose log or trace has a line with $1: an attack that nobody has noticed has not arrived.
 noticed() { grep -ls -- "$1" "$run"/bot?.log "$run"/bot?.trace | sed 's/.*\(bot[0-9]\).*/\1/' | sort -u | grep -c .; }
@@ -254,6 +257,7 @@ $starl deploy merge "$work/first"/*.trace >"$work/first.txt"
 status=$?
 row "first run" "all traces merged" "no violation" "$(merged "$work/first.txt")" $status
 until_ "$limit" on_floor
+all_run "$run" || exit 1
 attack "replay 4000"
 sleep 1
 # A robot's messages to itself do not pass the network.

@@ -48,6 +48,14 @@ begin_robot() {
   begin "$1" "$1" "$3/$1.log" $starl deploy run "$2" --robot "$1" --folder "$3" --rounds "$4"
 }
 
+# all_run FOLDER: whether the processes of all robots run; else the log of one that has ended is shown.
+all_run() {
+  local name
+  for name in $robots; do
+    kill -0 "${pids[$name]}" 2>/dev/null || { echo "$name has ended:"; tail -n 5 "$1/$name.log"; return 1; }
+  done
+}
+
 # The number of robots that have come to the end of round $2, by the logs in folder $1.
 through() {
   cat "$1"/bot?.log | grep -c "end of round $2 of"
