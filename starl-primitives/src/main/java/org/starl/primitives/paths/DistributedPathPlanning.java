@@ -61,6 +61,8 @@ public final class DistributedPathPlanning implements StarLPrimitive {
 
   private @Nullable Path given;
 
+  private @Nullable Found lastFound;
+
   /** Counts calls of goTo, so that a plan for an earlier call is ignored. */
   private int call;
 
@@ -374,11 +376,14 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     PathPlanner used = planner;
     int mine = call;
     computing = true;
-    Computation<Found> plans = gvh.plat.compute(() -> Found.of(departure, used, task, alone));
+    Found before = lastFound;
+    Computation<Found> plans =
+        gvh.plat.compute(() -> Found.of(departure, used, task, alone, before));
     plans.whenDone(() -> {
       computing = false;
+      lastFound = plans.result();
       if (mine == call && !closed) {
-        planned(plans.result());
+        planned(lastFound);
       } else {
         seek();
       }
@@ -442,9 +447,9 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     if (flag.get() != TubeFlag.PLANNING) {
       return;
     }
-    if (found.among() instanceof Plan.Found way) {
+    if (found.among().plan() instanceof Plan.Found way) {
       claim(way.path());
-    } else if (found.alone() instanceof Plan.Found way) {
+    } else if (found.alone().plan() instanceof Plan.Found way) {
       Tube tube = Tracking.tube(way.path(), radiusMm, settings.maxLegMm());
       inTheWay = tube == null ? List.of() : claims.meeting(tube);
       tryLater();
@@ -534,12 +539,28 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return gvh.plat.clock.nowNs();
   }
 
+  /** A plan, with all that it depends on: a robot that waits often plans the same again. */
+  private record Made(Departure departure, PlanTask task, Plan plan) {
+    static Made of(Departure departure, PathPlanner planner, PlanTask task, @Nullable Made before) {
+      if (before != null && before.departure.equals(departure) && before.task.equals(task)) {
+        return before;
+      }
+      return new Made(departure, task, departure.plan(planner, task));
+    }
+  }
+
   /** A plan around the tubes of others; if there is none, also a plan without these tubes. */
-  private record Found(Plan among, Plan alone) {
-    static Found of(Departure departure, PathPlanner planner, PlanTask task, PlanTask alone) {
-      Plan among = departure.plan(planner, task);
-      boolean same = among instanceof Plan.Found || task.taken().isEmpty();
-      return new Found(among, same ? among : departure.plan(planner, alone));
+  private record Found(Made among, Made alone) {
+    static Found of(
+        Departure departure,
+        PathPlanner planner,
+        PlanTask task,
+        PlanTask alone,
+        @Nullable Found before) {
+      Made among = Made.of(departure, planner, task, before == null ? null : before.among);
+      Made last = before == null || alone.equals(task) ? among : before.alone;
+      boolean isWay = among.plan instanceof Plan.Found;
+      return new Found(among, isWay ? last : Made.of(departure, planner, alone, last));
     }
   }
 

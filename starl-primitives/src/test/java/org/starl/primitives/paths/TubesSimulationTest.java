@@ -281,6 +281,58 @@ class TubesSimulationTest {
     assertThat(countOf(result, "FAIL DEADLINE")).isEqualTo(2);
   }
 
+  @Test
+  void aRobotThatWaitsForRoomPlansOnce() {
+    List<PlanTask> planned = new ArrayList<>();
+    Simulation.Builder builder =
+        ring(3, weather("0", "0mm").toBuilder().set("headingNoise", "0deg").build());
+    for (int i = 0; i < 2; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              new Pose(4000, 1000 + 4000 * i, 0),
+              true,
+              gvh -> new Waiter(gvh, planned)));
+    }
+    SimResult result = builder.build().run();
+    assertHolds(result);
+    assertThat(result.results().get(new RobotId("bot1"))).isEqualTo(List.of("DEADLINE"));
+    // Around the other's tube, and without it.
+    assertThat(planned).hasSize(2).doesNotHaveDuplicates();
+  }
+
+  /** The second robot wants the place where the first one stands. */
+  private static final class Waiter extends LogicThread {
+    private final List<PlanTask> planned;
+
+    Waiter(GlobalVarHolder gvh, List<PlanTask> planned) {
+      super(gvh);
+      this.planned = planned;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      TubeSettings patient = new TubeSettings(60, 1_000, 20_000, 200, 2_000, 200, 2_000);
+      PathPlanner recorded =
+          task -> {
+            planned.add(task);
+            return new OptimalPlanner().plan(task);
+          };
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(
+              gvh, "floor", gvh.id.participants(), recorded, FLOOR, patient);
+      await(gvh.gps::hasFix);
+      sleep(1_000);
+      if (!gvh.id.name().equals(new RobotId("bot1"))) {
+        sleep(30_000);
+        return List.of();
+      }
+      paths.goTo(new ItemPosition("taken", 4000, 1000));
+      await(() -> !paths.isUnderWay());
+      return List.of(paths.failure().get().toString());
+    }
+  }
+
   /** A planted bug: the robot requests a tube, but then drives straight to its goal. */
   @Test
   void aRobotThatLeavesItsTubeIsCaught() {
