@@ -23,14 +23,13 @@ final class CommandLog {
   private static final int TURNED = 8;
   private static final int COLUMNS = 9;
 
-  private long[] atNs = new long[LEAST_COMMANDS];
-  private double[] cells = new double[LEAST_COMMANDS * COLUMNS];
-  private int size = 1;
+  // A body that has always been at rest; of all logs without a command, and never written.
+  private static final long[] REST_NS = {Long.MIN_VALUE};
+  private static final double[] REST = new double[COLUMNS];
 
-  /** Begins with a body that has always been at rest. */
-  CommandLog() {
-    atNs[0] = Long.MIN_VALUE;
-  }
+  private long[] atNs = REST_NS;
+  private double[] cells = REST;
+  private int size = 1;
 
   int size() {
     return size;
@@ -39,8 +38,9 @@ final class CommandLog {
   /** Adds a command, whose state must be set next. */
   void add(long nowNs, double linear, double angular, boolean isTouching) {
     if (size == atNs.length) {
-      atNs = Arrays.copyOf(atNs, 2 * size);
-      cells = Arrays.copyOf(cells, 2 * size * COLUMNS);
+      int room = Math.max(LEAST_COMMANDS, 2 * size);
+      atNs = Arrays.copyOf(atNs, room);
+      cells = Arrays.copyOf(cells, room * COLUMNS);
     }
     atNs[size] = nowNs;
     int row = size * COLUMNS;

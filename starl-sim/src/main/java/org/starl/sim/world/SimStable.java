@@ -19,7 +19,7 @@ public final class SimStable implements StableStorage {
   private final Clock clock;
   private final Map<String, byte[]> flushed = new TreeMap<>();
   private final Map<String, byte[]> written = new TreeMap<>();
-  private final Deque<Write> pending = new ArrayDeque<>();
+  private final Deque<Write> pending = new ArrayDeque<>(2);
   private final Map<String, Integer> counts = new TreeMap<>(); // of the writes to each key
   private long flushDelayNs;
   private long lastDueNs;
