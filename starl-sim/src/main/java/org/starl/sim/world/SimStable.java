@@ -18,7 +18,6 @@ public final class SimStable implements StableStorage {
 
   private final Clock clock;
   private final Map<String, byte[]> flushed = new TreeMap<>();
-  private final Map<String, byte[]> written = new TreeMap<>();
   private final Deque<Write> pending = new ArrayDeque<>(2);
   private final Map<String, Integer> counts = new TreeMap<>(); // of the writes to each key
   private long flushDelayNs;
@@ -75,8 +74,6 @@ public final class SimStable implements StableStorage {
       apply(pending.remove());
     }
     pending.clear();
-    written.clear();
-    written.putAll(flushed);
     timer = strandTimers.timer(this::flush);
     isHalted = false;
   }
@@ -91,7 +88,10 @@ public final class SimStable implements StableStorage {
 
   @Override
   public byte @Nullable [] get(String key) {
-    byte[] value = written.get(key);
+    byte[] value = flushed.get(key);
+    for (Write write : pending) {
+      value = write.key.equals(key) ? write.value : value;
+    }
     return value == null ? null : value.clone();
   }
 
@@ -117,11 +117,6 @@ public final class SimStable implements StableStorage {
     }
     if (isHalted) {
       return;
-    }
-    if (write.value == null) {
-      written.remove(write.key);
-    } else {
-      written.put(write.key, write.value);
     }
     pending.add(write);
     counts.merge(write.key, 1, Integer::sum);
