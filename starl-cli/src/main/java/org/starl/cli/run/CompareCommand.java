@@ -103,8 +103,8 @@ public final class CompareCommand extends BaseCommand implements Callable<Intege
       lines.add("  B: " + Difference.shown(difference.second()));
       result.put("difference_s", Time.seconds(difference.atNs()));
       result.put("event", difference.index() + 1);
-      result.put("a_event", difference.first());
-      result.put("b_event", difference.second());
+      result.put("a_event", Difference.line(difference.first()));
+      result.put("b_event", Difference.line(difference.second()));
     }
     if (file != null) {
       new ComparePage(a, b, difference).write(file.stream());

@@ -42,9 +42,7 @@ class CompareTest {
     Cli cli = compare(TWIN, TWIN + " --fault 'crash(bot0,at=2s)'", "--html", page);
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.out().get(2)).startsWith("first difference at 2.000000000 s, event ");
-    assertThat(cli.out().get(4))
-        .startsWith("  B: {\"kind\":\"fault\",")
-        .contains("crash(bot0,at=2s)");
+    assertThat(cli.out().get(4)).isEqualTo("  B: bot0: begin crash(bot0,at=2s)");
     assertThat(Files.readString(page))
         .contains("The runs first differ at 2.000 s", "crash(bot0,at=2s)", "data-at=\"2000.0\"")
         .doesNotContain("{{", "http:", "https:");
@@ -53,7 +51,17 @@ class CompareTest {
   @Test
   void theEndOfTheShorterRunIsADifference() {
     Cli cli = compare(TWIN, "hello --seed 7 --for 2s");
-    assertThat(cli.out().get(3) + cli.out().get(4)).contains("{\"kind\":");
+    assertThat(cli.out().get(3) + cli.out().get(4)).contains("no more events", "bot");
+  }
+
+  @Test
+  void anEventIsToldInWordsAndInJsonAsInATrace() {
+    String[] runs = {"mutex --seed 5", "mutex --seed 5 --loss 0.1"};
+    assertThat(compare(runs[0], runs[1]).out())
+        .anyMatch(line -> line.startsWith("  A: bot0 receives from bot0, registration/crossing: "))
+        .contains("  B: bot4 does not receive a datagram of bot0: loss");
+    assertThat(compare(runs[0], runs[1], "--json").out().getLast())
+        .contains("\"b_event\":\"{\\\"kind\\\":\\\"dropped\\\"");
   }
 
   @Test

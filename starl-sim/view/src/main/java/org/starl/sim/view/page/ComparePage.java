@@ -3,12 +3,21 @@ package org.starl.sim.view.page;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.TextFile;
 import org.starl.sim.Failure;
+import org.starl.sim.record.MessageText;
 import org.starl.sim.replay.Recording;
 import org.starl.time.Time;
 import org.starl.trace.TraceCodec;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Dropped;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
 
 /**
  * Writes two finished runs as one HTML page, side by side: it plays both by one clock, and opens
@@ -44,10 +53,11 @@ public final class ComparePage {
    *
    * @param index its number, from 0
    * @param atNs the earlier time of the two events
-   * @param first as in a trace; empty if the first run has no more events
+   * @param first null if the first run has no more events
    * @param second the same of the second run
    */
-  public record Difference(int index, long atNs, String first, String second) {
+  public record Difference(
+      int index, long atNs, @Nullable TraceEvent first, @Nullable TraceEvent second) {
 
     private static final int MOST = 300;
 
@@ -55,27 +65,56 @@ public final class ComparePage {
     public static @Nullable Difference of(Recording first, Recording second) {
       int most = Math.max(first.size(), second.size());
       for (int i = 0; i < most; i++) {
-        String one = line(first, i);
-        String other = line(second, i);
-        if (!one.equals(other)) {
-          return new Difference(i, Math.min(timeNs(first, i), timeNs(second, i)), one, other);
+        TraceEvent one = event(first, i);
+        TraceEvent other = event(second, i);
+        if (!line(one).equals(line(other))) {
+          return new Difference(i, Math.min(timeNs(one), timeNs(other)), one, other);
         }
       }
       return null;
     }
 
     /** An event for people: in at most 300 characters. */
-    public static String shown(String event) {
-      String brief = event.length() <= MOST ? event : event.substring(0, MOST) + "...";
-      return event.isEmpty() ? "no more events" : brief;
+    public static String shown(@Nullable TraceEvent event) {
+      String text =
+          switch (event) {
+            case null -> "no more events";
+            case Sent e ->
+                "%s sends to %s, %s: %s"
+                    .formatted(
+                        e.robot(),
+                        e.to().equals(Sent.ALL) ? "all" : e.to(),
+                        e.channel(),
+                        MessageText.of(e.shape(), e.message(), Set.of()));
+            case Delivered e ->
+                "%s receives from %s, %s: %s"
+                    .formatted(
+                        e.robot(),
+                        e.from(),
+                        e.channel(),
+                        MessageText.of(e.shape(), e.message(), Set.of()));
+            case Dropped e ->
+                "%s does not receive a datagram of %s: %s".formatted(e.robot(), e.from(), e.why());
+            case Action e -> "%s, %s: %s %s".formatted(e.robot(), e.source(), e.name(), e.args());
+            case Variable e ->
+                "%s, %s: %s = %s".formatted(e.robot(), e.source(), e.name(), e.value());
+            case Fault e -> "%s: %s %s".formatted(e.robot(), e.name(), e.detail());
+            default -> line(event);
+          };
+      return text.length() <= MOST ? text : text.substring(0, MOST) + "...";
     }
 
-    private static String line(Recording run, int index) {
-      return index < run.size() ? TraceCodec.line(run.event(index)) : "";
+    /** As in a trace; empty if there is none. */
+    public static String line(@Nullable TraceEvent event) {
+      return event == null ? "" : TraceCodec.line(event);
     }
 
-    private static long timeNs(Recording run, int index) {
-      return index < run.size() ? run.timeNs(index) : Long.MAX_VALUE;
+    private static @Nullable TraceEvent event(Recording run, int index) {
+      return index < run.size() ? run.event(index) : null;
+    }
+
+    private static long timeNs(@Nullable TraceEvent event) {
+      return event == null ? Long.MAX_VALUE : event.timeNs();
     }
   }
 
@@ -100,12 +139,12 @@ public final class ComparePage {
             .replace("{{differs}}", differs)
             .replace("{{atMs}}", "" + RunPage.millis(known == null ? 0 : known.atNs))
             .replace("{{toMs}}", "" + RunPage.millis(endNs))
-            .replace("{{first}}", part(first, known == null ? "" : known.first))
-            .replace("{{second}}", part(second, known == null ? "" : known.second));
+            .replace("{{first}}", part(first, known == null ? null : known.first))
+            .replace("{{second}}", part(second, known == null ? null : known.second));
     out.write(page.getBytes(StandardCharsets.UTF_8));
   }
 
-  private String part(Run run, String event) throws IOException {
+  private String part(Run run, @Nullable TraceEvent event) throws IOException {
     Difference known = difference;
     String player =
         known == null
