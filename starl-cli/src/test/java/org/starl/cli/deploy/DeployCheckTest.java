@@ -222,7 +222,7 @@ class DeployCheckTest {
 
       assertThat(cli.status()).as("%s", cli).isEqualTo(1);
       assertThat(cli.err()).hasSize(1);
-      assertThat(cli.err().get(0)).contains("bot0", "radio at", "" + taken.getLocalPort());
+      assertThat(cli.err().get(0)).contains("bot0", "radio at 127.0.0.1:" + taken.getLocalPort());
     }
   }
 

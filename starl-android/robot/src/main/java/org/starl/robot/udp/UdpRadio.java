@@ -71,7 +71,8 @@ public final class UdpRadio implements Radio, AutoCloseable {
     try {
       socket = new DatagramSocket(address);
     } catch (SocketException e) {
-      SocketException named = new SocketException("radio at " + address + ": " + e.getMessage());
+      String at = address.getHostString() + ":" + address.getPort();
+      SocketException named = new SocketException("radio at " + at + ": " + e.getMessage());
       named.initCause(e);
       throw named;
     }
