@@ -179,6 +179,19 @@ class PositionFilterTest {
   }
 
   @Test
+  void theBoundCoversAContradictingPlaceThatHasMovedByMoreCommandsThanItStores() {
+    fix(0, 0, 5, 0, 0);
+    drive(100, 0, 0);
+    fix(1000, 0, 5, 10, 10);
+    for (int i = 0; i < 100; i++) {
+      drive(101 - i % 2, 0, 10L * i + 10);
+    }
+    double rivalMm = 1000 + 100.5;
+    assertThat(at(1010).pose().distanceMm(new Point(rivalMm, 0)))
+        .isLessThanOrEqualTo(at(1010).errorMm() - 5 - 100);
+  }
+
+  @Test
   void commandsThatMayStillBeInEffectAreNotForgotten() {
     filter.assume(0, 500 * MS);
     fix(0, 0, 0, 0, 0);
