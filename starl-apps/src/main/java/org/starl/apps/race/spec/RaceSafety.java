@@ -17,9 +17,12 @@ import org.starl.apps.race.logic.RaceFact.Taken;
 import org.starl.apps.race.logic.RaceFact.Way;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RightOfWay;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFact;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.geocast.GeocastFact;
 import org.starl.primitives.geocast.GeocastMessage;
 import org.starl.spec.Bodies;
 import org.starl.spec.LemmaMonitor;
@@ -50,7 +53,8 @@ import org.starl.trace.TraceEvent.Variable;
  *       has told them for long.
  *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, and while another
  *       one has the way, or until the point is won; one that drives and hears of another one's way draws
- *       back. While a robot has the way, only a nearer one gets it, and it does not ask anew.
+ *       back. While a robot has the way, only a nearer one gets it, and it does not ask anew. When a robot
+ *       asks for the way to a point, one has the way to that point, as far as it knows.
  * </ul>
  */
 public final class RaceSafety extends LemmaMonitor {
@@ -127,6 +131,10 @@ public final class RaceSafety extends LemmaMonitor {
       case Action action when action.fact() instanceof Taken taken ->
           taken(action, taken.claim(), report);
       case Action action when action.fact() instanceof Way way -> passes(action, way, report);
+      case Action action
+          when action.fact() instanceof GeocastFact.do_geocast asks
+              && asks.area() instanceof Circle around ->
+          asks(action, around.center(), report);
       case Variable variable when variable.of(RaceFact.POINT) != null -> sets(variable);
       case Variable variable when variable.of(MotionFact.FLAG) != null -> ends(variable);
       case Variable variable when variable.of(RaceFact.LOCATION) != null ->
@@ -184,6 +192,16 @@ public final class RaceSafety extends LemmaMonitor {
             (isAgain ? "asks again, after " : "a farther robot has the way, after ") + last.way();
         report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
       }
+    }
+  }
+
+  /** A robot that asks the robots around a point for the way: one has the way there from then on. */
+  private void asks(Action action, Point around, Report report) {
+    report.checked(MAKES_WAY);
+    Heard known = ways.get(action.robot());
+    if (known == null || !points.get(known.way().point()).at().equals(around)) {
+      String detail = "asks for the way to " + around + ", and knows of " + known;
+      report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
     }
   }
 

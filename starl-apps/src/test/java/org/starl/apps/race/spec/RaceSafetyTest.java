@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -164,6 +165,21 @@ class RaceSafetyTest {
     passes(8_000, ROBOT, 200);
     assertThat(monitors.report().violations("race.makes_way")).isZero();
     passes(10_000, ROBOT, 100);
+    assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+  }
+
+  private void asksAround(Point at) {
+    GeocastId m = new GeocastId(ProcessId.first(ROBOT, 1), 1);
+    GeocastFact.do_geocast asks = new GeocastFact.do_geocast(m, new Circle(at, 2_000), 1);
+    monitors.observe(Action.of(0, ROBOT, Instance.of("geocast"), GeocastFact.SHAPE, asks));
+  }
+
+  @Test
+  void theWayThatARobotAsksForIsThatToItsPoint() {
+    passes(0, OTHER, 300);
+    asksAround(new Point(0, 0));
+    assertThat(monitors.report().violations("race.makes_way")).isZero();
+    asksAround(new Point(500, 0));
     assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
   }
 
