@@ -12,6 +12,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.motion.Location.Known;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 
 /** What robots tell each other of points and ways, without driving. */
 class RaceRulesTest {
@@ -126,5 +127,42 @@ class RaceRulesTest {
         });
     assertThat(seen.subList(0, 2)).containsExactly(false, false);
     assertThat(seen).contains(List.of(false, true)).doesNotContain(List.of(true, true));
+  }
+
+  @Test
+  void theWayToAPointIsFreeHoweverNearARobotIsThatHasAnothersWay() {
+    List<Object> seen =
+        played((robot, told) -> {
+          RightOfWay way = new RightOfWay(robot.gvh(), "race");
+          robot.pause(1_000);
+          if (robot.is(0)) {
+            way.ask(0, robot.gvh().gps.pose().at(), 300);
+          }
+          robot.pause(1_000);
+          if (robot.is(1)) {
+            way.ask(1, robot.gvh().gps.pose().at(), 900);
+          }
+          robot.pause(1_000);
+          told.add(way.isOthers(1));
+        });
+    assertThat(seen).containsExactlyInAnyOrder(true, false, true);
+  }
+
+  /** The way to its last point takes longer than a minute: that is no time in which it tells. */
+  @Test
+  void aRobotTellsRobotsThatAreSilentForAllItsPatienceHoweverLongItHasRaced() {
+    List<Object> seen =
+        played((robot, told) -> {
+          if (robot.is(0)) {
+            robot.pause(1_000);
+            GlobalVarHolder gvh = robot.gvh();
+            Point here = gvh.gps.pose().at();
+            Point far = new Point(here.xMm(), here.yMm() - 14_000);
+            new RaceApp(gvh, "race", List.of(new RacePoint("far", far, 100))).callStarL();
+            told.add(gvh.gps.pose().distanceMm(far) < 200);
+            told.add(gvh.plat.clock.nowNs() > (70_000 + RaceApp.TELL_PATIENCE_MS) * Time.NS_PER_MS);
+          }
+        });
+    assertThat(seen).containsExactly(true, true);
   }
 }
