@@ -112,6 +112,20 @@ class AssignerTest {
   }
 
   @Test
+  void aRoomThatItsRobotDoesNotTakeIsAssignedAnew() {
+    theNearestRobotGetsARoom();
+    int first = leader.duty().tasks().get(THIRD).number();
+    for (int atS : new int[] {6, 11}) {
+      isUp(OTHER, 5_500, 1, atS);
+      isUp(THIRD, 2_500, Report.NO_ROOM, atS);
+      leader.work(known, atS * SECOND_NS);
+      assertThat(leader.duty().tasks().get(THIRD).number()).isEqualTo(first);
+    }
+    leader.work(known, 12 * SECOND_NS);
+    assertThat(leader.duty().tasks().get(THIRD).number()).isGreaterThan(first);
+  }
+
+  @Test
   void whenAllRoomsAreSearchedTheAnswerIsNothingThere() {
     theNearestRobotGetsARoom();
     hear(OTHER, 5_500, Report.NO_ROOM, List.of(0, 1));
