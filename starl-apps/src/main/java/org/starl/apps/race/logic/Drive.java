@@ -15,6 +15,9 @@ import org.starl.random.Rng;
  */
 public final class Drive {
 
+  /** The name of places to which robots draw back. */
+  public static final String BACK = "back";
+
   private static final long NO_PROGRESS_MS = 5_000;
   private static final double BACK_RAD = StrictMath.PI / 4;
   private static final double MIN_BACK_RADII = 4;
@@ -55,7 +58,7 @@ public final class Drive {
     double radii = MIN_BACK_RADII + (MAX_BACK_RADII - MIN_BACK_RADII) * rng.nextDouble();
     double mm = usual.robotRadiusMm() * radii;
     Point back = at.plus(new Point(mm * StrictMath.cos(angle), mm * StrictMath.sin(angle)));
-    gvh.plat.moat.doMove(new ItemPosition("back", back.xMm(), back.yMm()));
+    gvh.plat.moat.doMove(new ItemPosition(BACK, back.xMm(), back.yMm()));
   }
 
   /** Whether a robot with this fix is at {@code point}. */

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.race.logic.Claim;
+import org.starl.apps.race.logic.Drive;
 import org.starl.apps.race.logic.Patience;
 import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RaceApp.Location;
@@ -54,7 +55,8 @@ import org.starl.trace.TraceEvent.Variable;
  *   <li>{@code makes_way}: a robot that draws back stays so for as long as it promises, and while another
  *       one has the way, or until the point is won; one that drives and hears of another one's way draws
  *       back. While a robot has the way, only a nearer one gets it, and it does not ask anew. When a robot
- *       asks for the way to a point, one has the way to that point, as far as it knows.
+ *       asks for the way to a point, one has the way to that point, as far as it knows. It draws back away from
+ *       its point.
  * </ul>
  */
 public final class RaceSafety extends LemmaMonitor {
@@ -135,6 +137,10 @@ public final class RaceSafety extends LemmaMonitor {
           when action.fact() instanceof GeocastFact.do_geocast asks
               && asks.area() instanceof Circle around ->
           asks(action, around.center(), report);
+      case Action action
+          when action.fact() instanceof MotionFact.doMove move
+              && move.target().name().equals(Drive.BACK) ->
+          drawsBack(action, move.target().at(), report);
       case Variable variable when variable.of(RaceFact.POINT) != null -> sets(variable);
       case Variable variable when variable.of(MotionFact.FLAG) != null -> ends(variable);
       case Variable variable when variable.of(RaceFact.LOCATION) != null ->
@@ -201,6 +207,20 @@ public final class RaceSafety extends LemmaMonitor {
     Heard known = ways.get(action.robot());
     if (known == null || !points.get(known.way().point()).at().equals(around)) {
       String detail = "asks for the way to " + around + ", and knows of " + known;
+      report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
+    }
+  }
+
+  /** It draws back by more than its position may be off. */
+  private void drawsBack(Action action, Point to, Report report) {
+    RacePoint point = racingTo.get(action.robot());
+    if (point == null || !bodies.isOnFloor(action.robot())) {
+      return;
+    }
+    report.checked(MAKES_WAY);
+    double awayMm = bodies.poseAt(action.robot(), action.timeNs()).distanceMm(point.at());
+    if (to.distanceMm(point.at()) < awayMm) {
+      String detail = "draws back from " + point.name() + " to " + to + ", which is nearer";
       report.violated(MAKES_WAY, action.timeNs(), List.of(action.robot()), detail);
     }
   }

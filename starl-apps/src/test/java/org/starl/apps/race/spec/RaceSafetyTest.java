@@ -9,6 +9,8 @@ import org.starl.apps.race.logic.RaceFact;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.ProcessId;
@@ -181,6 +183,19 @@ class RaceSafetyTest {
     assertThat(monitors.report().violations("race.makes_way")).isZero();
     asksAround(new Point(500, 0));
     assertThat(monitors.report().violations("race.makes_way")).isEqualTo(1);
+  }
+
+  private long drawsBackTo(double xMm) {
+    place(monitors, ROBOT, 400);
+    MotionFact.doMove move = new MotionFact.doMove(new ItemPosition("back", xMm, 0), new Nowhere());
+    monitors.observe(Action.of(0, ROBOT, MotionFact.SOURCE, MotionFact.SHAPE, move));
+    return monitors.report().violations("race.makes_way");
+  }
+
+  @Test
+  void aRobotDrawsBackAwayFromItsPoint() {
+    assertThat(drawsBackTo(1_000)).isZero();
+    assertThat(drawsBackTo(-300)).isEqualTo(1);
   }
 
   @Test
