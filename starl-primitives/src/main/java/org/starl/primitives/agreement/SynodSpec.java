@@ -1,6 +1,7 @@
 package org.starl.primitives.agreement;
 
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -42,7 +43,8 @@ import org.starl.trace.TraceEvent.Sent;
  *       ballot.
  *   <li>{@code Answers}: an acceptor refuses a lower ballot in the step in which it is asked, and a robot that
  *       knows what is decided tells it to each robot that asks, and proposes for that number no more.
- *   <li>{@code Asks}: a ballot asks all acceptors in one step, for promises and then for votes.
+ *   <li>{@code Asks}: a ballot asks all acceptors in one step, for promises and then for votes, and none again
+ *       that has answered.
  * </ul>
  *
  * <p>The last three are not checked of runs in real time: the end of a killed process's trace may be
@@ -77,7 +79,9 @@ public final class SynodSpec extends LemmaMonitor {
     lemma(
         ANSWERS,
         "A lower ballot is refused at once; who knows a decision tells it to those who ask, and asks no more.");
-    lemma(ASKS, "A ballot asks all acceptors at once, for promises and then for votes.");
+    lemma(
+        ASKS,
+        "A ballot asks all acceptors at once, for promises and then for votes; none again that has answered.");
     tells.begin();
     asks.begin();
   }
@@ -115,7 +119,18 @@ public final class SynodSpec extends LemmaMonitor {
       case Query m when known > m.number() -> mustAnswer(got, m.number() + 1, null);
       case Prepare m -> asked(run, got, m.number(), m.ballot(), known);
       case Accept m -> asked(run, got, m.number(), m.ballot(), known);
+      case Promise m -> answered(run, got, m, new Question(m.ballot(), false));
+      case Accepted m -> answered(run, got, m, new Question(m.ballot(), true));
       default -> {} // no rule
+    }
+  }
+
+  private void answered(Run run, Delivered got, SynodMessage message, Question question) {
+    if (!run.hasForgotten(message.number())) {
+      decree(run, message)
+          .answers
+          .computeIfAbsent(question, any -> new TreeSet<>())
+          .add(got.from().name());
     }
   }
 
@@ -161,13 +176,13 @@ public final class SynodSpec extends LemmaMonitor {
     switch (message) {
       case Prepare m -> {
         run.acceptors.add(sent.to());
-        asked(run, sent, m);
+        asked(run, sent, m, report);
       }
       case Promise m -> decree(run, m).promised(sent, m, report);
       case Accepted m -> decree(run, m).voted(sent, m.ballot(), report);
       case Accept m -> {
         decree(run, m).proposed(sent, m, report);
-        asked(run, sent, m);
+        asked(run, sent, m, report);
       }
       case Decided m -> decree(run, m).decided(sent, m.value(), report);
       case Nack m -> {
@@ -179,9 +194,12 @@ public final class SynodSpec extends LemmaMonitor {
   }
 
   /** The first question of a ballot's phase goes to all acceptors. */
-  private void asked(Run run, Sent sent, SynodMessage message) {
+  private void asked(Run run, Sent sent, SynodMessage message, Report report) {
     Question question = Objects.requireNonNull(Question.of(message));
-    if (!isRealTime && decree(run, message).questions.add(question)) {
+    Decree decree = decree(run, message);
+    boolean isAnswered = decree.answers.getOrDefault(question, Set.of()).contains(sent.to());
+    decree.check(ASKS, isRealTime || !isAnswered, sent, () -> "to one that has answered", report);
+    if (!isRealTime && decree.questions.add(question)) {
       for (String acceptor : run.acceptors) {
         asks.owes(sent, acceptor, question.toString(), told -> question.equals(Question.of(told)));
       }
@@ -236,6 +254,8 @@ public final class SynodSpec extends LemmaMonitor {
     private final Map<RobotId, Ballot> voted = new TreeMap<>();
     private final Map<Ballot, Attempt> attempts = new TreeMap<>(ORDER);
     private final Set<Question> questions = new LinkedHashSet<>();
+    // The acceptors whose answer has reached the robot that asks.
+    private final Map<Question, Set<String>> answers = new LinkedHashMap<>();
 
     Decree(Run run) {
       this.run = run;

@@ -205,6 +205,21 @@ class SynodSpecTest {
   }
 
   @Test
+  void aQuestionToAnAcceptorThatHasAnsweredViolatesAsks() {
+    List<RobotId> all = List.of(A, B, C, D);
+    all.forEach(acceptor -> sends(1, B, acceptor, new Prepare(1, HIGH, Value.EMPTY)));
+    sends(2, B, D, new Prepare(1, HIGH, Value.EMPTY)); // again
+    hears(3, B, D, new Promise(1, HIGH, null, List.of()));
+    all.forEach(acceptor -> sends(4, B, acceptor, new Accept(1, HIGH, X)));
+    assertThat(monitors.report().violations(SynodSpec.ASKS)).isZero();
+    sends(5, B, D, new Prepare(1, HIGH, Value.EMPTY));
+    assertThat(monitors.report().violations(SynodSpec.ASKS)).isEqualTo(1);
+    hears(6, B, D, new Accepted(1, HIGH));
+    sends(7, B, D, new Accept(1, HIGH, X));
+    assertThat(monitors.report().violations(SynodSpec.ASKS)).isEqualTo(2);
+  }
+
+  @Test
   void aProposalOfWhatIsKnownToBeDecidedViolatesAnswers() {
     promise(LOW, null, A, B, C);
     sends(A, A, new Accept(1, LOW, X));
