@@ -125,7 +125,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
     stands = repeats("stands", settings.deltaMs());
     lemma(
         TURN,
-        "No candidate proposes before those that its strategy puts first; each term has draws of its own.");
+        "A candidate proposes the first one by its strategy, in its own turn; each term has draws of its own.");
     seesMessages = true;
     tells.begin();
     says.begin();

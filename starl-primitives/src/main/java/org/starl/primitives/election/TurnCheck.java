@@ -1,5 +1,6 @@
 package org.starl.primitives.election;
 
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -7,7 +8,9 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.FaultState;
@@ -38,6 +41,9 @@ final class TurnCheck {
     private long draw;
     private final long drawBefore;
     private boolean hasProposed;
+    // The candidate to propose, unless a promise reports a vote.
+    private @Nullable ProcessId first;
+    private boolean isBound;
 
     Turn(long term, long drawBefore, long beganNs) {
       this.term = term;
@@ -99,6 +105,11 @@ final class TurnCheck {
       if (turn != null) {
         hears(turn, got);
       }
+    } else if (event instanceof Delivered got && got.message() instanceof Promise promise) {
+      Turn turn = turns.get(new ProcessKey(got.channel().owner(), got.robot()));
+      if (turn != null && promise.number() == turn.term) {
+        turn.isBound |= promise.vote() != null;
+      }
     } else if (event instanceof Sent sent) {
       Turn turn = turns.get(new ProcessKey(sent.channel().owner(), sent.robot()));
       if (turn != null && sent.message() instanceof Candidacy own) {
@@ -115,6 +126,12 @@ final class TurnCheck {
         } else if (!turn.hasProposed && prepare.number() == turn.term) {
           turn.hasProposed = true;
           judge(turn, prepare.ballot().proposer(), sent, report);
+        }
+      } else if (turn != null && sent.message() instanceof Accept accept) {
+        ProcessId first = accept.number() == turn.term && !turn.isBound ? turn.first : null;
+        if (first != null && !accept.value().equals(ElectionProtocol.toValue(first))) {
+          String detail = sent.channel() + ": does not propose " + first + ", which comes first";
+          report.violated(ElectionSpec.TURN, sent.timeNs(), List.of(sent.robot()), detail);
         }
       }
     }
@@ -139,11 +156,14 @@ final class TurnCheck {
     boolean isBully = strategy == ElectionStrategy.BULLY;
     long heardSinceNs =
         sent.timeNs() - deltaNs * (isBully ? ElectionStrategy.LISTEN : ElectionStrategy.DECIDE);
-    long before =
+    List<Heard> earlier =
         turn.heard.values().stream()
             .filter(other -> other.atNs() > heardSinceNs)
             .filter(other -> isBully ? other.from().compareTo(me) > 0 : other.draw() > turn.draw)
-            .count();
+            .sorted(Comparator.comparingLong(Heard::draw).reversed())
+            .toList();
+    turn.first = earlier.isEmpty() ? me : earlier.get(0).from();
+    long before = earlier.size();
     long waitNs = deltaNs * (ElectionStrategy.LISTEN + before * ElectionStrategy.DECIDE);
     if (sent.timeNs() - turn.beganNs < waitNs || (isBully && before > 0)) {
       report.violated(

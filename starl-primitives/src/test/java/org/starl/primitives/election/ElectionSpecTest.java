@@ -3,6 +3,7 @@ package org.starl.primitives.election;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
@@ -370,6 +371,21 @@ class ElectionSpecTest {
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 2 * ms, lower)).isZero();
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 3 * ms, higher)).isEqualTo(1);
     assertThat(turns(ElectionStrategy.RANDOM_BALLOT, 8 * ms, higher)).isZero();
+  }
+
+  @Test
+  void aProposalOfAnotherCandidateThanTheFirstViolatesTurnUnlessAVoteBindsIt() {
+    for (ProcessId leader : List.of(id(C), id(A))) {
+      for (ProcessId voted : Arrays.asList(null, id(B))) {
+        Monitors patient = patient(ElectionStrategy.RANDOM_BALLOT);
+        patient.observe(Seen.hears(7_000_000, A, new ElectionMessage.Candidacy(id(C), 1, 3)));
+        patient.observe(Seen.prepares(8_000_000, A, 1));
+        patient.observe(Seen.hearsPromise(9_000_000, A, 1, voted));
+        patient.observe(Seen.proposes(9_000_000, A, 1, leader));
+        boolean isWrong = voted == null && leader.equals(id(A));
+        assertThat(patient.report().violations(ElectionSpec.TURN)).isEqualTo(isWrong ? 1 : 0);
+      }
+    }
   }
 
   @Test

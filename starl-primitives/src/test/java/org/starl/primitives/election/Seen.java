@@ -1,5 +1,7 @@
 package org.starl.primitives.election;
 
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Ballot;
@@ -53,6 +55,21 @@ final class Seen {
   static Delivered hearsVote(long timeNs, RobotId robot, RobotId from, long term) {
     SynodMessage vote = new SynodMessage.Accepted(term, new Ballot(1, ProcessId.first(robot, 1)));
     return new Delivered(timeNs, robot, from, SYNOD, 1, SynodMessage.SHAPE, vote);
+  }
+
+  /** An acceptor promises, and has voted for {@code voted} if that is not null. */
+  static Delivered hearsPromise(long timeNs, RobotId robot, long term, @Nullable ProcessId voted) {
+    Ballot ballot = new Ballot(1, ProcessId.first(robot, 1));
+    SynodMessage.Vote vote =
+        voted == null ? null : new SynodMessage.Vote(ballot, ElectionProtocol.toValue(voted));
+    SynodMessage promise = new SynodMessage.Promise(term, ballot, vote, List.of());
+    return new Delivered(timeNs, robot, robot, SYNOD, 1, SynodMessage.SHAPE, promise);
+  }
+
+  static Sent proposes(long timeNs, RobotId robot, long term, ProcessId leader) {
+    Ballot ballot = new Ballot(1, ProcessId.first(robot, 1));
+    SynodMessage asks = new SynodMessage.Accept(term, ballot, ElectionProtocol.toValue(leader));
+    return new Sent(timeNs, robot, robot.name(), SYNOD, 1, 1, SynodMessage.SHAPE, asks);
   }
 
   static Sent prepares(long timeNs, RobotId robot, long term) {
