@@ -28,6 +28,8 @@ final class CompletionCheck {
   /** The time by which a copy may be late: a robot may compute meanwhile. */
   private static final long LATE_NS = 50_000_000;
 
+  private static final long ROUNDED_NS = 1_000;
+
   /** A message of one program that is not complete, and who has acknowledged it. */
   private record Message(
       GeocastId id, long startNs, long deadlineNs, Set<RobotId> acknowledged, Repetition next) {}
@@ -101,6 +103,12 @@ final class CompletionCheck {
     checkRepeated(key, report);
     if (message != null) {
       long waitNs = message.next.waitNs;
+      if (nowNs < message.next.dueNs - ROUNDED_NS
+          && message.next.dueNs < message.deadlineNs
+          && faults.isClockRight(action.robot(), message.next.dueNs - waitNs)) {
+        String detail = key.source() + ": repeats " + id + " before " + waitNs + " ns";
+        report.violated(GeocastSpec.REPEATED, nowNs, List.of(key.robot()), detail);
+      }
       message.next.after(
           nowNs, waitNs == 0 ? settings.firstResendNs() : settings.nextResendNs(waitNs));
     }

@@ -93,7 +93,8 @@ public final class GeocastSpec extends LemmaMonitor {
         GCASTFLAG,
         "Gcastflag is true exactly if all have acknowledged the robot's messages, or their intervals are over.");
     lemma(
-        REPEATED, "A sender repeats a message in time, until all have it or its interval is over.");
+        REPEATED,
+        "A sender repeats a message in time, no sooner, until all have it or its interval is over.");
     completion = new CompletionCheck(settings, faults);
     return this;
   }

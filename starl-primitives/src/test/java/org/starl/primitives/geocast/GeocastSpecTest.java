@@ -157,6 +157,16 @@ class GeocastSpecTest {
     }
   }
 
+  @Test
+  void aMessageThatIsRepeatedTooSoonViolatesRepeated() {
+    for (long early : List.of(0L, 1L)) {
+      monitors = new Monitors(List.of(new GeocastSpec().answering()));
+      see(opens(0, ORIGIN, 1), opens(0, OTHER, 1), casts(), copies(0), copies(100 * MS));
+      see(copies((250 - early) * MS));
+      assertThat(monitors.report().violations("geocast.Repeated")).isEqualTo(early);
+    }
+  }
+
   private static Action casts() {
     return act(0, ORIGIN, new GeocastFact.BCast(FIRST, new Everywhere(), 2_000 * MS));
   }
