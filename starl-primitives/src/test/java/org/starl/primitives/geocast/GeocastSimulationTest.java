@@ -206,6 +206,28 @@ class GeocastSimulationTest {
     assertThat(simulation.run().isFinished()).isTrue();
   }
 
+  @Test
+  void aClosedGeocastIsRepeatedNoMore() {
+    Simulation simulation = Simulation.builder().seed(1).robots(1, ClosesWhileItSends::new).build();
+    assertThat(simulation.run().isFinished()).isTrue();
+  }
+
+  private static final class ClosesWhileItSends extends LogicThread {
+
+    ClosesWhileItSends(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      Geocast<String> geocast = new Geocast<>(gvh, "x", TEXT, (origin, message) -> {});
+      geocast.do_geocast("m", new Everywhere(), 10_000);
+      geocast.close();
+      sleep(1_000);
+      return List.of();
+    }
+  }
+
   private static final class OneCall extends LogicThread {
     private final java.util.function.Consumer<Geocast<String>> call;
 
