@@ -102,6 +102,9 @@ class SynodTest {
     synod.learn(4, A);
     assertThat(synod.isProposing()).isFalse();
     propose(5);
+    synod.learn(6, A);
+    assertThat(synod.isProposing()).as("5 is an earlier one").isFalse();
+    propose(7);
     synod.stop();
     assertThat(synod.isProposing()).isFalse();
     assertThat(synod.unanswered()).isEmpty();
