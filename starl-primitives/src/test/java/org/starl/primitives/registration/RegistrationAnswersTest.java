@@ -192,6 +192,57 @@ class RegistrationAnswersTest {
   }
 
   @Test
+  void aRobotThatStandsInAsksUntilItHasAView() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(3).do_register();
+    town.runForMs(100);
+    town.cutAt = 4;
+    town.robot(4).tidy();
+    town.runForMs(town.settings.queryMs());
+    town.cutAt = 0;
+    town.runForMs(2 * town.settings.queryMs());
+    assertThat(town.robot(4).protocol().view().number()).isEqualTo(1);
+  }
+
+  @Test
+  void aRobotDoesNotCompleteAViewInPlaceOfItsOwnProposal() {
+    Town town = fourUp();
+    for (int i : List.of(0, 3)) {
+      town.robot(i).do_register();
+      town.runForMs(500);
+    }
+    ProcessId gone = town.robot(3).protocol().me();
+    ProcessId fencer = town.robot(0).protocol().me();
+    town.robot(2).crash();
+    town.robot(3).crash();
+    town.robot(0)
+        .protocol()
+        .confine(
+            new Confinement(gone, new TreeSet<>(), new TreeSet<>(List.of(fencer))), town.nowNs());
+    town.runForMs(4 * town.settings.nullMs());
+    town.robot(2).start();
+    town.runUntil(() -> town.robot(0).protocol().view().number() > 2, 20_000);
+    assertThat(town.robot(0).protocol().view().mentions(gone)).isFalse();
+  }
+
+  @Test
+  void anUnregisterThatIsCalledAgainHasNotFailedYet() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(500);
+    town.robot(2).crash();
+    town.robot(3).crash();
+    town.robot(0).unregister();
+    town.runForMs(town.settings.deadlineMs() + 10);
+    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.LEFT_HALFWAY);
+    assertThat(town.robot(0).protocol().hasFailed()).isTrue();
+    town.robot(0).unregister();
+    assertThat(town.robot(0).protocol().hasFailed()).isFalse();
+  }
+
+  @Test
   void aRefreshAsksAllForTheLatestView() {
     Town town = new Town(9, 5, 3, new RegistrationSpec());
     town.weather = TEN_MS;
