@@ -122,6 +122,15 @@ class LedgerAnswersTest {
     assertThat(protocol.isSilent(B)).isFalse();
   }
 
+  @Test
+  void aHolderIsWatchedFromItsClaimOn() {
+    TaskId task = new TaskId("t", 1);
+    decree(1, 0, new LedgerEntry.Start(PB), new LedgerEntry.Add(task, Value.EMPTY));
+    decree(2, 0, new LedgerEntry.Claim(task, 1, PB));
+    protocol.timer(10 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
+    assertThat(protocol.isSilent(B)).isTrue();
+  }
+
   private void decree(long number, long nowNs, LedgerEntry... entries) {
     Value value = Value.write(out -> LedgerEntry.LIST.write(List.of(entries), out));
     protocol.received(B, new Decided(number, value), nowNs);
@@ -130,6 +139,14 @@ class LedgerAnswersTest {
   @Test
   void whoWorksForALaterDecreeIsAsked() {
     protocol.received(B, new Prepare(2, new Ballot(1, PB), Value.EMPTY), 0);
+    assertThat(sent.take()).contains(new Here(PA, 0, true));
+  }
+
+  @Test
+  void whoHasTheNextDecreeIsAsked() {
+    protocol.received(new Here(PB, 0, false), 0);
+    assertThat(sent.take()).doesNotContain(new Here(PA, 0, true));
+    protocol.received(new Here(PB, 1, false), 0);
     assertThat(sent.take()).contains(new Here(PA, 0, true));
   }
 
