@@ -222,6 +222,8 @@ class SequenceProtocolTest {
     b.learn(b.view().next().confined(C, sections("g")));
     hears(new Ok(A, B, 1));
     assertThat(b.held()).as("the ghost's way may lead through y").containsExactly("x");
+    b.timer(2 * MutexNode.TIMES.occupiedMs() * 1_000_000);
+    assertThat(b.phase()).as("it keeps its turn for the rest").isEqualTo(Phase.TRYING);
     b.learn(b.view().next().confined(C, Sections.NONE));
     assertThat(b.held()).containsExactly("g", "x", "y");
   }
