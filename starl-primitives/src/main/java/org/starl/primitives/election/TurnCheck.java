@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -161,7 +162,7 @@ final class TurnCheck {
             .filter(other -> other.atNs() > heardSinceNs)
             .filter(other -> isBully ? other.from().compareTo(me) > 0 : other.draw() > turn.draw)
             .sorted(Comparator.comparingLong(Heard::draw).reversed())
-            .toList();
+            .collect(Collectors.toList());
     turn.first = earlier.isEmpty() ? me : earlier.get(0).from();
     long before = earlier.size();
     long waitNs = deltaNs * (ElectionStrategy.LISTEN + before * ElectionStrategy.DECIDE);
