@@ -195,11 +195,14 @@ public final class SynodSpec extends LemmaMonitor {
 
   /** The first question of a ballot's phase goes to all acceptors. */
   private void asked(Run run, Sent sent, SynodMessage message, Report report) {
+    if (isRealTime) {
+      return;
+    }
     Question question = Objects.requireNonNull(Question.of(message));
     Decree decree = decree(run, message);
     boolean isAnswered = decree.answers.getOrDefault(question, Set.of()).contains(sent.to());
-    decree.check(ASKS, isRealTime || !isAnswered, sent, () -> "to one that has answered", report);
-    if (!isRealTime && decree.questions.add(question)) {
+    decree.check(ASKS, !isAnswered, sent, () -> "to one that has answered", report);
+    if (decree.questions.add(question)) {
       for (String acceptor : run.acceptors) {
         asks.owes(sent, acceptor, question.toString(), told -> question.equals(Question.of(told)));
       }
@@ -293,8 +296,10 @@ public final class SynodSpec extends LemmaMonitor {
       if (before == null) {
         boolean isOwn = accept.ballot().proposer().robot().equals(sent.robot());
         check(QUORUMS, isOwn, sent, () -> "in another robot's ballot", report);
-        boolean isSafe = isRealTime || attempt.allows(value, run);
-        check(QUORUMS, isSafe, sent, () -> "after the promises " + attempt.promises, report);
+        if (!isRealTime) {
+          boolean isSafe = attempt.allows(value, run);
+          check(QUORUMS, isSafe, sent, () -> "after the promises " + attempt.promises, report);
+        }
         attempt.value = value;
       }
       boolean isOne = before == null || value.equals(before);
@@ -302,7 +307,10 @@ public final class SynodSpec extends LemmaMonitor {
     }
 
     void decided(Sent sent, Value value, Report report) {
-      boolean isChosen = isRealTime;
+      if (isRealTime) {
+        return;
+      }
+      boolean isChosen = false;
       for (Attempt attempt : attempts.values()) {
         Value its = attempt.value;
         isChosen |= its != null && value.equals(its) && run.isMajority(attempt.votes.size());

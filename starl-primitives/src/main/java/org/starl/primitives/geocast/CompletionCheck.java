@@ -28,6 +28,7 @@ final class CompletionCheck {
   /** The time by which a copy may be late: a robot may compute meanwhile. */
   private static final long LATE_NS = 50_000_000;
 
+  /** The time by which a copy may be early: a clock that drifts rounds what is due. */
   private static final long ROUNDED_NS = 1_000;
 
   /** A message of one program that is not complete, and who has acknowledged it. */

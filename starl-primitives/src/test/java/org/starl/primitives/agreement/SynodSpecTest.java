@@ -255,6 +255,19 @@ class SynodSpecTest {
     assertThat(monitors.report().violations()).isEmpty();
   }
 
+  /** What is not looked at does not count as held. */
+  @Test
+  void inRealTimeQuestionsAndDecisionsAreNotChecked() {
+    Monitors others = new Monitors(List.of(new SynodSpec()));
+    others.observe(Fault.realTime(0));
+    others.observe(
+        new Sent(
+            0, A, B.name(), CHANNEL, 1, 1, SynodMessage.SHAPE, new Prepare(1, LOW, Value.EMPTY)));
+    others.observe(new Sent(0, A, B.name(), CHANNEL, 2, 1, SynodMessage.SHAPE, new Decided(1, X)));
+    assertThat(others.report().neverChecked())
+        .contains(SynodSpec.ASKS, SynodSpec.ANSWERS, SynodSpec.QUORUMS);
+  }
+
   private void promise(Ballot ballot, @Nullable Vote vote, RobotId... acceptors) {
     for (RobotId acceptor : acceptors) {
       sends(acceptor, ballot.proposer().robot(), new Promise(1, ballot, vote, List.of()));
