@@ -190,6 +190,8 @@ class CommsTest {
 
     assertThat(failed).containsExactly(true);
     assertThatIllegalStateException().isThrownBy(() -> a.send(B, "more"));
+    assertThatIllegalStateException().isThrownBy(() -> a.broadcast("more"));
+    assertThatIllegalStateException().isThrownBy(() -> a.sendReliably(B, "more"));
     open(b, "b again");
   }
 
@@ -403,6 +405,48 @@ class CommsTest {
                 + " more of these are only counted",
             "WARN comms: dropped a datagram from ?: truncated (0 bytes);"
                 + " more of these are only counted");
+  }
+
+  @Test
+  void aDroppedDatagramIsTraced() {
+    comms("a", 1);
+
+    world.inject(A, new byte[] {1, 2, 3});
+    world.runMs(1);
+
+    assertThat(world.trace).containsExactly(new TraceEvent.Dropped(0, A, "?", "foreign"));
+  }
+
+  @Test
+  void datagramsToAllToOneAndToItselfAreCounted() {
+    Comms comms = comms("a", 1);
+    Endpoint<String> a = open(comms, "a");
+    Comms b = comms("b", 1);
+    open(b, "b");
+
+    a.broadcast("to all");
+    a.sendReliably(B, "to one");
+    a.send(A, "to itself");
+    world.runMs(10);
+
+    assertThat(comms.sent()).isEqualTo(3);
+    assertThat(comms.received()).as("the acknowledgement and its own").isEqualTo(2);
+    assertThat(b.sent()).isEqualTo(1);
+    assertThat(b.received()).isEqualTo(2);
+  }
+
+  @Test
+  void aSettledReceiptRunsAnActionAtOnceAndEachOnce() {
+    Endpoint<String> a = open(comms("a", 1), "a");
+    open(comms("b", 1), "b");
+    List<String> told = new ArrayList<>();
+
+    Receipt receipt = a.sendReliably(B, "hello");
+    receipt.whenSettled(() -> told.add("before"));
+    world.runMs(10);
+    receipt.whenSettled(() -> told.add("after"));
+
+    assertThat(told).containsExactly("before", "after");
   }
 
   @Test
