@@ -1,6 +1,7 @@
 package org.starl.primitives.ledger;
 
 import java.util.List;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
 /** The effects of a {@link LedgerProtocol}, beside those of its Synod. */
@@ -27,6 +28,9 @@ interface LedgerPort {
 
   /** The state was taken over from storage, or from another robot. */
   void installed(long number, int tasks);
+
+  /** Messages of a process made no sense together, and were dropped. */
+  void refused(ProcessId from, String what);
 
   /** A call of the app is settled. */
   void told(LedgerEntry entry, LedgerOutcome outcome);

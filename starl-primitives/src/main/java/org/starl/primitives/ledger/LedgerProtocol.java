@@ -23,6 +23,7 @@ import org.starl.primitives.ledger.LedgerMessage.Here;
 import org.starl.primitives.ledger.LedgerMessage.Part;
 import org.starl.primitives.suspicion.Suspicion;
 import org.starl.random.Rng;
+import org.starl.shape.WireFormatException;
 import org.starl.shape.WireReader;
 import org.starl.shape.WireWriter;
 import org.starl.trace.Instance;
@@ -80,6 +81,7 @@ class LedgerProtocol extends SynodProtocol {
   // A state that is on its way, part by part.
   private long partsOf;
   private @Nullable Value[] parts = {};
+  private long partsUntilNs;
 
   /**
    * @param me an id that no other program has
@@ -408,14 +410,16 @@ class LedgerProtocol extends SynodProtocol {
   }
 
   private void collect(Part part) {
-    if (part.number() <= state.number() || part.number() < partsOf) {
+    boolean isAwaited = nowNs < partsUntilNs; // else their sender may have crashed
+    if (part.number() <= state.number() || (part.number() < partsOf && isAwaited)) {
       return;
     }
-    if (part.number() > partsOf) {
+    if (part.number() != partsOf || part.count() != parts.length) {
       partsOf = part.number();
       parts = new Value[part.count()];
     }
-    askAtNs = nowNs + settings.beaconMs() * NS_PER_MS; // the others are on their way
+    partsUntilNs = nowNs + settings.beaconMs() * NS_PER_MS;
+    askAtNs = partsUntilNs;
     parts[part.index()] = part.bytes();
     WireWriter all = new WireWriter();
     for (Value each : parts) {
@@ -424,11 +428,24 @@ class LedgerProtocol extends SynodProtocol {
       }
       all.raw(each.bytes());
     }
-    install(LedgerState.SHAPE.read(new WireReader(Arrays.copyOf(all.buffer(), all.length()))));
+    parts = new Value[0];
+    LedgerState newer;
+    try {
+      WireReader in = new WireReader(Arrays.copyOf(all.buffer(), all.length()));
+      newer = LedgerState.SHAPE.read(in);
+      in.expectEnd();
+    } catch (WireFormatException | IllegalArgumentException e) {
+      port.refused(part.from(), "parts of a state: " + e.getMessage());
+      return;
+    }
+    if (newer.number() == part.number()) {
+      install(newer);
+    } else {
+      port.refused(part.from(), "a state after decree " + newer.number() + ": expected " + partsOf);
+    }
   }
 
   private void install(LedgerState newer) {
-    parts = new Value[0];
     state = newer;
     kept.clear();
     port.store(state);

@@ -249,6 +249,11 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
     }
 
     @Override
+    public void refused(ProcessId from, String what) {
+      gvh.log.w(source.name(), "dropped from " + from + ": " + what);
+    }
+
+    @Override
     public void told(LedgerEntry entry, LedgerOutcome outcome) {
       gvh.trace.action(source, LedgerFact.TOLD, new LedgerFact.Told(entry, outcome));
     }

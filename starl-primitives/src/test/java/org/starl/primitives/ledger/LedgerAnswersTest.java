@@ -8,7 +8,9 @@ import static org.starl.primitives.ledger.Seen.PB;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
@@ -31,19 +33,25 @@ class LedgerAnswersTest {
 
   private final SentMessages sent = new SentMessages();
   private final List<Long> stored = new ArrayList<>();
-  private final LedgerProtocol protocol =
-      new LedgerProtocol(
-          PA,
-          Participants.of(A, B),
-          Participants.of(A, B, C),
-          LedgerSettings.DEFAULT,
-          new Rng(1),
-          sent,
-          new Port(),
-          0);
+  private final List<String> told = new ArrayList<>();
+  private LedgerState before = new LedgerState();
+  private final LedgerProtocol protocol = protocol();
 
   LedgerAnswersTest() {
     sent.take();
+    told.clear();
+  }
+
+  private LedgerProtocol protocol() {
+    return new LedgerProtocol(
+        PA,
+        Participants.of(A, B),
+        Participants.of(A, B, C),
+        LedgerSettings.DEFAULT,
+        new Rng(1),
+        sent,
+        new Port(),
+        0);
   }
 
   @Test
@@ -156,6 +164,287 @@ class LedgerAnswersTest {
     assertThat(sent.take()).doesNotContain(new Here(PA, 0, true));
   }
 
+  /** Such parts come from a program of another version, or from one without a key. */
+  @Test
+  void partsThatMakeNoSenseAreRefusedAndLaterOnesTaken() {
+    byte[] state = state(2);
+    byte[] longer = Arrays.copyOf(state, state.length + 1);
+    protocol.received(new Part(PB, 2, 0, 1, Value.of(new byte[] {1, 2})), 0);
+    protocol.received(new Part(PB, 2, 0, 1, Value.of(longer)), 0);
+    protocol.received(new Part(PB, 3, 0, 1, Value.of(state)), 0);
+    assertThat(told).containsExactly("refused b", "refused b", "refused b");
+    protocol.received(new Part(PB, 4, 0, 2, Value.EMPTY), 0);
+    protocol.received(new Part(PB, 4, 2, 3, Value.EMPTY), 0);
+    assertThat(protocol.state().number()).isZero();
+    protocol.received(new Part(PB, 4, 0, 1, Value.of(state(4))), 0);
+    assertThat(protocol.state().number()).isEqualTo(4);
+  }
+
+  /** The robot with the newer state crashes before it has sent all of it. */
+  @Test
+  void partsThatDoNotComeAreNotWaitedFor() {
+    byte[] newest = state(3);
+    int half = newest.length / 2;
+    long laterNs = LedgerSettings.DEFAULT.beaconMs() * Time.NS_PER_MS;
+    protocol.received(part(PB, 3, 0, newest, half), 0);
+    protocol.received(new Part(PB, 2, 0, 1, Value.of(state(2))), laterNs - 1);
+    assertThat(protocol.state().number()).isZero();
+    protocol.received(new Part(PB, 2, 0, 1, Value.of(state(2))), laterNs);
+    assertThat(protocol.state().number()).isEqualTo(2);
+  }
+
+  private void decrees(int count) {
+    for (long number = 1; number <= count; number++) {
+      decree(number, 0);
+    }
+    sent.take();
+  }
+
+  private List<Object> answerTo(long known) {
+    sent.take();
+    protocol.received(new Here(PB, known, true), 0);
+    return sent.take();
+  }
+
+  private static List<Long> numbers(List<Object> messages) {
+    return messages.stream().map(each -> each instanceof Decided its ? its.number() : -1L).toList();
+  }
+
+  @Test
+  void aRobotThatAsksGetsTheDecreesThatItLacks() {
+    decrees(3);
+    assertThat(numbers(answerTo(1))).containsExactly(2L, 3L);
+    assertThat(answerTo(3)).isEmpty();
+    protocol.received(new Here(PB, 1, false), 0);
+    assertThat(sent.take()).as("it does not ask").isEmpty();
+  }
+
+  @Test
+  void anAnswerHasSixteenDecreesAtMost() {
+    decrees(40);
+    assertThat(numbers(answerTo(4))).containsExactlyElementsOf(range(5, 20));
+    assertThat(numbers(answerTo(24))).containsExactlyElementsOf(range(25, 40));
+  }
+
+  private static List<Long> range(long from, long last) {
+    return LongStream.rangeClosed(from, last).boxed().toList();
+  }
+
+  @Test
+  void aRobotThatIsFartherBehindThanDecreesAreKeptGetsTheState() {
+    decrees(65);
+    assertThat(numbers(answerTo(1))).containsExactlyElementsOf(range(2, 17));
+    assertThat(answerTo(0)).singleElement().isInstanceOf(Part.class);
+  }
+
+  /** Each part fits a datagram, and all of them are the state. */
+  @Test
+  void aLargeStateIsSentInParts() {
+    before = large();
+    List<Part> parts = new ArrayList<>();
+    sent.take();
+    LedgerProtocol full = protocol();
+    sent.take();
+    full.received(new Here(PB, 1, true), 0);
+    sent.take().forEach(each -> parts.add((Part) each));
+    assertThat(parts).hasSizeGreaterThan(2);
+    assertThat(parts).allMatch(part -> part.bytes().length() <= 900 && part.number() == 7);
+    Collections.reverse(parts);
+    parts.forEach(part -> protocol.received(part, 0));
+    assertThat(protocol.state().number()).isEqualTo(7);
+    assertThat(protocol.state().tasks()).isEqualTo(before.tasks());
+  }
+
+  private static LedgerState large() {
+    LedgerState state = new LedgerState();
+    state.next(7, Value.EMPTY);
+    for (int number = 1; number <= 20; number++) {
+      state.apply(new LedgerEntry.Add(new TaskId("t", number), Value.of(new byte[100])));
+    }
+    return state;
+  }
+
+  @Test
+  void whatWasKeptBeforeAStateIsNotToldAfterIt() {
+    decrees(2);
+    protocol.received(new Part(PB, 9, 0, 1, Value.of(state(9))), 0);
+    assertThat(answerTo(1)).singleElement().isInstanceOf(Part.class);
+  }
+
+  @Test
+  void decreesThatCameEarlyFollowAStateAndADecree() {
+    decree(3, 0);
+    decree(6, 0);
+    assertThat(protocol.state().number()).isZero();
+    protocol.received(new Part(PB, 2, 0, 1, Value.of(state(2))), 0);
+    assertThat(protocol.state().number()).isEqualTo(3);
+    assertThat(told).containsExactly("installed 2 0", "applied 3 0 0");
+    decree(5, 0);
+    assertThat(protocol.state().number()).isEqualTo(3);
+    decree(4, 0);
+    assertThat(protocol.state().number()).isEqualTo(6);
+  }
+
+  @Test
+  void aRobotGoesOnFromItsStoredState() {
+    before = large();
+    before.apply(new LedgerEntry.Start(PA));
+    before.apply(new LedgerEntry.Start(PB));
+    before.apply(new LedgerEntry.Claim(new TaskId("t", 1), 1, PB));
+    LedgerProtocol again = protocol();
+    assertThat(told).containsExactly("installed 7 20");
+    assertThat(again.isReady()).isTrue();
+    sent.take();
+    again.received(B, new Prepare(7, new Ballot(9, PB), Value.EMPTY), 0);
+    assertThat(sent.take()).as("the decree is known").contains(new Decided(7, Value.EMPTY));
+    again.timer(10 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
+    assertThat(again.isSilent(B)).as("watched since the start").isTrue();
+    assertThat(again.isSilent(A)).isFalse();
+  }
+
+  /** One that is not yet in the log says so at once. */
+  @Test
+  void aProgramBeginsWithItsStart() {
+    protocol();
+    Value start = Value.write(out -> LedgerEntry.LIST.write(List.of(Seen.START_A), out));
+    assertThat(sent.take())
+        .anySatisfy(each ->
+            assertThat(each)
+                .isInstanceOfSatisfying(
+                    Prepare.class, ask -> assertThat(ask.wish()).isEqualTo(start)));
+  }
+
+  @Test
+  void aCallIsSettledAtOnceByWhatIsKnown() {
+    decree(1, 0, Seen.START_A, Seen.START_B, Seen.ADD, new LedgerEntry.Claim(Seen.T, 1, PB));
+    told.clear();
+    LedgerCall late = protocol.want(Seen.CLAIM_A, 0);
+    assertThat(late.outcome()).isEqualTo(LedgerOutcome.LATE);
+    assertThat(told).containsExactly("LATE Claim");
+    assertThat(protocol.want(Seen.ADD, 0).outcome()).isEqualTo(LedgerOutcome.DONE);
+  }
+
+  @Test
+  void aStateThatIsTakenOverSettlesCalls() {
+    decree(1, 0, Seen.START_A);
+    LedgerCall call = protocol.want(Seen.ADD, 0);
+    assertThat(call.isDone()).isFalse();
+    LedgerState later = new LedgerState();
+    later.next(5, Value.EMPTY);
+    List.of(Seen.START_A, Seen.ADD).forEach(later::apply);
+    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
+    protocol.received(new Part(PB, 5, 0, 1, Value.of(bytes)), 0);
+    assertThat(call.outcome()).isEqualTo(LedgerOutcome.DONE);
+    assertThat(told).endsWith("installed 5 1", "DONE Add");
+  }
+
+  @Test
+  void aCallEndsAtItsDeadline() {
+    decree(1, 0, Seen.START_A);
+    long deadlineNs = LedgerSettings.DEFAULT.deadlineMs() * Time.NS_PER_MS;
+    LedgerCall call = protocol.want(Seen.ADD, 5);
+    protocol.timer(deadlineNs + 4);
+    assertThat(call.isDone()).isFalse();
+    protocol.timer(deadlineNs + 5);
+    assertThat(call.outcome()).isEqualTo(LedgerOutcome.UNKNOWN);
+  }
+
+  /** The robot is not asked twice within 200 ms, nor while parts of a state are on their way. */
+  @Test
+  void questionsAreNotSentTooOften() {
+    long ms = Time.NS_PER_MS;
+    assertThat(asks(0)).isTrue();
+    assertThat(asks(200 * ms - 1)).isFalse();
+    assertThat(asks(200 * ms)).isTrue();
+    protocol.received(new Part(PB, 9, 0, 2, Value.EMPTY), 300 * ms);
+    assertThat(asks(300 * ms + LedgerSettings.DEFAULT.beaconMs() * ms - 1)).isFalse();
+    assertThat(asks(300 * ms + LedgerSettings.DEFAULT.beaconMs() * ms)).isTrue();
+  }
+
+  private boolean asks(long nowNs) {
+    sent.take();
+    protocol.received(new Here(PB, 9, false), nowNs);
+    return sent.take().contains(new Here(PA, 0, true));
+  }
+
+  /** Every beacon asks another voter. */
+  @Test
+  void beaconsAskTheVotersInTurn() {
+    LedgerProtocol third =
+        new LedgerProtocol(
+            ProcessId.first(C, 1),
+            Participants.of(A, B),
+            Participants.of(A, B, C),
+            LedgerSettings.DEFAULT,
+            new Rng(1),
+            sent,
+            new Port(),
+            0);
+    ProcessId pc = ProcessId.first(C, 1);
+    long periodNs = LedgerSettings.DEFAULT.beaconMs() * Time.NS_PER_MS;
+    for (int beacon = 0; beacon < 4; beacon++) {
+      sent.take();
+      third.timer(beacon * periodNs);
+      assertThat(sent.take())
+          .filteredOn(Here.class::isInstance)
+          .containsExactly(new Here(pc, 0, beacon % 2 == 0), new Here(pc, 0, beacon % 2 == 1));
+      third.timer((beacon + 1) * periodNs - 1);
+      assertThat(sent.take()).noneMatch(Here.class::isInstance);
+    }
+  }
+
+  /** A later voter suspects half a second later than the one before it. */
+  @Test
+  void votersSuspectOneAfterTheOther() {
+    decree(1, 0, new LedgerEntry.Start(ProcessId.first(C, 1)), Seen.ADD);
+    decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, ProcessId.first(C, 1)));
+    LedgerProtocol second =
+        new LedgerProtocol(
+            PB,
+            Participants.of(A, B),
+            Participants.of(A, B, C),
+            LedgerSettings.DEFAULT,
+            new Rng(1),
+            sent,
+            new Port(),
+            0);
+    LedgerState held = protocol.state();
+    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(held, out));
+    second.received(new Part(PA, 2, 0, 1, Value.of(bytes)), 0);
+    long leaseNs = LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS;
+    long turnNs = 500 * Time.NS_PER_MS;
+    protocol.timer(leaseNs - 1);
+    assertThat(protocol.isSilent(C)).isFalse();
+    protocol.timer(leaseNs);
+    assertThat(protocol.isSilent(C)).isTrue();
+    second.timer(leaseNs + turnNs - 1);
+    assertThat(second.isSilent(C)).isFalse();
+    second.timer(leaseNs + turnNs);
+    assertThat(second.isSilent(C)).isTrue();
+  }
+
+  /** A promise with the wishes of all acceptors must fit a datagram. */
+  @Test
+  void aWishHasTheFirstEntriesThatFit() {
+    decree(1, 0, Seen.START_A);
+    for (int i = 1; i <= 3; i++) {
+      protocol.want(new LedgerEntry.Add(new TaskId("s" + i, 1), Value.of(new byte[100])), 0);
+    }
+    sent.take();
+    decree(2, 0); // another robot's: the next proposal has all three
+    protocol.timer(15 * Time.NS_PER_S);
+    List<Prepare> asked = new ArrayList<>();
+    for (Object each : sent.take()) {
+      if (each instanceof Prepare its) {
+        asked.add(its);
+      }
+    }
+    assertThat(asked).isNotEmpty();
+    Value wish = asked.get(asked.size() - 1).wish();
+    assertThat(wish.length()).isBetween(200, 250);
+    assertThat(LedgerProtocol.read(wish)).hasSize(2);
+  }
+
   private final class Port implements LedgerPort {
 
     @Override
@@ -170,7 +459,7 @@ class LedgerAnswersTest {
 
     @Override
     public LedgerState stored() {
-      return new LedgerState();
+      return before;
     }
 
     @Override
@@ -179,12 +468,23 @@ class LedgerAnswersTest {
     }
 
     @Override
-    public void applied(long number, List<LedgerEntry> entries, int tasks) {}
+    public void applied(long number, List<LedgerEntry> entries, int tasks) {
+      told.add("applied " + number + " " + entries.size() + " " + tasks);
+    }
 
     @Override
-    public void installed(long number, int tasks) {}
+    public void installed(long number, int tasks) {
+      told.add("installed " + number + " " + tasks);
+    }
 
     @Override
-    public void told(LedgerEntry entry, LedgerOutcome outcome) {}
+    public void refused(ProcessId from, String what) {
+      told.add("refused " + from.robot());
+    }
+
+    @Override
+    public void told(LedgerEntry entry, LedgerOutcome outcome) {
+      told.add(outcome + " " + entry.getClass().getSimpleName());
+    }
   }
 }

@@ -81,6 +81,70 @@ class LedgerStateTest {
     assertThat(state.allows(new Claim(T, 1, PA2))).isTrue();
   }
 
+  /** What a robot is told of a change that the log does not allow, or no longer. */
+  @Example
+  void theOutcomeOfEachEntryIsWhatTheLogSays() {
+    LedgerState state = new LedgerState();
+    expect(state, LedgerOutcome.PENDING, new Start(PA), new Add(T, WHAT), new Add(U, WHAT));
+    expect(state, LedgerOutcome.LATE, new Claim(T, 1, PA), new Finish(T, 1, PA), new Free(T, 1));
+    apply(state, new Start(PA), new Add(T, WHAT));
+    expect(state, LedgerOutcome.DONE, new Start(PA), new Add(T, WHAT), new Free(T, 1));
+    expect(state, LedgerOutcome.LATE, new Add(T, Value.EMPTY), new Begin(T, 1, PA));
+    expect(state, LedgerOutcome.PENDING, new Claim(T, 1, PA));
+    expect(state, LedgerOutcome.PENDING, new Claim(T, 1, PB)); // once PB has started
+    expect(state, LedgerOutcome.LATE, new Claim(T, 2, PA), new Finish(T, 1, PA));
+    expect(state, LedgerOutcome.DONE, new Reopen(T, 1));
+    apply(state, new Claim(T, 1, PA));
+    expect(state, LedgerOutcome.DONE, new Claim(T, 1, PA));
+    expect(state, LedgerOutcome.LATE, new Claim(T, 1, PB), new Reopen(T, 1), new Finish(T, 1, PA));
+    expect(state, LedgerOutcome.PENDING, new Begin(T, 1, PA), new Free(T, 1));
+    expect(state, LedgerOutcome.DONE, new Reopen(T, 0));
+    apply(state, new Begin(T, 1, PA));
+    expect(state, LedgerOutcome.DONE, new Begin(T, 1, PA));
+    expect(state, LedgerOutcome.LATE, new Free(T, 1));
+    expect(state, LedgerOutcome.PENDING, new Finish(T, 1, PA), new Reopen(T, 1));
+    expect(state, LedgerOutcome.LATE, new Finish(T, 1, PB), new Finish(T, 2, PA));
+    apply(state, new Start(PA2));
+    expect(state, LedgerOutcome.PENDING, new Finish(T, 1, PA)); // it may be under way
+    expect(state, LedgerOutcome.PENDING, new Finish(T, 1, PA2));
+    apply(state, new Reopen(T, 1), new Claim(T, 2, PA2));
+    expect(state, LedgerOutcome.DONE, new Reopen(T, 1), new Free(T, 1));
+    apply(state, new Begin(T, 2, PA2), new Finish(T, 2, PA2));
+    expect(state, LedgerOutcome.DONE, new Finish(T, 2, PA2), new Free(T, 2), new Add(T, WHAT));
+    expect(state, LedgerOutcome.LATE, new Claim(T, 3, PA2), new Begin(T, 2, PA2));
+    expect(state, LedgerOutcome.LATE, new Finish(U, 1, PA2), new Free(U, 1));
+  }
+
+  private static void expect(LedgerState state, LedgerOutcome outcome, LedgerEntry... entries) {
+    for (LedgerEntry entry : entries) {
+      assertThat(state.outcome(entry)).as("%s", entry).isEqualTo(outcome);
+    }
+  }
+
+  private static void apply(LedgerState state, LedgerEntry... entries) {
+    for (LedgerEntry entry : entries) {
+      assertThat(state.apply(entry)).as("%s", entry).isTrue();
+    }
+  }
+
+  /** Sizes must fit the two bytes of the wire. */
+  @Example
+  void aLedgerHasItsMostTasksAndSources() {
+    LedgerState state = new LedgerState();
+    state.apply(new Start(PA));
+    int most = 0xFFFF;
+    for (int i = 1; i <= most; i++) {
+      Add add = new Add(new TaskId("s" + i, 1), Value.EMPTY);
+      assertThat(state.apply(add)).isTrue();
+    }
+    Add another = new Add(new TaskId("s1", 2), Value.EMPTY);
+    assertThat(state.allows(another)).as("one task too many").isFalse();
+    apply(state, new Claim(new TaskId("s7", 1), 1, PA), new Begin(new TaskId("s7", 1), 1, PA));
+    apply(state, new Finish(new TaskId("s7", 1), 1, PA));
+    assertThat(state.allows(new Add(new TaskId("new", 1), Value.EMPTY))).as("a source").isFalse();
+    assertThat(state.allows(another)).isTrue();
+  }
+
   @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
   void noEntryTakesEffectTwiceAndATaskIsFinishedOnce(
       @ForAll @Size(min = 20, max = 120) List<@IntRange(max = 9_999) Integer> picks) {
