@@ -1,6 +1,7 @@
 package org.starl.workload;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
@@ -62,6 +63,17 @@ class WorkloadsTest {
     Map<String, String> set = Map.of("busy", "3s", "chaos", "logical", "rounds", "4");
     Determinism check = Determinism.verify(() -> Runs.plan(name, 3, set).simulation());
     assertThat(check.holds()).as("%s", check.difference()).isTrue();
+  }
+
+  /** Robots without a key accept them: then a specification may fail, but no program ends. */
+  @ParameterizedTest
+  @MethodSource("names")
+  void noChangedMessageEndsAProgram(String name) {
+    for (long seed = 1; seed <= 3; seed++) {
+      Map<String, String> set = Map.of("faults", "forge(all,10ms)", "duration", "40s");
+      Plan plan = Runs.plan(name, seed, set);
+      assertThatCode(() -> plan.simulation().build().run()).doesNotThrowAnyException();
+    }
   }
 
   @Test

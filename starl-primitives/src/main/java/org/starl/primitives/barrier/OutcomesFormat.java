@@ -31,7 +31,7 @@ final class OutcomesFormat implements SynodCodec.Format {
   }
 
   @Override
-  public void checkValue(Value value) {
+  public void checkValue(long number, Value value) {
     read(value);
   }
 

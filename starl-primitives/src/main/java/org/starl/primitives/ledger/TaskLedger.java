@@ -84,7 +84,7 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
   /** The values and wishes of its decrees. */
   private static final class EntriesFormat implements SynodCodec.Format {
     @Override
-    public void checkValue(Value value) {
+    public void checkValue(long number, Value value) {
       LedgerProtocol.read(value);
     }
 

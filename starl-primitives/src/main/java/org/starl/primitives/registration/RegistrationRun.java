@@ -26,6 +26,9 @@ final class RegistrationRun {
   /** Older lists are forgotten and not compared: no robot is so many views behind. */
   private static final int KEPT_VIEWS = 256;
 
+  /** Such a gap is no gap: a robot without a key took the number from a changed message. */
+  private static final int MOST_MISSING = 10_000;
+
   /** The present start of a robot's program: its id, and the latest view it knows. */
   private static final class Program {
     private @Nullable ProcessId id;
@@ -169,6 +172,10 @@ final class RegistrationRun {
   /** Below the first list that is waiting, each missing number is taken to repeat the list before. */
   private void fillOne(Report report) {
     TraceEvent event = early.firstEntry().getValue().event;
+    long next = replay.state().number() + 1;
+    if (early.firstKey() > next + MOST_MISSING) {
+      replay.result(event, "number", event.robot(), early.firstKey(), next, report);
+    }
     while (replay.state().number() + 1 < early.firstKey() && !replay.hasDeviated()) {
       step(event, new RegistrationAction.decide(latest(replay.state())), report);
     }

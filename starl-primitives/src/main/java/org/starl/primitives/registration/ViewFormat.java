@@ -16,8 +16,8 @@ final class ViewFormat implements SynodCodec.Format {
   private static final int ROOM_FOR_GHOSTS = 100;
 
   @Override
-  public void checkValue(Value value) {
-    read(Long.MAX_VALUE, value);
+  public void checkValue(long number, Value value) {
+    read(number, value);
   }
 
   @Override

@@ -42,7 +42,7 @@ class SynodCodecTest {
   private static final SynodCodec.Format ANYTHING =
       new SynodCodec.Format() {
         @Override
-        public void checkValue(Value value) {
+        public void checkValue(long number, Value value) {
           // Any bytes will do here.
         }
 
@@ -205,7 +205,7 @@ class SynodCodecTest {
     assertThatThrownBy(() -> codec.read(new WireReader(zero)))
         .isInstanceOf(WireFormatException.class);
     byte[] wish = bytes(new Prepare(1, ballot, Value.of(new byte[1])));
-    Shape<SynodMessage> withoutWishes = SynodCodec.of(value -> {});
+    Shape<SynodMessage> withoutWishes = SynodCodec.of((number, value) -> {});
     assertThatThrownBy(() -> withoutWishes.read(new WireReader(wish)))
         .isInstanceOf(WireFormatException.class);
   }

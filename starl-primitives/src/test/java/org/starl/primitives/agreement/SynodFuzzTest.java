@@ -20,7 +20,7 @@ import org.starl.sim.check.MalformedBytes;
 /** Any bytes as a message of the Synod, and as an acceptor's record. */
 public class SynodFuzzTest {
 
-  private static final Shape<SynodMessage> CODEC = SynodCodec.of(value -> {});
+  private static final Shape<SynodMessage> CODEC = SynodCodec.of((number, value) -> {});
 
   public static void fuzzerTestOneInput(byte[] input) {
     OneSpelling.require(CODEC, input);

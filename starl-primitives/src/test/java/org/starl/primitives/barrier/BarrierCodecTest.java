@@ -116,7 +116,7 @@ class BarrierCodecTest {
             "0001" + "0000000000000000" + "0001" + "0000",
             "0002" + "0000000000000004" + "00010000" + "0000000000000004" + "00010001")) {
       Value value = Value.of(HexFormat.of().parseHex(bad));
-      assertThatThrownBy(() -> format.checkValue(value)).isInstanceOf(WireFormatException.class);
+      assertThatThrownBy(() -> format.checkValue(1, value)).isInstanceOf(WireFormatException.class);
     }
     assertThatThrownBy(() -> format.checkWish(format.toValue(Outcomes.ALL_PASSED)))
         .isInstanceOf(WireFormatException.class);

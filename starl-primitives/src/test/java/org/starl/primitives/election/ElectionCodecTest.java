@@ -71,12 +71,12 @@ class ElectionCodecTest {
   @Test
   void onlyALeaderIsAValueAndWishesAreEmpty() {
     SynodCodec.Format leaders = SynodCodec.Format.of(Shapes.PROCESS);
-    leaders.checkValue(ElectionProtocol.toValue(B1));
+    leaders.checkValue(1, ElectionProtocol.toValue(B1));
     leaders.checkWish(Value.EMPTY);
     byte[] tooLong = Arrays.copyOf(ElectionProtocol.toValue(B1).bytes(), 12);
-    assertThatThrownBy(() -> leaders.checkValue(Value.of(tooLong)))
+    assertThatThrownBy(() -> leaders.checkValue(1, Value.of(tooLong)))
         .isInstanceOf(WireFormatException.class);
-    assertThatThrownBy(() -> leaders.checkValue(Value.EMPTY))
+    assertThatThrownBy(() -> leaders.checkValue(1, Value.EMPTY))
         .isInstanceOf(WireFormatException.class);
     assertThatThrownBy(() -> leaders.checkWish(ElectionProtocol.toValue(B1)))
         .isInstanceOf(WireFormatException.class);

@@ -42,6 +42,17 @@ class RegistrationConformanceTest {
     run.forgetSteps();
   }
 
+  /** A changed message can have any number; a monitor that counts up to it would not end. */
+  @Test
+  void aViewFarBeyondAllOthersIsADeviation() {
+    aAndBAreIn();
+    sees("b", "872480271:a@1,b@1");
+    assertThat(details())
+        .singleElement()
+        .asString()
+        .contains("number(b) is 2, but the trace has 872480271");
+  }
+
   @Test
   void eventsMapToTheActionsInTheTable() {
     sees("a", "0:");

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -20,15 +21,47 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Ballot;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.shape.JsonFormatException;
 import org.starl.shape.JsonReader;
+import org.starl.shape.Shape;
 import org.starl.shape.WireFormatException;
+import org.starl.shape.WireReader;
+import org.starl.shape.WireWriter;
 
 class ViewFormatTest {
+
+  /** The number is the decree's. */
+  @Test
+  void aViewThatListsAProcessOfALaterOneIsRefusedOnArrival() {
+    ProcessId process = ProcessId.first(new RobotId("a"), 1);
+    View later = new View(9, new TreeMap<>(Map.of(process, 9L)), new TreeMap<>());
+    Value value = ViewFormat.toValue(later);
+    Ballot ballot = new Ballot(1, process);
+    Shape<SynodMessage> shape = SynodCodec.of(new ViewFormat());
+    for (long number : new long[] {8, 9}) {
+      for (SynodMessage message :
+          List.of(
+              new SynodMessage.Decided(number, value),
+              new SynodMessage.Accept(number, ballot, value),
+              new SynodMessage.Promise(
+                  number, ballot, new SynodMessage.Vote(ballot, value), List.of()))) {
+        WireReader in =
+            new WireReader(WireWriter.toBytes(out -> SynodMessage.SHAPE.write(message, out)));
+        if (number == 9) {
+          assertThat(shape.read(in)).isEqualTo(message);
+        } else {
+          assertThatThrownBy(() -> shape.read(in)).isInstanceOf(WireFormatException.class);
+        }
+      }
+    }
+  }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
   void aViewIsReadAsItWasWritten(@ForAll("views") View view) {
