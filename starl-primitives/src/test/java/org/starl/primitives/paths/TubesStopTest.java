@@ -11,7 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
@@ -20,7 +22,7 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.time.Time;
 
-/** A drive that is stopped, or has failed, leaves nothing to the next one. One robot drives, one stands. */
+/** What each call of a drive does, and that it leaves nothing to the next one. One robot drives, one stands. */
 class TubesStopTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);
@@ -57,6 +59,10 @@ class TubesStopTest {
       long fromNs = gvh.plat.clock.nowNs();
       await(() -> !paths.isUnderWay());
       return (gvh.plat.clock.nowNs() - fromNs) / Time.NS_PER_MS;
+    }
+
+    GlobalVarHolder gvh() {
+      return gvh;
     }
 
     double awayMm(ItemPosition place) {
@@ -126,5 +132,121 @@ class TubesStopTest {
     assertThat(ends)
         .hasSize(3)
         .allSatisfy(ms -> assertThat(ms).isCloseTo(DEADLINE_MS, within(20L)));
+  }
+
+  private static final Path UP =
+      new Path(List.of(new Point(1000, 1000), new Point(1000, 2000), new Point(2000, 3000)));
+
+  @Test
+  void aGivenPathIsDrivenAsItIsAndTheNextGoalIsPlanned() {
+    List<Object> ends = new ArrayList<>();
+    List<List<Point>> tubes = new ArrayList<>();
+    play((robot, paths) -> {
+      paths.goAlong(UP);
+      robot.pause(4_000);
+      paths.held().forEach(tube -> tubes.add(tube.points()));
+      robot.endsMs(paths);
+      ends.add(paths.tubeflag().get());
+      ends.add(robot.awayMm(FREE) < 100);
+      ItemPosition back = new ItemPosition("back", 1000, 1000);
+      paths.goTo(back);
+      robot.endsMs(paths);
+      ends.add(paths.tubeflag().get());
+      ends.add(robot.awayMm(back) < 100);
+    });
+    assertThat(ends).containsExactly(TubeFlag.DONE, true, TubeFlag.DONE, true);
+    assertThat(tubes).singleElement().satisfies(points -> {
+      assertThat(points.get(0)).isEqualTo(UP.start());
+      assertThat(points).contains(new Point(1000, 2000)).endsWith(new Point(2000, 3000));
+    });
+  }
+
+  @Test
+  void aGivenPathIntoAnotherTubeFailsAtItsDeadline() {
+    List<Object> ends = new ArrayList<>();
+    play((robot, paths) -> {
+      paths.goAlong(new Path(List.of(new Point(1000, 1000), TAKEN.at())));
+      ends.add(Math.abs(robot.endsMs(paths) - DEADLINE_MS) < 20);
+      ends.add(paths.failure().get());
+      ends.add(robot.awayMm(TAKEN) > 3_900);
+    });
+    assertThat(ends).containsExactly(true, TubeFailure.DEADLINE, true);
+  }
+
+  @Test
+  void aGivenPathBeginsAtTheRobot() {
+    List<Object> ends = new ArrayList<>();
+    play((robot, paths) -> {
+      double nearMm = 60 + robot.gvh().plat.moat.parameters().goalRadiusMm();
+      double errorMm = robot.gvh().gps.errorMm();
+      for (double offMm : new double[] {nearMm - errorMm - 1, nearMm - errorMm + 1}) {
+        Path path = new Path(List.of(new Point(1000 + offMm, 1000), new Point(2000, 3000)));
+        ends.add(isRefused(() -> paths.goAlong(path)));
+        paths.stop();
+      }
+    });
+    assertThat(ends).containsExactly(false, true);
+  }
+
+  private static boolean isRefused(Runnable call) {
+    try {
+      call.run();
+      return false;
+    } catch (IllegalArgumentException | IllegalStateException e) {
+      return true;
+    }
+  }
+
+  @Test
+  void oneCallAtATimeAndNoneAfterTheEnd() {
+    List<Object> ends = new ArrayList<>();
+    play((robot, paths) -> {
+      ends.add(isRefused(() -> paths.goTo(FREE)));
+      ends.add(isRefused(() -> paths.goTo(FREE)));
+      ends.add(isRefused(() -> paths.goAlong(UP)));
+      ends.add(isRefused(paths::standHere));
+      robot.pause(6_000);
+      ends.add(paths.tubeflag().get());
+      ends.add(isRefused(paths::standHere));
+      paths.close();
+      ends.add(paths.failure().get());
+      ends.add(robot.gvh().plat.moat.inMotion());
+      ends.add(isRefused(() -> paths.goTo(FREE)));
+      ends.add(isRefused(paths::standHere));
+      robot.pause(2_000);
+      double fromMm = robot.awayMm(FREE);
+      robot.pause(10_000);
+      ends.add(robot.awayMm(FREE) == fromMm);
+    });
+    assertThat(ends)
+        .containsExactly(
+            false,
+            true,
+            true,
+            true,
+            TubeFlag.MOVING,
+            true,
+            TubeFailure.STOPPED,
+            false,
+            true,
+            true,
+            true);
+  }
+
+  @Test
+  void aTubeOfASlowRobotIsNarrowerByWhatItDrivesUntilItsNextCommand() {
+    MotionParameters fast = MotionParameters.builder().reactionMs(500).build();
+    MotionParameters slow = DistributedPathPlanning.slowed(fast, 20);
+    assertThat(slow.linSpeedMaxMmPerS()).isLessThan(fast.linSpeedMaxMmPerS());
+    assertThat(slow.linSpeedMinMmPerS()).isLessThanOrEqualTo(slow.linSpeedMaxMmPerS());
+    assertThat(slow.arcSpeedMaxMmPerS()).isLessThanOrEqualTo(slow.linSpeedMaxMmPerS());
+    assertThat(Tracking.stepS(fast) * slow.linSpeedMaxMmPerS()).isCloseTo(20, within(1e-9));
+    assertThat(DistributedPathPlanning.slowed(fast, 1e9)).isEqualTo(fast);
+    int own = DistributedPathPlanning.radiusMm(slow, TUBES);
+    assertThat(own).isLessThan(DistributedPathPlanning.radiusMm(fast, TUBES));
+    assertThat(DistributedPathPlanning.radiusMm(fast, TUBES, 20)).isGreaterThanOrEqualTo(own);
+    MotionParameters exact = MotionParameters.DEFAULT;
+    assertThat(DistributedPathPlanning.radiusMm(exact, TUBES, 20))
+        .isEqualTo(DistributedPathPlanning.radiusMm(exact, TUBES));
   }
 }
