@@ -60,7 +60,7 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
     super(
         gvh,
         Instance.of(LedgerFact.PRIMITIVE, xid),
-        new Channel<>(LedgerFact.SYNOD, xid, SynodCodec.of(new EntriesFormat())));
+        new Channel<>(LedgerFact.SYNOD, xid, SynodCodec.of(new EntriesFormat(shape))));
     this.shape = shape;
     ready = gvh.variable(source, LedgerFact.READY, false);
     held = gvh.variable(source, LedgerFact.HELD, Collections.emptySortedSet());
@@ -81,16 +81,24 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
     wire.start(protocol, this::show);
   }
 
-  /** The values and wishes of its decrees. */
-  private static final class EntriesFormat implements SynodCodec.Format {
+  /**
+   * The values and wishes of its decrees.
+   *
+   * @param what the shape of what is to be done
+   */
+  record EntriesFormat(Shape<?> what) implements SynodCodec.Format {
     @Override
     public void checkValue(long number, Value value) {
-      LedgerProtocol.read(value);
+      checkWish(value);
     }
 
     @Override
     public void checkWish(Value wish) {
-      LedgerProtocol.read(wish);
+      for (LedgerEntry entry : LedgerProtocol.read(wish)) {
+        if (entry instanceof LedgerEntry.Add add) {
+          add.what().read("a task", what::read);
+        }
+      }
     }
   }
 

@@ -134,7 +134,7 @@ public final class FleetApp extends LogicThread {
     floor = new M_Mutex(gvh, "floor", floorList, TIMES);
     places = new Places(gvh, roads, home, voters, TIMES);
     closures = new Closures(gvh, roads, floor, places);
-    ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE, voters, LEASES);
+    ledger = new TaskLedger<>(gvh, DELIVERIES, Delivery.SHAPE.where(this::check), voters, LEASES);
     rng = gvh.plat.entropy.fork("app");
     load = gvh.plat.persistent("load", Load.SHAPE, Load.NONE);
     goal = gvh.plat.persistent("goal", Shapes.INT, home);
@@ -152,6 +152,16 @@ public final class FleetApp extends LogicThread {
             .smallTurnAngleRad(Angles.fromDegrees(1))
             .collisionPolicy(CollisionPolicy.STOP_ON_COLLISION)
             .build());
+  }
+
+  /** Refuses a delivery that another robot has from another map. */
+  private void check(Delivery delivery) {
+    int vertices = roads.graph().vertices().size();
+    for (int stop : delivery.stops()) {
+      if (stop < 0 || stop >= vertices) {
+        throw new IllegalArgumentException("vertex " + stop + ": expected below " + vertices);
+      }
+    }
   }
 
   @Override
