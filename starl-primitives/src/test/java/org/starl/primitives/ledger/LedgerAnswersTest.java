@@ -393,6 +393,34 @@ class LedgerAnswersTest {
     }
   }
 
+  private List<Value> wishes() {
+    List<Value> wishes = new ArrayList<>();
+    for (Object each : sent.take()) {
+      if (each instanceof Prepare ask) {
+        wishes.add(ask.wish());
+      }
+    }
+    return wishes;
+  }
+
+  /** By the timer alone: nothing else need happen. */
+  @Test
+  void theEndOfASilentHoldersClaimIsProposedUnlessItIsBegun() {
+    long leaseNs = LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS;
+    Value free = Value.write(out -> LedgerEntry.LIST.write(List.of(Seen.FREE), out));
+    decree(1, 0, Seen.START_A, Seen.START_B, Seen.ADD);
+    decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, PB));
+    sent.take();
+    protocol.timer(leaseNs - 1);
+    assertThat(wishes()).isEmpty();
+    protocol.timer(leaseNs);
+    assertThat(wishes()).isNotEmpty().containsOnly(free);
+    decree(3, leaseNs, new LedgerEntry.Begin(Seen.T, 1, PB));
+    sent.take();
+    protocol.timer(4 * leaseNs);
+    assertThat(wishes()).isEmpty();
+  }
+
   /** A later voter suspects half a second later than the one before it. */
   @Test
   void votersSuspectOneAfterTheOther() {
