@@ -1,6 +1,7 @@
 package org.starl.primitives.ledger;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.starl.primitives.ledger.Seen.A;
 import static org.starl.primitives.ledger.Seen.B;
 import static org.starl.primitives.ledger.Seen.PA;
@@ -23,6 +24,7 @@ import org.starl.primitives.chaos.SentMessages;
 import org.starl.primitives.ledger.LedgerMessage.Here;
 import org.starl.primitives.ledger.LedgerMessage.Part;
 import org.starl.random.Rng;
+import org.starl.shape.WireReader;
 import org.starl.shape.WireWriter;
 import org.starl.time.Time;
 
@@ -365,6 +367,42 @@ class LedgerAnswersTest {
     sent.take();
     protocol.received(new Here(PB, 9, false), nowNs);
     return sent.take().contains(new Here(PA, 0, true));
+  }
+
+  /** The acceptor's record tells of later decrees than the state: it would vote for what it forgot. */
+  @Test
+  void aProgramWhoseStateIsLostDoesNotStart() {
+    decree(1, 0);
+    before = state(protocol);
+    assertThat(protocol().state().number()).isEqualTo(1);
+    before = new LedgerState();
+    assertThatThrownBy(this::protocol)
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessageContaining("it ends at decree 0, but the acceptor's record at 1");
+  }
+
+  private static LedgerState state(LedgerProtocol of) {
+    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(of.state(), out));
+    return LedgerState.SHAPE.read(new WireReader(bytes));
+  }
+
+  @Test
+  void onlyVotersWatchHolders() {
+    decree(1, 0, Seen.START_A, Seen.START_B, Seen.ADD);
+    decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, PB));
+    before = state(protocol);
+    LedgerProtocol third =
+        new LedgerProtocol(
+            ProcessId.first(C, 1),
+            Participants.of(A, B),
+            Participants.of(A, B, C),
+            LedgerSettings.DEFAULT,
+            new Rng(1),
+            new SentMessages(),
+            new Port(),
+            0);
+    third.timer(100 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
+    assertThat(third.isSilent(B)).isFalse();
   }
 
   /** Every beacon asks another voter. */
