@@ -1,3 +1,4 @@
+// Longer than 500 lines because all of it needs the same two or three robots and their channel.
 package org.starl.comms;
 
 import static org.assertj.core.api.Assertions.assertThat;

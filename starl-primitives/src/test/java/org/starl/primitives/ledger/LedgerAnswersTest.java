@@ -1,3 +1,4 @@
+// Longer than 500 lines because it asks one voter all that the messages of others can make it do.
 package org.starl.primitives.ledger;
 
 import static org.assertj.core.api.Assertions.assertThat;

@@ -155,10 +155,12 @@ class TubesStopTest {
       ends.add(robot.awayMm(back) < 100);
     });
     assertThat(ends).containsExactly(TubeFlag.DONE, true, TubeFlag.DONE, true);
-    assertThat(tubes).singleElement().satisfies(points -> {
-      assertThat(points.get(0)).isEqualTo(UP.start());
-      assertThat(points).contains(new Point(1000, 2000)).endsWith(new Point(2000, 3000));
-    });
+    assertThat(tubes)
+        .singleElement()
+        .satisfies(points -> {
+          assertThat(points.get(0)).isEqualTo(UP.start());
+          assertThat(points).contains(new Point(1000, 2000)).endsWith(new Point(2000, 3000));
+        });
   }
 
   @Test
