@@ -3,6 +3,7 @@ package org.starl.primitives.ledger;
 import java.util.List;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Value;
 
 /** The effects of a {@link LedgerProtocol}, beside those of its Synod. */
 interface LedgerPort {
@@ -28,6 +29,9 @@ interface LedgerPort {
 
   /** The state was taken over from storage, or from another robot. */
   void installed(long number, int tasks);
+
+  /** Throws an exception if the app cannot read what is to be done. */
+  void check(Value what);
 
   /** Messages of a process made no sense together, and were dropped. */
   void refused(ProcessId from, String what);

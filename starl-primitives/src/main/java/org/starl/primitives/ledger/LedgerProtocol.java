@@ -434,6 +434,7 @@ class LedgerProtocol extends SynodProtocol {
       WireReader in = new WireReader(Arrays.copyOf(all.buffer(), all.length()));
       newer = LedgerState.SHAPE.read(in);
       in.expectEnd();
+      newer.tasks().values().forEach(task -> port.check(task.what()));
     } catch (WireFormatException | IllegalArgumentException e) {
       port.refused(part.from(), "parts of a state: " + e.getMessage());
       return;

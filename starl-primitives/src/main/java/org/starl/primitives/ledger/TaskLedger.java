@@ -213,6 +213,7 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
   private final class Port implements LedgerPort {
     private final Persistent<LedgerState> stored;
     private final Endpoint<LedgerMessage> endpoint;
+    private boolean hasRefused;
 
     Port(Persistent<LedgerState> stored, String xid) {
       this.stored = stored;
@@ -257,8 +258,17 @@ public final class TaskLedger<T> extends SynodPrimitive implements LedgerPrim<T>
     }
 
     @Override
+    public void check(Value what) {
+      what.read("a task", shape::read);
+    }
+
+    @Override
     public void refused(ProcessId from, String what) {
-      gvh.log.w(source.name(), "dropped from " + from + ": " + what);
+      if (!hasRefused) {
+        hasRefused = true;
+        gvh.log.w(
+            source.name(), "dropped from " + from + ": " + what + "; more of these are not told");
+      }
     }
 
     @Override

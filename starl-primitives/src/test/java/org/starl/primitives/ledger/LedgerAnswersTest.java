@@ -25,6 +25,7 @@ import org.starl.primitives.chaos.SentMessages;
 import org.starl.primitives.ledger.LedgerMessage.Here;
 import org.starl.primitives.ledger.LedgerMessage.Part;
 import org.starl.random.Rng;
+import org.starl.shape.WireFormatException;
 import org.starl.shape.WireReader;
 import org.starl.shape.WireWriter;
 import org.starl.time.Time;
@@ -181,6 +182,18 @@ class LedgerAnswersTest {
     assertThat(protocol.state().number()).isZero();
     protocol.received(new Part(PB, 4, 0, 1, Value.of(state(4))), 0);
     assertThat(protocol.state().number()).isEqualTo(4);
+  }
+
+  @Test
+  void aStateWithATaskThatTheAppCannotReadIsRefused() {
+    for (int bytes : new int[] {13, 12}) {
+      LedgerState later = new LedgerState();
+      later.next(2, Value.EMPTY);
+      later.apply(new LedgerEntry.Add(new TaskId("t", 1), Value.of(new byte[bytes])));
+      byte[] state = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
+      protocol.received(new Part(PB, 2, 0, 1, Value.of(state)), 0);
+    }
+    assertThat(told).containsExactly("refused b", "installed 2 1");
   }
 
   /** The robot with the newer state crashes before it has sent all of it. */
@@ -542,6 +555,13 @@ class LedgerAnswersTest {
     @Override
     public void installed(long number, int tasks) {
       told.add("installed " + number + " " + tasks);
+    }
+
+    @Override
+    public void check(Value what) {
+      if (what.length() == 13) {
+        throw new WireFormatException("a task that the app cannot read");
+      }
     }
 
     @Override
