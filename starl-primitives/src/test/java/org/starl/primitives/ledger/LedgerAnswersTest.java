@@ -34,6 +34,7 @@ import org.starl.time.Time;
 class LedgerAnswersTest {
 
   private static final RobotId C = new RobotId("c");
+  private static final ProcessId PC = ProcessId.first(C, 1);
 
   private final SentMessages sent = new SentMessages();
   private final List<Long> stored = new ArrayList<>();
@@ -47,8 +48,12 @@ class LedgerAnswersTest {
   }
 
   private LedgerProtocol protocol() {
+    return protocol(PA);
+  }
+
+  private LedgerProtocol protocol(ProcessId of) {
     return new LedgerProtocol(
-        PA,
+        of,
         Participants.of(A, B),
         Participants.of(A, B, C),
         LedgerSettings.DEFAULT,
@@ -75,8 +80,7 @@ class LedgerAnswersTest {
   void aStateThatIsTakenOverIsStored() {
     LedgerState later = new LedgerState();
     later.next(1, Value.EMPTY);
-    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
-    protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes)), 0);
+    protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes(later))), 0);
     assertThat(protocol.state().number()).isEqualTo(1);
     assertThat(stored).containsExactly(1L);
   }
@@ -91,8 +95,7 @@ class LedgerAnswersTest {
             new LedgerEntry.Add(task, Value.EMPTY),
             new LedgerEntry.Claim(task, 1, PB))
         .forEach(later::apply);
-    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
-    protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes)), 0);
+    protocol.received(new Part(PB, 1, 0, 1, Value.of(bytes(later))), 0);
     protocol.timer(10 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
     assertThat(protocol.isSilent(B)).isTrue();
   }
@@ -104,7 +107,7 @@ class LedgerAnswersTest {
     byte[] newer = state(2);
     int half = newer.length / 2;
     protocol.received(part(PB, 2, 0, newer, half), 0);
-    protocol.received(part(ProcessId.first(C, 1), 1, 0, older, half), 0);
+    protocol.received(part(PC, 1, 0, older, half), 0);
     protocol.received(part(PB, 2, 1, newer, half), 0);
     assertThat(protocol.state().number()).isEqualTo(2);
   }
@@ -114,6 +117,10 @@ class LedgerAnswersTest {
     for (long decree = 1; decree <= number; decree++) {
       state.next(decree, Value.EMPTY);
     }
+    return bytes(state);
+  }
+
+  private static byte[] bytes(LedgerState state) {
     return WireWriter.toBytes(out -> LedgerState.SHAPE.write(state, out));
   }
 
@@ -190,8 +197,7 @@ class LedgerAnswersTest {
       LedgerState later = new LedgerState();
       later.next(2, Value.EMPTY);
       later.apply(new LedgerEntry.Add(new TaskId("t", 1), Value.of(new byte[bytes])));
-      byte[] state = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
-      protocol.received(new Part(PB, 2, 0, 1, Value.of(state)), 0);
+      protocol.received(new Part(PB, 2, 0, 1, Value.of(bytes(later))), 0);
     }
     assertThat(told).containsExactly("refused b", "installed 2 1");
   }
@@ -348,8 +354,7 @@ class LedgerAnswersTest {
     LedgerState later = new LedgerState();
     later.next(5, Value.EMPTY);
     List.of(Seen.START_A, Seen.ADD).forEach(later::apply);
-    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(later, out));
-    protocol.received(new Part(PB, 5, 0, 1, Value.of(bytes)), 0);
+    protocol.received(new Part(PB, 5, 0, 1, Value.of(bytes(later))), 0);
     assertThat(call.outcome()).isEqualTo(LedgerOutcome.DONE);
     assertThat(told).endsWith("installed 5 1", "DONE Add");
   }
@@ -396,8 +401,7 @@ class LedgerAnswersTest {
   }
 
   private static LedgerState state(LedgerProtocol of) {
-    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(of.state(), out));
-    return LedgerState.SHAPE.read(new WireReader(bytes));
+    return LedgerState.SHAPE.read(new WireReader(bytes(of.state())));
   }
 
   @Test
@@ -405,16 +409,7 @@ class LedgerAnswersTest {
     decree(1, 0, Seen.START_A, Seen.START_B, Seen.ADD);
     decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, PB));
     before = state(protocol);
-    LedgerProtocol third =
-        new LedgerProtocol(
-            ProcessId.first(C, 1),
-            Participants.of(A, B),
-            Participants.of(A, B, C),
-            LedgerSettings.DEFAULT,
-            new Rng(1),
-            new SentMessages(),
-            new Port(),
-            0);
+    LedgerProtocol third = protocol(PC);
     third.timer(100 * LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS);
     assertThat(third.isSilent(B)).isFalse();
   }
@@ -422,24 +417,14 @@ class LedgerAnswersTest {
   /** Every beacon asks another voter. */
   @Test
   void beaconsAskTheVotersInTurn() {
-    LedgerProtocol third =
-        new LedgerProtocol(
-            ProcessId.first(C, 1),
-            Participants.of(A, B),
-            Participants.of(A, B, C),
-            LedgerSettings.DEFAULT,
-            new Rng(1),
-            sent,
-            new Port(),
-            0);
-    ProcessId pc = ProcessId.first(C, 1);
+    LedgerProtocol third = protocol(PC);
     long periodNs = LedgerSettings.DEFAULT.beaconMs() * Time.NS_PER_MS;
     for (int beacon = 0; beacon < 4; beacon++) {
       sent.take();
       third.timer(beacon * periodNs);
       assertThat(sent.take())
           .filteredOn(Here.class::isInstance)
-          .containsExactly(new Here(pc, 0, beacon % 2 == 0), new Here(pc, 0, beacon % 2 == 1));
+          .containsExactly(new Here(PC, 0, beacon % 2 == 0), new Here(PC, 0, beacon % 2 == 1));
       third.timer((beacon + 1) * periodNs - 1);
       assertThat(sent.take()).noneMatch(Here.class::isInstance);
     }
@@ -476,21 +461,10 @@ class LedgerAnswersTest {
   /** A later voter suspects half a second later than the one before it. */
   @Test
   void votersSuspectOneAfterTheOther() {
-    decree(1, 0, new LedgerEntry.Start(ProcessId.first(C, 1)), Seen.ADD);
-    decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, ProcessId.first(C, 1)));
-    LedgerProtocol second =
-        new LedgerProtocol(
-            PB,
-            Participants.of(A, B),
-            Participants.of(A, B, C),
-            LedgerSettings.DEFAULT,
-            new Rng(1),
-            sent,
-            new Port(),
-            0);
-    LedgerState held = protocol.state();
-    byte[] bytes = WireWriter.toBytes(out -> LedgerState.SHAPE.write(held, out));
-    second.received(new Part(PA, 2, 0, 1, Value.of(bytes)), 0);
+    decree(1, 0, new LedgerEntry.Start(PC), Seen.ADD);
+    decree(2, 0, new LedgerEntry.Claim(Seen.T, 1, PC));
+    LedgerProtocol second = protocol(PB);
+    second.received(new Part(PA, 2, 0, 1, Value.of(bytes(protocol.state()))), 0);
     long leaseNs = LedgerSettings.DEFAULT.leaseMs() * Time.NS_PER_MS;
     long turnNs = 500 * Time.NS_PER_MS;
     protocol.timer(leaseNs - 1);
